@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace grader {
+namespace grader::inline packing {
 namespace {
 
 constexpr std::size_t zero_block = std::size_t{16} << 20;
@@ -130,4 +130,4 @@ void write_tar_gz(const std::filesystem::path& file, const std::vector<ArchiveEn
   }
 }
 
-}  // namespace grader
+}  // namespace grader::packing

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline packing {
 
 struct ArchiveEntry {
   std::string path;
@@ -29,4 +29,4 @@ void write_zip(const std::filesystem::path& file, const std::vector<ArchiveEntry
 void write_tar_gz(const std::filesystem::path& file, const std::vector<ArchiveEntry>& entries,
                   std::time_t date = kArchiveDate);
 
-}  // namespace grader
+}  // namespace grader::packing

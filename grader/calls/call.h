@@ -22,7 +22,7 @@
 #include "particles/vectors.h"
 #include "solver/linearSolver.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 // What a contract promises beside its types.
 struct Contract {
@@ -129,4 +129,4 @@ struct CallList {
   using Of = At<number_of<function>()>;
 };
 
-}  // namespace grader
+}  // namespace grader::calls

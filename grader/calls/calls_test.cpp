@@ -8,7 +8,7 @@
 #include "grader/calls/relay.h"
 #include "hair/course/course.h"
 
-namespace grader {
+namespace grader::inline calls {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -130,4 +130,4 @@ TEST(Calls, OfAnotherListAreRefused) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::calls

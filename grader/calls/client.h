@@ -21,7 +21,7 @@
 #include "grader/calls/force_server.h"
 #include "grader/wire/products.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 struct Served {
   int rows, cols;
@@ -359,4 +359,4 @@ auto answers(Asker& asker, const Given&... given) {
   return answers_in<Calls, function>(std::index_sequence_for<Given...>(), asker, given...);
 }
 
-}  // namespace grader
+}  // namespace grader::calls

@@ -6,7 +6,7 @@
 #include "grader/wire/message.h"
 #include "particles/dynamics.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 class DynamicsServer {
  public:
@@ -32,4 +32,4 @@ class DynamicsServer {
   int size_, most_;
 };
 
-}  // namespace grader
+}  // namespace grader::calls

@@ -3,7 +3,7 @@
 
 #include "grader/wire/force_answer.h"
 
-namespace grader {
+namespace grader::inline calls {
 namespace {
 
 // No step takes more; what a student's code asks for beyond them is counted, and not kept.
@@ -27,4 +27,4 @@ bool ForceServer::operator()(int which, const std::vector<double>& question, std
   return energies + forces + dfdx + dfdv + bands <= most_;
 }
 
-}  // namespace grader
+}  // namespace grader::calls

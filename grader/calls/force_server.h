@@ -9,7 +9,7 @@
 #include "particles/force.h"
 #include "particles/state.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 class ForceServer {
  public:
@@ -29,4 +29,4 @@ class ForceServer {
   int size_, most_;
 };
 
-}  // namespace grader
+}  // namespace grader::calls

@@ -20,7 +20,7 @@
 
 #include "grader/wire/message.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 template <class T>
 struct Form;
@@ -131,4 +131,4 @@ void expect_like(const T& value, const T& model) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::calls

@@ -13,7 +13,7 @@
 #include "reference/S1/calls.h"
 #include "reference/S2/calls.h"
 
-namespace grader {
+namespace grader::inline calls {
 namespace {
 
 using Eigen::MatrixXd;
@@ -280,4 +280,4 @@ TEST(Check, OfConstraintsWantsANumberForEachRow) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::calls

@@ -9,7 +9,7 @@
 #include "particles/implicit_euler.h"
 #include "particles/state.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 template <>
 struct Form<hair::Strand> {
@@ -60,4 +60,4 @@ struct Form<hair::CorrectionReport> {
   static void check(T& report) { bound_steps(report.iterations); }
 };
 
-}  // namespace grader
+}  // namespace grader::calls

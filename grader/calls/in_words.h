@@ -9,7 +9,7 @@
 
 #include "grader/calls/form.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 // The function's name without its namespaces, from what GCC and Clang say of a template's arguments.
 template <auto function>
@@ -68,4 +68,4 @@ std::string in_words(const auto&... arguments) {
   return out.str();
 }
 
-}  // namespace grader
+}  // namespace grader::calls

@@ -17,7 +17,7 @@
 #include "particles/force.h"
 #include "solver/linearSolver.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 // Operator `which` of the other side's. `provided`: of the force that the suite serves in this request, for functions that it
 // provides; see client.h.
@@ -148,4 +148,4 @@ class RemoteForce : public particles::Force {
   bool provided_;
 };
 
-}  // namespace grader
+}  // namespace grader::calls

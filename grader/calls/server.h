@@ -17,7 +17,7 @@
 #include "grader/calls/call.h"
 #include "grader/calls/remote.h"
 
-namespace grader {
+namespace grader::inline calls {
 
 // Numbers of a host that trusts what it calls.
 class UnguardedVector {
@@ -349,4 +349,4 @@ void serve(Host& host, MessageReader& request, MessageWriter& reply) {
   (std::make_integer_sequence<int, Calls::count>());
 }
 
-}  // namespace grader
+}  // namespace grader::calls

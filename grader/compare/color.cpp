@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using Matrix = std::array<Color, 3>;
@@ -81,4 +81,4 @@ Color lab_from_xyz(const Color& xyz) {
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace grader {
+namespace grader::inline compare {
 
 using Color = std::array<double, 3>;
 
@@ -23,4 +23,4 @@ Color xyz_from_ycxcz(const Color& ycxcz);
 
 Color lab_from_xyz(const Color& xyz);
 
-}  // namespace grader
+}  // namespace grader::compare

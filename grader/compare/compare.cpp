@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 // Blurring is linear: the difference of blurred pictures is the blurred difference.
@@ -40,4 +40,4 @@ PictureDistance compare_pictures(const hair::Image& reference, const hair::Image
   return distance;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -7,7 +7,7 @@
 
 #include "grader/compare/flip.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 inline constexpr double kBlur = 4;  // px, sigma of the Gaussian
 
@@ -26,4 +26,4 @@ PictureDistance compare_pictures(const hair::Image& reference, const hair::Image
 // The same, with a FLIP map that was already computed.
 PictureDistance compare_pictures(const hair::Image& reference, const hair::Image& test, const ErrorMap& map);
 
-}  // namespace grader
+}  // namespace grader::compare

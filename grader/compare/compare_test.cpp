@@ -7,7 +7,7 @@
 
 #include "grader/compare/test_pictures.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using hair::Image;
@@ -74,4 +74,4 @@ TEST(ComparePictures, NeedsTwoOfTheSameSize) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

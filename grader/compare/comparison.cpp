@@ -9,7 +9,7 @@
 
 #include "hair/io/files/printable.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 constexpr std::size_t kLongestName = 60;
@@ -94,4 +94,4 @@ std::string comparison_json(const Comparison& comparison) {
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -6,7 +6,7 @@
 
 #include "grader/compare/compare.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 struct ComparedPair {
   std::string name;
@@ -38,4 +38,4 @@ std::string comparison_table(const Comparison& comparison);
 // reason.
 std::string comparison_json(const Comparison& comparison);
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using std::numbers::pi;
@@ -53,4 +53,4 @@ Plane seen(const Plane& channel, Opponent opponent, double pixels_per_degree) {
   return channel;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 constexpr double kPixels = 67;  // per degree
@@ -43,4 +43,4 @@ TEST(ContrastSensitivity, OfBlueAndYellowIsASumOfTwo) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

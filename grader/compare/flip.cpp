@@ -11,7 +11,7 @@
 #include "grader/compare/color.h"
 #include "grader/compare/contrast_sensitivity.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using hair::Image;
@@ -153,4 +153,4 @@ ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degre
   return map;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

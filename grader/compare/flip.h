@@ -11,7 +11,7 @@
 #include "grader/compare/plane.h"
 #include "hair/io/image/image.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 using ErrorMap = Plane;  // 0 (no difference) to 1
 
@@ -23,4 +23,4 @@ inline constexpr double kPixelsPerDegree = 67;
 ErrorMap flip(const hair::Image& reference, const hair::Image& test,
               double pixels_per_degree = kPixelsPerDegree);
 
-}  // namespace grader
+}  // namespace grader::compare

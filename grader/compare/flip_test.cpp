@@ -14,7 +14,7 @@
 #include "grader/compare/test_pictures.h"
 #include "hair/io/image/read_png.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using hair::Image;
@@ -134,4 +134,4 @@ TEST(Flip, NeedsADistanceFromTheScreen) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

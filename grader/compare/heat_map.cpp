@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::inline compare {
 
 HeatColor heat_color(double value) {
   const double at = std::clamp(value, 0.0, 1.0) * (kHeatColors.size() - 1);
@@ -25,4 +25,4 @@ hair::Image heat_map(const Plane& map) {
   return image;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -8,7 +8,7 @@
 #include "grader/compare/plane.h"
 #include "hair/io/image/image.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 using HeatColor = std::array<std::uint8_t, 3>;  // red, green, blue
 
@@ -21,4 +21,4 @@ HeatColor heat_color(double value);  // clamped to 0..1
 // The map as a picture.
 hair::Image heat_map(const Plane& map);
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -7,7 +7,7 @@
 
 #include "grader/compare/color.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 double lightness(const HeatColor& color) {
@@ -38,4 +38,4 @@ TEST(HeatMap, HasTheMapsSizeAndItsEndsColours) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

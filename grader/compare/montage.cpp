@@ -7,7 +7,7 @@
 
 #include "grader/compare/plane.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using hair::Image;
@@ -71,4 +71,4 @@ Image shrunk(const Image& image, int width) {
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

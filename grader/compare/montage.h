@@ -5,7 +5,7 @@
 
 #include "hair/io/image/image.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 // Puts pictures from left to right with a dark line between them. At least one picture, and all of the same
 // height, else throws std::invalid_argument.
@@ -15,4 +15,4 @@ hair::Image side_by_side(const std::vector<hair::Image>& images);
 // covers. A narrower picture stays unchanged.
 hair::Image shrunk(const hair::Image& image, int width);
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -5,7 +5,7 @@
 
 #include "grader/compare/test_pictures.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using hair::Image;
@@ -54,4 +54,4 @@ TEST(Shrunk, EvenStaysEvenAndSmallStaysAsItIs) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

@@ -10,7 +10,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ PicturePairs find_pairs(const fs::path& reference, const fs::path& test) {
   return found;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline compare {
 
 struct PicturePair {
   std::string name;  // the file name; the second file's name if they differ
@@ -23,4 +23,4 @@ struct PicturePairs {
 // both.
 PicturePairs find_pairs(const std::filesystem::path& reference, const std::filesystem::path& test);
 
-}  // namespace grader
+}  // namespace grader::compare

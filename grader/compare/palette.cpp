@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using Pixel = std::array<std::uint8_t, 3>;
@@ -70,4 +70,4 @@ std::string encode_palette_png(const PalettePicture& picture) {
   return bytes;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

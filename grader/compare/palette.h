@@ -10,7 +10,7 @@
 
 #include "hair/io/image/image.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 struct PalettePicture {
   int width = 0, height = 0;
@@ -26,4 +26,4 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most);
 // As a PNG file's bytes. The same picture gives the same bytes.
 std::string encode_palette_png(const PalettePicture& picture);
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -9,7 +9,7 @@
 #include "grader/compare/test_pictures.h"
 #include "hair/io/image/read_png.h"
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 using hair::Image;
@@ -86,4 +86,4 @@ TEST(Palette, RefusesNoColorsTooManyAndNoPicture) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 // out[x] += weight * in[x]: the inner loop of all filters, which compilers vectorise.
@@ -48,4 +48,4 @@ Plane filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_co
   return out;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace grader {
+namespace grader::inline compare {
 
 struct Plane {
   int width = 0, height = 0;
@@ -29,4 +29,4 @@ Kernel gaussian(double sigma, int radius);
 // plane repeats its border values.
 Plane filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_columns);
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace grader {
+namespace grader::inline compare {
 namespace {
 
 // Each value has all of a float's rounding: eps / 2 relative for each of the kernel's products and sums.
@@ -64,4 +64,4 @@ TEST(Filtered, WhatIsEvenStaysEven) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compare

@@ -6,7 +6,7 @@
 
 #include "hair/io/image/image.h"
 
-namespace grader {
+namespace grader::inline compare {
 
 inline hair::Image even(const std::array<std::uint8_t, 3>& color, int width = 32, int height = 32) {
   hair::Image image{width, height, {}};
@@ -40,4 +40,4 @@ inline hair::Image strands(int width, int height, int count, int shift = 0) {
   return image;
 }
 
-}  // namespace grader
+}  // namespace grader::compare

@@ -12,7 +12,7 @@
 #include "grader/sandbox/descriptor.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 namespace fs = std::filesystem;
 
@@ -77,4 +77,4 @@ std::optional<KeptObject> read_kept(const fs::path& kept) {
                     1e-3 * static_cast<double>(milliseconds)};
 }
 
-}  // namespace grader
+}  // namespace grader::compile

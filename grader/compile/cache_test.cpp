@@ -12,7 +12,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ TEST_F(Cache, IsReadWholeWhileAnotherWrites) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compile

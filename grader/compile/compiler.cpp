@@ -14,7 +14,7 @@
 #include "grader/text/encoding.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 namespace fs = std::filesystem;
 
@@ -203,4 +203,4 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   return compiled;
 }
 
-}  // namespace grader
+}  // namespace grader::compile

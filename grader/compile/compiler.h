@@ -17,7 +17,7 @@
 #include "grader/compile/turns.h"
 #include "grader/course/course.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 struct Compiled {
   std::filesystem::path object;  // empty: it did not compile
@@ -60,4 +60,4 @@ class Compiler {
   mutable Turns turns_;  // by the object's key
 };
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -13,7 +13,7 @@
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,4 +249,4 @@ TEST_F(CompilerTest, SaysWhatItTook) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compile

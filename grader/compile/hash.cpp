@@ -10,7 +10,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 std::string hexadecimal(const unsigned char* bytes, std::size_t size) {
@@ -56,4 +56,4 @@ std::string sha256_of(const std::filesystem::path& path) {
   return sha256(hair::read_file(path, std::numeric_limits<std::size_t>::max(), "a file that can be read"));
 }
 
-}  // namespace grader
+}  // namespace grader::compile

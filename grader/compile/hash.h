@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace grader {
+namespace grader::inline compile {
 
 std::string sha256(const std::string& bytes);
 std::string hmac_sha256(const std::string& key, const std::string& bytes);
@@ -13,4 +13,4 @@ std::string hmac_sha256(const std::string& key, const std::string& bytes);
 // be read.
 std::string sha256_of(const std::filesystem::path& path);
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -7,7 +7,7 @@
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 namespace fs = std::filesystem;
 
@@ -42,4 +42,4 @@ fs::path StagedKit::new_job(const std::string& name) const {
   return job;
 }
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -8,7 +8,7 @@
 #include "grader/course/course.h"
 #include "grader/sandbox/staging_folder.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 class StagedKit {
  public:
@@ -34,4 +34,4 @@ class StagedKit {
   std::string hash_;
 };
 
-}  // namespace grader
+}  // namespace grader::compile

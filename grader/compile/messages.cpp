@@ -9,7 +9,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 // The first `most` lines, and how many more there are.
@@ -69,4 +69,4 @@ std::string undefined_names(const std::string& log) {
   return first_lines(names, 10);
 }
 
-}  // namespace grader
+}  // namespace grader::compile

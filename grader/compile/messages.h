@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace grader {
+namespace grader::inline compile {
 
 // The compiler's messages about `file`'s own lines, a line each, and its errors elsewhere: it finds there what this file repeats or calls
 // wrongly.
@@ -15,4 +15,4 @@ std::string own_warnings(const std::string& log, const std::string& file);
 // Names that the linker does not find, a line each, as C++ writes them. Ten at most.
 std::string undefined_names(const std::string& log);
 
-}  // namespace grader
+}  // namespace grader::compile

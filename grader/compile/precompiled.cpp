@@ -7,7 +7,7 @@
 #include "grader/compile/hash.h"
 #include "grader/sandbox/identity.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ std::optional<std::string> PrecompiledHeader::compile() const {
   return bytes;
 }
 
-}  // namespace grader
+}  // namespace grader::compile

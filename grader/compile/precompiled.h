@@ -14,7 +14,7 @@
 
 #include "grader/compile/toolchain.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 class PrecompiledHeader {
  public:
@@ -36,4 +36,4 @@ class PrecompiledHeader {
   mutable std::filesystem::path folder_;  // empty: making it failed
 };
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 // Lines that end with a backslash are one with the next: a token may go on there.
@@ -251,4 +251,4 @@ std::optional<SwitchedOff> find_switch(const std::string& source, const std::str
   return found ? found : renamed_lines(spliced(source));
 }
 
-}  // namespace grader
+}  // namespace grader::compile

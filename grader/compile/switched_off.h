@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace grader {
+namespace grader::inline compile {
 
 struct SwitchedOff {
   int line = 0;      // of the student's file; 0: a macro's in a header
@@ -24,4 +24,4 @@ bool may_switch_off(const std::string& source);
 std::optional<SwitchedOff> find_switch(const std::string& source, const std::string& preprocessed,
                                        const std::string& file);
 
-}  // namespace grader
+}  // namespace grader::compile

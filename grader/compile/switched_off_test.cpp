@@ -8,7 +8,7 @@
 #include "grader/compile/compiler.h"
 #include "grader/sandbox/isolation_for_tests.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 class SwitchedOffTest : public testing::Test {
@@ -111,4 +111,4 @@ TEST(SwitchedOff, MostFilesNeedNoPreprocessor) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compile

@@ -10,7 +10,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 // The struct at `at`, if it lies within the bytes.
@@ -69,4 +69,4 @@ std::optional<std::string> forbidden_definition(std::string_view object) {
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline compile {
 
 // The first symbol that the object (ELF, 64 bit) defines, local or not, and whose name is one of the
 // sanitizers' runtime: "__asan_report_load8, a name of ...". Or a second table of symbols: compilers make
@@ -14,4 +14,4 @@ namespace grader {
 // linker refuses them. Takes time in proportion to the object's size.
 std::optional<std::string> forbidden_definition(std::string_view object);
 
-}  // namespace grader
+}  // namespace grader::compile

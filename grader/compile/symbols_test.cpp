@@ -8,7 +8,7 @@
 #include <ctime>
 #include <vector>
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 struct Named {
@@ -101,4 +101,4 @@ TEST(Symbols, OfDamagedObjectsAreNone) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::compile

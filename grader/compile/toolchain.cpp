@@ -15,7 +15,7 @@
 #include "grader/sandbox/identity.h"
 #include "grader/sandbox/system_mounts.h"
 
-namespace grader {
+namespace grader::inline compile {
 namespace {
 
 namespace fs = std::filesystem;
@@ -170,4 +170,4 @@ std::optional<std::string> read_written(const fs::path& path, std::size_t most) 
   return read_all(file, most, 10);
 }
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -9,7 +9,7 @@
 #include "grader/compile/kit.h"
 #include "grader/sandbox/cage.h"
 
-namespace grader {
+namespace grader::inline compile {
 
 // How a student's file is built: as it is graded, or with the sanitizers that find memory errors.
 enum class Build { ordinary, sanitised };
@@ -67,4 +67,4 @@ std::filesystem::path writable_folder(const std::filesystem::path& path);
 // links, because the tool could have left one.
 std::optional<std::string> read_written(const std::filesystem::path& path, std::size_t most);
 
-}  // namespace grader
+}  // namespace grader::compile

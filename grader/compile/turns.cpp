@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace grader {
+namespace grader::inline compile {
 
 Turns::Turn::Turn(Turns& turns, std::string key) : turns_(turns), key_(std::move(key)) {
   std::unique_lock lock(turns_.mutex_);
@@ -19,4 +19,4 @@ Turns::Turn::~Turn() {
   turns_.ended_.notify_all();
 }
 
-}  // namespace grader
+}  // namespace grader::compile

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace grader {
+namespace grader::inline compile {
 
 class Turns {
  public:
@@ -29,4 +29,4 @@ class Turns {
   std::set<std::string> taken_;
 };
 
-}  // namespace grader
+}  // namespace grader::compile

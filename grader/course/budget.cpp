@@ -1,7 +1,7 @@
 // STAFF ONLY. The fields of a budget, each with its names in course files and results, and its least limit.
 #include "grader/course/budget.h"
 
-namespace grader {
+namespace grader::inline course {
 namespace {
 
 constexpr BudgetField kFields[] = {
@@ -39,4 +39,4 @@ const char* used_up(const Budget& spent, const Budget& limit) {
   return nullptr;
 }
 
-}  // namespace grader
+}  // namespace grader::course

@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace grader {
+namespace grader::inline course {
 
 struct Budget {
   double idle_seconds = 40;            // workers that neither compute nor wait for a processor
@@ -44,4 +44,4 @@ Budget nothing_spent();
 // The name of what is over its limit; null if nothing is.
 const char* used_up(const Budget& spent, const Budget& limit);
 
-}  // namespace grader
+}  // namespace grader::course

@@ -9,7 +9,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline course {
 namespace {
 
 void read_budget(Budget& budget, const JsonValue& json) {
@@ -40,4 +40,4 @@ Course read_course(const std::filesystem::path& exercises_json,
   return course;
 }
 
-}  // namespace grader
+}  // namespace grader::course

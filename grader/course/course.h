@@ -8,7 +8,7 @@
 #include "grader/course/budget.h"
 #include "hair/course/course.h"
 
-namespace grader {
+namespace grader::inline course {
 
 using hair::Exercise, hair::Role, hair::to_string;
 
@@ -33,4 +33,4 @@ struct Course : hair::Course {
 Course read_course(const std::filesystem::path& exercises_json,
                    const std::optional<std::filesystem::path>& course_json = {});
 
-}  // namespace grader
+}  // namespace grader::course

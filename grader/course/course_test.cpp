@@ -9,7 +9,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline course {
 namespace {
 
 Course read(const std::string& text) {
@@ -73,4 +73,4 @@ TEST(Budget, IsSharedOutAndUsedUp) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::course

@@ -6,8 +6,8 @@
 #include "hair/io/files/strict_json.h"
 #include "hair/io/files/write_file.h"
 
-namespace grader {
+namespace grader::inline course {
 
 using hair::BadInput, hair::JsonValue, hair::printable, hair::read_json, hair::write_file;
 
-}  // namespace grader
+}  // namespace grader::course

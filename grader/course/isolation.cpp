@@ -1,7 +1,7 @@
 // STAFF ONLY. Words for the kinds of isolation.
 #include "grader/course/isolation.h"
 
-namespace grader {
+namespace grader::inline course {
 namespace {
 
 struct Words {
@@ -28,4 +28,4 @@ std::optional<Isolation> isolation_from(std::string_view word) {
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::course

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline course {
 
 enum class Isolation {
   // Nothing does, for machines that can't and for --unsafe-no-sandbox. Paths inside are replaced by those outside.
@@ -21,4 +21,4 @@ std::optional<Isolation> isolation_from(std::string_view word);
 // Every page and file of results says this of it, without a full stop. Of namespaces none says anything.
 const char* said_of(Isolation kind);
 
-}  // namespace grader
+}  // namespace grader::course

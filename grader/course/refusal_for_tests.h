@@ -8,7 +8,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline course {
 
 // The line that `act` throws as BadInput. One line it must be.
 inline std::string refusal(const std::function<void()>& act) {
@@ -21,4 +21,4 @@ inline std::string refusal(const std::function<void()>& act) {
   return "nothing is refused";
 }
 
-}  // namespace grader
+}  // namespace grader::course

@@ -7,7 +7,7 @@
 #include "grader/course/input.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 // "Lab 3 [Total Pts: 10 Score] |664617". Older versions don't say how the column is shown.
@@ -100,4 +100,4 @@ Gradebook fill_blackboard(const Csv& exported, const std::vector<Grade>& grades,
   return filling.book(encoded(csv, exported.encoding));
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

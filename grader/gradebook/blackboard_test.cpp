@@ -6,7 +6,7 @@
 #include "grader/course/refusal_for_tests.h"
 #include "grader/gradebook/said_for_tests.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 using std::string;
@@ -103,4 +103,4 @@ TEST(BlackboardGradeCenter, RefusesColumnsThatItsImportWouldMakeAnew) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::gradebook

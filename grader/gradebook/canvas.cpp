@@ -8,7 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 bool is_row_of_points(const Csv::Row& row) {
@@ -166,4 +166,4 @@ Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, con
   return filling.book(std::move(csv));
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

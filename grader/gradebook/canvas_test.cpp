@@ -7,7 +7,7 @@
 #include "grader/gradebook/importers.h"
 #include "grader/gradebook/said_for_tests.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 using std::string;
@@ -227,4 +227,4 @@ TEST(CanvasGradebook, SaysWhatIsNoExport) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::gradebook

@@ -9,7 +9,7 @@
 #include "grader/gradebook/grade.h"
 #include "grader/text/csv.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 struct Feedback {
   std::vector<ArchiveEntry> entries;
@@ -32,4 +32,4 @@ Feedback feedback_for_canvas(const std::vector<std::string>& files, const std::v
 // download may be another student's.
 Feedback feedback_for_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const ReportOf& report);
 
-}  // namespace grader
+}  // namespace grader::gradebook

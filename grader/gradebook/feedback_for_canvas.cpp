@@ -10,7 +10,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 enum class Form { page, zip, tar_gz, text };  // the best comes first
@@ -133,4 +133,4 @@ Feedback feedback_for_canvas(const std::vector<std::string>& files, const std::v
   return feedback;
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

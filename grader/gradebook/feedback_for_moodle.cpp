@@ -8,7 +8,7 @@
 #include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 // "Participant 4711": the word, in the worksheet's language.
@@ -72,4 +72,4 @@ Feedback feedback_for_moodle(const Csv& worksheet, const std::vector<Grade>& gra
   return feedback;
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

@@ -10,7 +10,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/archive.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 using std::string;
@@ -149,4 +149,4 @@ TEST(MoodleFeedback, TwoHandInsOfOnePersonAreLeftToStaff) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::gradebook

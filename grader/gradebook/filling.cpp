@@ -7,7 +7,7 @@
 #include "grader/report/text.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 std::string called(const Grade& grade) {
@@ -145,4 +145,4 @@ Gradebook Filling::book(std::string csv) {
   return std::move(book_);
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

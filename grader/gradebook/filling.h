@@ -12,7 +12,7 @@
 #include "grader/text/csv.h"
 #include "grader/text/number.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 struct FillOptions {
   // The column's title, or its number in Canvas and Blackboard; "": the only one that there is.
@@ -74,4 +74,4 @@ class Filling {
   Gradebook book_;
 };
 
-}  // namespace grader
+}  // namespace grader::gradebook

@@ -7,7 +7,7 @@
 
 #include "grader/intake/owner.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 struct Grade {
   std::string hand_in;  // the submission's name, and its folder among the reports
@@ -30,4 +30,4 @@ struct Gradebook {
   std::vector<std::pair<std::string, std::string>> entered{};  // hand-in, cell
 };
 
-}  // namespace grader
+}  // namespace grader::gradebook

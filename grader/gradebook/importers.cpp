@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 using std::string, std::vector;
@@ -212,4 +212,4 @@ Imported import_into_autolab(const string& csv, std::size_t problems) {
   return found;
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline gradebook {
 
 struct Imported {
   std::map<std::string, std::string>
@@ -28,4 +28,4 @@ Imported import_into_brightspace(const std::string& csv, const std::vector<std::
 
 Imported import_into_autolab(const std::string& csv, std::size_t problems);
 
-}  // namespace grader
+}  // namespace grader::gradebook

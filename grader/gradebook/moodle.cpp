@@ -7,7 +7,7 @@
 #include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 constexpr const char* kGradedAt = "Last modified (grade)";
@@ -120,4 +120,4 @@ Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, co
   return filling.book(std::move(csv));
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

@@ -7,7 +7,7 @@
 #include "grader/gradebook/importers.h"
 #include "grader/gradebook/said_for_tests.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 using std::string;
@@ -212,4 +212,4 @@ TEST(MoodleWorksheet, SaysWhatIsNoWorksheet) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::gradebook

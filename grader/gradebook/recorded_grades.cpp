@@ -6,7 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/record/record.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder) {
   const std::string where = printable(folder.string(), 4096);
@@ -34,4 +34,4 @@ std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& 
   return grades;
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

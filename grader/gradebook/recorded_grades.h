@@ -7,9 +7,9 @@
 #include "grader/gradebook/grade.h"
 #include "grader/record/record.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 // The grades of the record's hand-in. Throws BadInput if there are none; `folder` is for the message.
 std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder);
 
-}  // namespace grader
+}  // namespace grader::gradebook

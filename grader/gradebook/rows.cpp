@@ -7,7 +7,7 @@
 #include "grader/report/text.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 constexpr std::string_view kPointsGrade = " points grade";
@@ -182,4 +182,4 @@ Gradebook plain_rows(const std::string& system, const Csv* exported, const std::
   return book;
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

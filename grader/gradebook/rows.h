@@ -3,7 +3,7 @@
 
 #include "grader/gradebook/filling.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 // Brightspace's import: its ids as exported, the points of an item that it has, and its mark at the end of each row.
 Gradebook fill_brightspace(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
@@ -18,4 +18,4 @@ Gradebook autolab_rows(const std::vector<Grade>& grades, const std::vector<std::
 Gradebook plain_rows(const std::string& system, const Csv* exported, const std::vector<Grade>& grades,
                      const FillOptions& options);
 
-}  // namespace grader
+}  // namespace grader::gradebook

@@ -7,7 +7,7 @@
 #include "grader/gradebook/importers.h"
 #include "grader/gradebook/said_for_tests.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 namespace {
 
 using std::string;
@@ -83,4 +83,4 @@ TEST(PlainRows, SayThatNoImportIsConfirmed) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::gradebook

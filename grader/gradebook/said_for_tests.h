@@ -6,11 +6,11 @@
 
 #include "grader/gradebook/grade.h"
 
-namespace grader {
+namespace grader::inline gradebook {
 
 inline bool says(const Gradebook& book, const std::string& words) {
   return std::ranges::any_of(book.said,
                              [&](const std::string& line) { return line.find(words) != std::string::npos; });
 }
 
-}  // namespace grader
+}  // namespace grader::gradebook

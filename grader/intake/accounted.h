@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 struct Accounted {
   enum class As {
@@ -29,4 +29,4 @@ inline std::string to_string(Accounted::As as) {
                            : "notice";
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -19,7 +19,7 @@
 #include "grader/intake/ignored.h"
 #include "grader/intake/zip_source.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 struct CloseArchive {
@@ -301,4 +301,4 @@ bool has_archive_content(const std::filesystem::path& file) {
   return is_zip(head) || is_gzip(head) || is_tar(head);
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -11,7 +11,7 @@
 
 #include "grader/intake/container.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 struct ArchiveLimits {
   std::size_t unpacked_bytes;  // of a tar's whole stream; of a zip, only of the entries that are read
@@ -50,4 +50,4 @@ std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& sh
 // Whether the file starts like a zip or a gzip, or is a tar.
 bool has_archive_content(const std::filesystem::path& file);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 // `bytes` as a gzip without a tar.
 inline std::string gzip(const std::string& bytes) {
@@ -157,4 +157,4 @@ inline std::string zip_of_method(int method, const std::string& data) {
   return zip;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 constexpr std::array<std::string_view, 19> kArchives{
@@ -82,4 +82,4 @@ bool has_document_ending(std::string_view name) {
   return ending_length(name, kDocuments) > 0;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

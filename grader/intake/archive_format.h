@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace grader {
+namespace grader::inline intake {
 
 inline constexpr std::size_t kHeadBytes = 512;  // a tar's header; all that the functions below look at
 
@@ -24,4 +24,4 @@ std::string_view without_archive_ending(std::string_view name);
 // Whether `name` is a document's, such as "x.pdf": somebody handed in a report in place of an archive.
 bool has_document_ending(std::string_view name);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -13,7 +13,7 @@
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 void limit_to(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
@@ -120,4 +120,4 @@ std::vector<Entry> unpacked_entries(std::vector<std::byte> bytes, std::size_t mo
   return entries;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -19,7 +19,7 @@
 #include "grader/intake/archive.h"
 #include "grader/intake/container.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 enum : int { kArchive = 3, kConversation = 4 };
 
@@ -42,4 +42,4 @@ std::vector<std::byte> packed_entries(const std::vector<Entry>& entries);
 // that is too long, and for anything else that no reader says.
 std::vector<Entry> unpacked_entries(std::vector<std::byte> bytes, std::size_t most);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -9,7 +9,7 @@
 #include "grader/intake/archive_builder.h"
 #include "grader/intake/archive_format.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 constexpr ArchiveLimits kLimits{1 << 20, 100};
@@ -218,4 +218,4 @@ TEST(Archive, EndingsAreKnownInAnyCase) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

@@ -20,7 +20,7 @@
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -216,4 +216,4 @@ OpenArchive CagedReader::opener() const {
   };
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -14,7 +14,7 @@
 #include "grader/sandbox/cage.h"
 #include "grader/sandbox/staging_folder.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 class CagedReader {
  public:
@@ -38,4 +38,4 @@ class CagedReader {
 // The cage of a reader, whose program is the file `program`.
 Cage reader_cage(const std::filesystem::path& program, Isolation isolation);
 
-}  // namespace grader
+}  // namespace grader::intake

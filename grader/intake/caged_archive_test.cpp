@@ -6,7 +6,7 @@
 #include "grader/intake/submissions_fixture.h"
 #include "grader/sandbox/isolation_for_tests.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 // Classes that are read by a hostile reader (hostile_reader.cpp).
@@ -122,4 +122,4 @@ TEST_F(CagedReading, ThatDoesNotStartIsNoStudentsFault) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

@@ -8,7 +8,7 @@
 #include "grader/intake/names.h"
 #include "grader/intake/origin.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 bool comes_before(const Draft& a, const Draft& b) {
@@ -70,4 +70,4 @@ void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notic
   std::sort(drafts.begin(), drafts.end(), comes_before);
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -8,10 +8,10 @@
 
 #include "grader/intake/draft.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 // Sorts by name, whatever the order was before. Leaves out what was given twice. Submissions of one name each
 // get a name of their own, a problem that names another of them, and a notice.
 void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notices);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -10,7 +10,7 @@
 #include "grader/text/encoding.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 bool is_latin(utf8proc_int32_t c) {
@@ -99,4 +99,4 @@ std::string decode_names(std::vector<std::string>& names) {
   return best;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 // Changes names that are no UTF-8 into it. Returns the code page ("GB18030"); "" if all were UTF-8 already. Always finds one.
 std::string decode_names(std::vector<std::string>& names);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -9,7 +9,7 @@
 #include "grader/intake/names.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 Entry entry_at(std::string shown) {
   Entry entry;
@@ -104,4 +104,4 @@ std::string shown_size(std::uintmax_t bytes) {
   return std::to_string(bytes) + " bytes";
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 // The reason for a rejection: a sentence for the student, without control characters.
 class Refused : public std::runtime_error {
@@ -75,4 +75,4 @@ class Container {
 // "256 MiB" (rounded down), "100 bytes".
 std::string shown_size(std::uintmax_t bytes);
 
-}  // namespace grader
+}  // namespace grader::intake

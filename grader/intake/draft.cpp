@@ -6,7 +6,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 std::string joined(const std::vector<std::string>& words) {
@@ -137,4 +137,4 @@ std::string problem_of(const Entry& entry, const std::string& shown) {
          " leads out of the archive. Pack it again without \"..\" and without a path that begins at a root.";
 }
 
-}  // namespace grader
+}  // namespace grader::intake

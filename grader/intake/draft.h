@@ -11,7 +11,7 @@
 #include "grader/intake/exercise_names.h"
 #include "grader/intake/submission.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 class IntakeBudget {
  public:
@@ -81,4 +81,4 @@ struct Draft {
 // Why an entry that should be a file is none, or must not be taken; "" if all is well.
 std::string problem_of(const Entry& entry, const std::string& shown);
 
-}  // namespace grader
+}  // namespace grader::intake

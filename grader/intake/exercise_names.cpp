@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 bool is_digit(char c) {
@@ -74,4 +74,4 @@ std::optional<Likeness> exercise_file(std::string_view name, const FileNames& ex
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::intake

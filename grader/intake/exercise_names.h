@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline intake {
 
 using FileNames = std::set<std::string, std::less<>>;
 
@@ -35,4 +35,4 @@ Numbered without_number(std::string_view name);
 
 std::optional<Likeness> exercise_file(std::string_view name, const FileNames& exercise_files);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -13,7 +13,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/ignored.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ void Folder::visit(const std::vector<std::size_t>& indices,
   }
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -8,7 +8,7 @@
 
 #include "grader/intake/container.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 class Folder : public Container {
  public:
@@ -25,4 +25,4 @@ class Folder : public Container {
   std::vector<std::string> listed_;
 };
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -2,7 +2,7 @@
 #include "grader/intake/origin.h"
 #include "grader/intake/submissions_fixture.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 std::string folders(const Names& paths) {
@@ -201,4 +201,4 @@ TEST_F(Submissions, AFolderThatIsSaidToBeOneHandInIsNeverAClass) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

@@ -12,7 +12,7 @@
 #include "grader/text/letters.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 constexpr std::size_t kDeepestNesting = 3;  // class.zip, Alice_1.zip in it, handin.tar.gz in that
@@ -185,4 +185,4 @@ void HandInReader::take(Container& container, const std::vector<Entry>& list,
   });
 }
 
-}  // namespace grader
+}  // namespace grader::intake

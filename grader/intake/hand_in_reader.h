@@ -11,7 +11,7 @@
 #include "grader/intake/exercise_names.h"
 #include "grader/intake/same_name.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 // A draft's part of a container.
 struct Share {
@@ -55,4 +55,4 @@ class HandInReader {
   const FileNames& files_;
 };
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace grader {
+namespace grader::inline intake {
 
 bool is_ignored(std::string_view path) {
   // Macs' resource forks, icons and indices; Windows' thumbnails, zones and Office's locks; Synology's indices.
@@ -20,4 +20,4 @@ bool is_ignored(std::string_view path) {
   return false;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

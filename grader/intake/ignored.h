@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-namespace grader {
+namespace grader::inline intake {
 
 bool is_ignored(std::string_view path);
 
-}  // namespace grader
+}  // namespace grader::intake

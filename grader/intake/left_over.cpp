@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace grader {
+namespace grader::inline intake {
 
 std::string line_about(const Accounted& left_over) {
   return left_over.path + ": was not graded, since it " + left_over.reason;
@@ -43,4 +43,4 @@ std::string left_over_json(const std::vector<Accounted>& listed) {
   return all.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace grader
+}  // namespace grader::intake

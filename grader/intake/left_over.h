@@ -6,7 +6,7 @@
 
 #include "grader/intake/submission.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 inline constexpr const char* kLeftOver = "left-over.json";
 
@@ -19,4 +19,4 @@ std::vector<Accounted> listed(const Intake& intake);
 // An object: "left_over", "older" and "made", each a list of {"path", "reason", "whose"}; and "notices", lines for staff.
 std::string left_over_json(const std::vector<Accounted>& listed);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -8,7 +8,7 @@
 #include "grader/intake/archive_format.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 std::string submission_name(std::string_view name) {
   constexpr std::size_t longest = 150;
@@ -61,4 +61,4 @@ std::string name_among_equals(const std::string& name, std::string_view path) {
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -8,7 +8,7 @@
 
 #include "grader/intake/owner.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 // The name of an archive or folder without its extension. Bytes other than letters, digits, '.', '_' and '-'
 // become '_'. A name that begins with none of letters and digits gets an 'x' in front: programs take "-rf" for
@@ -25,4 +25,4 @@ std::string name_among_equals(const std::string& name, std::string_view path);
 // "alice, bob and 178 more": of many names the first ten.
 std::string some_of(const std::vector<std::string>& names);
 
-}  // namespace grader
+}  // namespace grader::intake

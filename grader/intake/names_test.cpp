@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 TEST(SubmissionName, IsSafeForFilesAndPages) {
@@ -57,4 +57,4 @@ TEST(NameOfAnOwner, TellsNamesWithoutAsciiApart) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

@@ -3,7 +3,7 @@
 
 #include "grader/intake/submissions_fixture.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 TEST_F(Submissions, BareFilesBesideAClassAreReportedAndTheClassStaysOne) {
@@ -289,4 +289,4 @@ TEST_F(Submissions, NothingRecognisedIsBadInput) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline intake {
 
 inline constexpr std::string_view kHandIn = "hand-in", kClass = "class",
                                   kLearningSystem = "class of a learning system";
@@ -19,4 +19,4 @@ inline bool is_of_a_class(std::string_view origin) {
   return origin.starts_with(kClass);
 }
 
-}  // namespace grader
+}  // namespace grader::intake

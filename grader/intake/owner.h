@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 struct Owner {
   // "Jörg Müller-Lüdenscheidt", "müllerlüdenscheidtjörg" (Canvas), a group's name; "" where the layout has none.
@@ -18,4 +18,4 @@ struct Owner {
   std::vector<Owner> members = {};  // of a group, where the layout says them
 };
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -13,7 +13,7 @@
 #include "grader/intake/origin.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ Planned Planner::by_folders(const std::vector<Entry>& list, const Argument& argu
   return planned;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -14,7 +14,7 @@
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/several_people.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 inline constexpr std::size_t kLongestPathShown = 4096;
 
@@ -57,4 +57,4 @@ struct Planner {
   Planned by_folders(const std::vector<Entry>& list, const Argument& argument) const;
 };
 
-}  // namespace grader
+}  // namespace grader::intake

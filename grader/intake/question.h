@@ -5,7 +5,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 struct Question : BadInput {
   Question(const std::string& line, const std::string& option_that_settles_it)
@@ -15,4 +15,4 @@ struct Question : BadInput {
 
 inline constexpr const char *kSaysClass = "--class", *kSaysReplace = "--replace";
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -9,7 +9,7 @@
 
 #include "grader/intake/submissions_fixture.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 struct Student {
   std::string name, number, id;
@@ -215,4 +215,4 @@ class Generator {
   Download download_;
 };
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 class RandomDownloads : public Submissions {};
@@ -57,4 +57,4 @@ TEST_F(RandomDownloads, LoseNobodyAndNoFile) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

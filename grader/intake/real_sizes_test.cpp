@@ -8,7 +8,7 @@
 
 #include "grader/intake/submissions_fixture.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 constexpr int kObjects = 160, kInGit = 25'000;
@@ -121,4 +121,4 @@ TEST_F(RealSizes, OfFoldersAreRead) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

@@ -9,7 +9,7 @@
 
 #include "grader/intake/exercise_names.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 template <std::size_t n>
@@ -114,4 +114,4 @@ std::size_t put_best_first(std::vector<Candidate>& candidates) {
   return static_cast<std::size_t>(end - begin);
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 // A folder that builds are made in is no person, whatever it holds.
 bool is_build(std::string_view folder);
@@ -31,4 +31,4 @@ struct Candidate {
 // Puts those that count most first, and says how many they are: more than one if no rule tells them apart.
 std::size_t put_best_first(std::vector<Candidate>& candidates);
 
-}  // namespace grader
+}  // namespace grader::intake

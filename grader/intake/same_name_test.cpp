@@ -9,7 +9,7 @@
 
 #include "grader/intake/exercise_names.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 // The paths of conj_grad.cpp that count most, "a | b".
@@ -72,4 +72,4 @@ TEST(SameName, NothingElseDecides) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

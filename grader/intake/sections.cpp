@@ -10,7 +10,7 @@
 #include "grader/intake/ignored.h"
 #include "grader/intake/layouts/division.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 constexpr std::size_t kMostSections = 20;
@@ -87,4 +87,4 @@ std::shared_ptr<Container> open_sections(std::shared_ptr<Container> outer, std::
   return std::make_shared<Parts>(std::move(parts));
 }
 
-}  // namespace grader
+}  // namespace grader::intake

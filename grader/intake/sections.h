@@ -9,7 +9,7 @@
 #include "grader/intake/container.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 // Opens the archive that is this entry of the list. Throws Refused.
 using OpenEntry = std::function<std::unique_ptr<Container>(std::size_t entry)>;
@@ -19,4 +19,4 @@ using OpenEntry = std::function<std::unique_ptr<Container>(std::size_t entry)>;
 std::shared_ptr<Container> open_sections(std::shared_ptr<Container> outer, std::vector<Entry> list,
                                          std::size_t least, const System* said, const OpenEntry& open);
 
-}  // namespace grader
+}  // namespace grader::intake

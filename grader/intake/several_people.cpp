@@ -7,7 +7,7 @@
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/names.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 std::string why_no_class(const std::vector<std::string>& names, std::string_view name,
                          const Arguments& arguments) {
@@ -24,4 +24,4 @@ std::string why_no_class(const std::vector<std::string>& names, std::string_view
          ", so it may be one student's hand-in; if it is a class, say";
 }
 
-}  // namespace grader
+}  // namespace grader::intake

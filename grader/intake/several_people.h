@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 struct Arguments {
   bool several = false;  // then each is a hand-in of one student
@@ -19,4 +19,4 @@ struct Arguments {
 std::string why_no_class(const std::vector<std::string>& names, std::string_view name,
                          const Arguments& arguments);
 
-}  // namespace grader
+}  // namespace grader::intake

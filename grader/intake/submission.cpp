@@ -20,7 +20,7 @@
 #include "grader/intake/sections.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 namespace fs = std::filesystem;
@@ -241,4 +241,4 @@ Intake read_hand_in(const fs::path& folder, const std::string& name, const Cours
   return reader.finish();
 }
 
-}  // namespace grader
+}  // namespace grader::intake

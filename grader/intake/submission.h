@@ -29,7 +29,7 @@
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/owner.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 struct SourceFile {
   std::string text;  // the file's bytes
@@ -103,4 +103,4 @@ Intake read_submissions(const std::vector<std::filesystem::path>& arguments, con
 Intake read_hand_in(const std::filesystem::path& folder, const std::string& name, const Course& course,
                     const OpenArchive& open_archive, const IntakeLimits& limits = {});
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -11,7 +11,7 @@
 
 #include "grader/intake/submissions_fixture.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 TEST_F(Submissions, EveryPackingGivesItsFilesByteByByte) {
@@ -509,4 +509,4 @@ TEST_F(Submissions, OfTenGigabytesOfZerosNoMoreIsReadThanMayBe) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

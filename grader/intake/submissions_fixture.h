@@ -20,7 +20,7 @@
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
@@ -112,4 +112,4 @@ inline testing::AssertionResult says(const std::string& message, const std::stri
   return testing::AssertionFailure() << "says: " << message << "\nnot:  " << part;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

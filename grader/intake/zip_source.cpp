@@ -11,7 +11,7 @@
 #include "grader/intake/ignored.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 std::uint64_t number_at(std::string_view bytes, std::size_t at, std::size_t size) {
@@ -122,4 +122,4 @@ int ZipSource::open(archive* reader) {
   return archive_read_open1(reader);
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -15,7 +15,7 @@
 
 struct archive;
 
-namespace grader {
+namespace grader::inline intake {
 
 class ZipSource {
  public:
@@ -50,4 +50,4 @@ class ZipSource {
   std::string block_ = std::string(kBlock, '\0');
 };
 
-}  // namespace grader
+}  // namespace grader::intake

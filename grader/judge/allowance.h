@@ -5,7 +5,7 @@
 
 #include "grader/course/budget.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct Allowance {
   Budget limit;
@@ -24,4 +24,4 @@ struct Allowance {
   double cpu_seconds_left() const { return limit.worker_cpu_seconds - spent.worker_cpu_seconds; }
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -9,7 +9,7 @@
 #include "grader/calls/in_words.h"
 #include "grader/judge/trial.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // An Output before a call that must overwrite it.
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
@@ -52,4 +52,4 @@ inline constexpr auto answer_of = [](Trial& trial, const auto&... given) {
   return answers<Calls, function>(asker, given...);
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 constexpr std::pair<double, const char*> kFactors[] = {{-1, "-1"},       {2, "2"},       {1.0 / 2, "1/2"},
@@ -56,4 +56,4 @@ std::string hint_for_students(const checks::Hint& hint) {
   return "";
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -5,9 +5,9 @@
 
 #include "handout/check/hint.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // Empty where nothing is clear, and for a factor that no ordinary mistake makes.
 std::string hint_for_students(const checks::Hint& hint);
 
-}  // namespace grader
+}  // namespace grader::judge

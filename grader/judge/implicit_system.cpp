@@ -10,7 +10,7 @@
 #include "particles/springs.h"
 #include "solver/symmetric_eigen.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 // Symmetric, its eigenvalues between half of `size` and about five times it.
@@ -185,4 +185,4 @@ ImplicitSystem implicit_system(const Cloud& cloud, double a, double b) {
   return system;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -20,7 +20,7 @@
 #include "particles/implicit_euler.h"
 #include "particles/state.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct Cloud {
   std::string name;
@@ -95,4 +95,4 @@ ImplicitSystem implicit_system(const Cloud& cloud, double a, double b);
 
 Eigen::VectorXd to_vector(const std::vector<double>& values);
 
-}  // namespace grader
+}  // namespace grader::judge

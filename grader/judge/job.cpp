@@ -39,6 +39,10 @@ struct Fields<SuiteJob> {
   }
 };
 
+}  // namespace grader
+
+namespace grader::inline judge {
+
 std::string to_json(const SuiteJob& job) {
   return json_text(job, -1);
 }
@@ -47,4 +51,4 @@ SuiteJob suite_job_from_json(const std::string& text, const std::string& name) {
   return from_json_text<SuiteJob>(text, name);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -12,7 +12,7 @@
 #include "grader/course/budget.h"
 #include "grader/course/isolation.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // See whole_run.h. Not within SuiteJob: clang 14 has no std::optional::emplace() for such a struct there.
 struct WholeRunJob {
@@ -55,4 +55,4 @@ std::string to_json(const SuiteJob& job);  // one line
 // Throws BadInput for a text that is no job; errors name it `name`.
 SuiteJob suite_job_from_json(const std::string& text, const std::string& name);
 
-}  // namespace grader
+}  // namespace grader::judge

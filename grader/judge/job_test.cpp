@@ -7,7 +7,7 @@
 
 #include "grader/result/check_fields.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 // All members differ from their defaults.
@@ -48,4 +48,4 @@ TEST(SuiteJob, EachOfItsFieldsIsChecked) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

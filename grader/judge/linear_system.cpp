@@ -13,7 +13,7 @@
 #include "grader/judge/rounding.h"
 #include "reference/S1/calls.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 int limit_of(int n, int steps) {
@@ -271,4 +271,4 @@ void expect_solves_ordinary_system(Trial& trial) {
   expect_solved(trial, system, solve(trial, system, epsilon, usual_limit(system)), epsilon);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

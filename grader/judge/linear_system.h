@@ -20,7 +20,7 @@
 #include "solver/linearSolver.h"
 #include "solver/matrices.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct LinearSystem {
   std::string name;
@@ -104,4 +104,4 @@ LinearSystem planned_system(std::string name, const std::vector<double>& ratios,
 // Solves one ordinary system: code that can't do this passes no category of extreme cases.
 void expect_solves_ordinary_system(Trial& trial);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 // The same matrix with its unknowns in another order: place i holds what was in place order[i].
@@ -163,4 +163,4 @@ TEST(Drift, BoundsTheReferenceOnEverySystemAtEveryLength) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -6,7 +6,7 @@
 #include "grader/judge/run/whole_run.h"
 #include "grader/wire/memory_error.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 Budget rest_of(const Allowance& allowance) {
@@ -120,4 +120,4 @@ void MemoryErrors::ask_all(Trial& trial) {
   trial.expect(anything_right_(), "nothing was found, but nothing else is right");
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -23,7 +23,7 @@
 #include "grader/judge/suite_table.h"
 #include "grader/judge/trial.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class MemoryErrors {
  public:
@@ -56,4 +56,4 @@ class MemoryErrors {
   int call_ = -1;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -7,7 +7,7 @@
 #include "particles/force.h"
 #include "particles/products_to_band.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class OtherForce : public particles::Force {
  public:
@@ -40,4 +40,4 @@ class Banded final : public OtherForce {
   }
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline judge {
 
 class Random {
  public:
@@ -56,4 +56,4 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -5,7 +5,7 @@
 
 #include "grader/judge/random.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // Its entries are normal, of size `scale`.
 inline Eigen::VectorXd random_vector(Random& random, Eigen::Index size, double scale = 1) {
@@ -14,4 +14,4 @@ inline Eigen::VectorXd random_vector(Random& random, Eigen::Index size, double s
   return v;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 VectorXd ask_force(Trial& trial, const StrandForce& force, const Posed& posed) {
@@ -122,4 +122,4 @@ void expect_added(Trial& trial, const StrandForce& force, const Posed& posed, in
   }
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -9,7 +9,7 @@
 
 #include "grader/judge/strand_trial.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // An exercise's functions. Those of the student add to `before`; roundings bound how far right answers are from each other.
 struct StrandForce {
@@ -47,4 +47,4 @@ void expect_own_rest_lengths(Trial& trial, const StrandForce& force, Posed stran
 // Force and products are added to what is there; `sums` bounds how often an entry rounds.
 void expect_added(Trial& trial, const StrandForce& force, const Posed& posed, int sums);
 
-}  // namespace grader
+}  // namespace grader::judge

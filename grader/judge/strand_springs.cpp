@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 using Eigen::Vector3d;
@@ -105,4 +105,4 @@ void expect_own_term(Trial& trial, const TermProduct& product, const Posed& two,
               "the filtered product of a strand with a stretched and a compressed spring");
 }
 
-}  // namespace grader
+}  // namespace grader::judge

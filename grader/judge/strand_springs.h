@@ -21,7 +21,7 @@
 
 #include "grader/judge/strand_force.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct Springs {
   double Strand::*rigidity;
@@ -118,4 +118,4 @@ struct SpringForce {
   }
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 using Eigen::Vector3d;
@@ -104,4 +104,4 @@ Vector3d random_direction(Random& random) {
       .normalized();
 }
 
-}  // namespace grader
+}  // namespace grader::judge

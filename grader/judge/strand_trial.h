@@ -15,7 +15,7 @@
 #include "hair/geometric_term.h"
 #include "hair/strand.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 using Eigen::VectorXd;
 using hair::GeometricTerm;
@@ -122,4 +122,4 @@ void expect_sum_of_parts(Trial& trial, const Posed& uneven, int count, double ro
 
 Eigen::Vector3d random_direction(Random& random);
 
-}  // namespace grader
+}  // namespace grader::judge

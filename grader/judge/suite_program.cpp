@@ -13,7 +13,7 @@
 #include "grader/result/result_fields.h"
 #include "grader/sandbox/inherited.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 WorkerSetup worker_of(const SuiteJob& job) {
   WorkerSetup worker;
@@ -55,7 +55,7 @@ int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&)) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::judge
 
 // In a build with sanitisers: looking for leaks when the process ends fails now and then beside OSMesa's threads, and a
 // submission would have no result. The suite's own tests look for leaks in the same code.

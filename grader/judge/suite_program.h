@@ -6,7 +6,7 @@
 #include "grader/judge/student/student.h"
 #include "grader/result/suite_result.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 WorkerSetup worker_of(const SuiteJob& job);
 
@@ -16,4 +16,4 @@ void add_costs(Student& student, const WorkerSetup& worker, SuiteResult& result)
 // The program's exit code: 2 if the job is none, 1 if `run` throws. It ends with the program that has started it.
 int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&));
 
-}  // namespace grader
+}  // namespace grader::judge

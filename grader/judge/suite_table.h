@@ -8,7 +8,7 @@
 #include "grader/judge/trial.h"
 #include "handout/check/category.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // All that is declared, also what no case asks: whole run, pictures, memory errors. Throws BadInput for an exercise without a suite.
 const std::vector<checks::Category>& declared_categories(const std::string& exercise);
@@ -19,4 +19,4 @@ Category category_of(const std::string& exercise, const std::string& id, std::fu
 // Those that hidden cases ask.
 std::vector<Category> categories(const std::string& exercise);
 
-}  // namespace grader
+}  // namespace grader::judge

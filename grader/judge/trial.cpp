@@ -9,7 +9,7 @@
 
 #include "grader/judge/hint_for_students.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 std::span<const double> as_span(const Eigen::VectorXd& v) {
@@ -172,4 +172,4 @@ std::string band(double error, double bound) {
   return "more than a million times as large as allowed";
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -18,7 +18,7 @@
 #include "grader/judge/student/student.h"
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct CaseFailed {
   Status status;
@@ -135,4 +135,4 @@ std::optional<CaseCount> count_of(const Category& category, Student& student, co
 // The ratio of error and bound, in bands: an exact number could reveal a hidden case's value.
 std::string band(double error, double bound);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -212,4 +212,4 @@ TEST(Random, DrawsFromTheDistributionsNamed) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::inline mutants {
 
 bool Equivalent::is(const std::string& source, const Mutation& mutation) const {
   return change == change_of(source, mutation) && line == line_of(source, mutation) &&
@@ -20,4 +20,4 @@ std::vector<Equivalent> equivalents_of(const std::string& exercise, const std::f
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::mutants

@@ -9,7 +9,7 @@
 
 #include "grader/mutants/mutation.h"
 
-namespace grader {
+namespace grader::inline mutants {
 
 struct Equivalent {
   std::string line, change, why;
@@ -21,4 +21,4 @@ struct Equivalent {
 // Those of an exercise, from the project's folder; none where it has no such file.
 std::vector<Equivalent> equivalents_of(const std::string& exercise, const std::filesystem::path& project);
 
-}  // namespace grader
+}  // namespace grader::mutants

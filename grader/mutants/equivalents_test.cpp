@@ -8,7 +8,7 @@
 #include "grader/course/course.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline mutants {
 namespace {
 
 const std::filesystem::path kProject = HAIR_PROJECT;
@@ -30,4 +30,4 @@ TEST(Equivalents, AreMutantsOfTheSolutions) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::mutants

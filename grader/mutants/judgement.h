@@ -5,7 +5,7 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline mutants {
 
 enum class Judgement { does_not_compile, loses_points, gets_all };
 
@@ -15,4 +15,4 @@ struct Judged {
   std::vector<CaseResult> lost = {};
 };
 
-}  // namespace grader
+}  // namespace grader::mutants

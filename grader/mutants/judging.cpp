@@ -7,7 +7,7 @@
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/reference_grading.h"
 
-namespace grader {
+namespace grader::inline mutants {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ std::vector<CaseResult> Judging::lost(const std::string& name, const fs::path& o
   return std::move(found.cases);
 }
 
-}  // namespace grader
+}  // namespace grader::mutants

@@ -10,7 +10,7 @@
 #include "grader/mutants/judgement.h"
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline mutants {
 
 class Judging {
  public:
@@ -31,4 +31,4 @@ class Judging {
   SuiteJobs jobs_;
 };
 
-}  // namespace grader
+}  // namespace grader::mutants

@@ -8,7 +8,7 @@
 
 #include "grader/mutants/words.h"
 
-namespace grader {
+namespace grader::inline mutants {
 namespace {
 
 using Kind = Word::Kind;
@@ -287,4 +287,4 @@ int line_number(const std::string& source, const Mutation& mutation) {
                  std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(mutation.at), '\n'));
 }
 
-}  // namespace grader
+}  // namespace grader::mutants

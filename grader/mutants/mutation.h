@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline mutants {
 
 struct Mutation {
   std::size_t at, length;  // the bytes of the source that go
@@ -31,4 +31,4 @@ std::string change_of(const std::string& source, const Mutation& mutation);
 int occurrence_of(const std::string& source, const Mutation& mutation);
 int line_number(const std::string& source, const Mutation& mutation);  // from 1
 
-}  // namespace grader
+}  // namespace grader::mutants

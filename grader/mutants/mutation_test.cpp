@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace grader {
+namespace grader::inline mutants {
 namespace {
 
 std::set<std::string> results(const std::string& source) {
@@ -89,4 +89,4 @@ TEST(Mutations, OfOneLineThatChangeTheSameAreTold) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::mutants

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline mutants {
 namespace {
 
 bool is_digit(char c) {
@@ -87,4 +87,4 @@ std::vector<Word> words_of(const std::string& source) {
   return words;
 }
 
-}  // namespace grader
+}  // namespace grader::mutants

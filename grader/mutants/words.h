@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline mutants {
 
 struct Word {
   enum class Kind { name, number, sign };
@@ -15,4 +15,4 @@ struct Word {
 
 std::vector<Word> words_of(const std::string& source);
 
-}  // namespace grader
+}  // namespace grader::mutants

@@ -8,7 +8,7 @@
 #include "grader/package/handout.h"
 #include "grader/package/manifest.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ TEST(ContractsOnTop, AreThereAndNoOtherGivenCode) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

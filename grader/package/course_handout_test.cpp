@@ -19,7 +19,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -363,4 +363,4 @@ TEST_F(RealProject, PromisesWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 // The name is the last group that is there.
@@ -102,4 +102,4 @@ std::string with_present_scenes(const std::string& text, const Paths& shipped, c
   return result + (in_block ? block : prose(paragraph, missing));
 }
 
-}  // namespace grader
+}  // namespace grader::package

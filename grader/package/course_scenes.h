@@ -5,7 +5,7 @@
 
 #include "grader/package/gates.h"
 
-namespace grader {
+namespace grader::inline package {
 
 // A text, Markdown, whose commands play only scenes that are there. `missing` has what ships in other courses only,
 // "given/hair/scenes/wind.json". In a block of code a command has another scene in the place of an example's, or it goes; so does a
@@ -13,4 +13,4 @@ namespace grader {
 // file becomes a sentence that the course lacks it.
 std::string with_present_scenes(const std::string& text, const Paths& shipped, const Paths& missing);
 
-}  // namespace grader
+}  // namespace grader::package

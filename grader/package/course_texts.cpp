@@ -10,7 +10,7 @@
 
 #include "grader/package/course_scenes.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -214,4 +214,4 @@ std::string course_text(const std::string& text, const ManifestLine& line, const
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::package

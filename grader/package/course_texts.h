@@ -8,7 +8,7 @@
 #include "grader/package/gates.h"
 #include "grader/package/manifest.h"
 
-namespace grader {
+namespace grader::inline package {
 
 // exercises.json with the course's points and roles. Absent exercises stay: the handout's build has definitions in their place.
 std::string course_json(const std::string& text, const Course& course);
@@ -37,4 +37,4 @@ inline constexpr const char *kExerciseRows = "<!-- exercises -->",
                             *kHowCounted = "<!-- how a category counts -->",
                             *kCategoryRows = "<!-- categories -->";
 
-}  // namespace grader
+}  // namespace grader::package

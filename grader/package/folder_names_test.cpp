@@ -8,7 +8,7 @@
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST(FolderNames, ThatNinjaCanNotReadAreForMake) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

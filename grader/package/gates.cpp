@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 const std::string canary = "STAFF ONLY";
@@ -173,4 +173,4 @@ bool carries_canary(const std::string& text) {
   return false;
 }
 
-}  // namespace grader
+}  // namespace grader::package

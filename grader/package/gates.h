@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace grader {
+namespace grader::inline package {
 
 class HandoutError : public std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -39,4 +39,4 @@ void check_reference_lines(const Files& handout, const Files& reference, const P
 // Whether a text has the staff's mark in its first lines.
 bool carries_canary(const std::string& text);
 
-}  // namespace grader
+}  // namespace grader::package

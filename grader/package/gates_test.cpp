@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 const std::string solution =
@@ -171,4 +171,4 @@ TEST(Canary, StandsInEveryFileOfTheStaffs) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

@@ -9,7 +9,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ std::string advice_for_gradescope(const Course& course, int minutes) {
          "; what the time ends keeps the exercises that were done.";
 }
 
-}  // namespace grader
+}  // namespace grader::package

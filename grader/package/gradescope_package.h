@@ -10,7 +10,7 @@
 #include "grader/course/course.h"
 #include "grader/package/handout.h"
 
-namespace grader {
+namespace grader::inline package {
 
 struct GradescopePackage {
   std::filesystem::path out;
@@ -30,4 +30,4 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
 // Which settings to choose on the platform, for people: a few lines.
 std::string advice_for_gradescope(const Course& course, int minutes);
 
-}  // namespace grader
+}  // namespace grader::package

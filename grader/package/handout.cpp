@@ -17,7 +17,7 @@
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/files/write_file.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ void make_handout(const HandoutSources& sources, const Course& course, const fs:
   fs::rename(part.path, out);
 }
 
-}  // namespace grader
+}  // namespace grader::package

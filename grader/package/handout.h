@@ -7,7 +7,7 @@
 #include "grader/course/course.h"
 #include "grader/package/gates.h"
 
-namespace grader {
+namespace grader::inline package {
 
 struct HandoutSources {
   std::filesystem::path root;    // the project's root
@@ -25,4 +25,4 @@ void accept_files(const HandoutSources& sources, const Course& course);
 // The files of the handout, by their paths in it.
 Files handout_files(const HandoutSources& sources, const Course& course);
 
-}  // namespace grader
+}  // namespace grader::package

@@ -13,7 +13,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,4 +272,4 @@ TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

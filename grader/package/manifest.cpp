@@ -11,7 +11,7 @@
 #include "grader/package/gates.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,4 +128,4 @@ std::vector<ManifestLine> read_manifest(const fs::path& root, const Course& cour
   return lines.take();
 }
 
-}  // namespace grader
+}  // namespace grader::package

@@ -7,7 +7,7 @@
 
 #include "grader/course/course.h"
 
-namespace grader {
+namespace grader::inline package {
 
 // A file that ships.
 struct ManifestLine {
@@ -25,4 +25,4 @@ std::string stub_of(const Exercise& exercise);
 // files, points outside the project or the handout, or repeats a destination; and HandoutError for a folder that does not ship as one.
 std::vector<ManifestLine> read_manifest(const std::filesystem::path& root, const Course& course);
 
-}  // namespace grader
+}  // namespace grader::package

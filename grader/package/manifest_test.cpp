@@ -10,7 +10,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ TEST(Manifest, NamesFileAndLineOfWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

@@ -16,7 +16,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -355,4 +355,4 @@ TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

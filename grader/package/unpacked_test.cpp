@@ -8,7 +8,7 @@
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ INSTANTIATE_TEST_SUITE_P(ByEach, Unpacked, testing::Values("Unix Makefiles", "Ni
                          [](const auto& generator) { return generator.index == 0 ? "Make" : "Ninja"; });
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::package

@@ -5,7 +5,7 @@
 
 #include "grader/record/points_then.h"
 
-namespace grader {
+namespace grader::inline record {
 
 std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::string& since) {
   std::vector<const LogEntry*> gradings;
@@ -32,4 +32,4 @@ std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::s
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::record

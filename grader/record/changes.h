@@ -7,7 +7,7 @@
 
 #include "grader/record/record.h"
 
-namespace grader {
+namespace grader::inline record {
 
 struct PointsChange {
   std::string place, title;             // "H2.3"
@@ -18,4 +18,4 @@ struct PointsChange {
 // no two gradings.
 std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::string& since = "");
 
-}  // namespace grader
+}  // namespace grader::record

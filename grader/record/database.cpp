@@ -17,7 +17,7 @@
 #include "grader/course/input.h"
 #include "grader/sandbox/descriptor.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 constexpr int kPatienceInMs = 60'000;  // others hold the file for the time of one result
@@ -187,4 +187,4 @@ Transaction::~Transaction() {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -18,7 +18,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace grader {
+namespace grader::inline record {
 
 enum class Journal { best, rollback };  // best: a write-ahead log where the file system is known to allow it
 
@@ -87,4 +87,4 @@ class Transaction {
   bool open_ = true;
 };
 
-}  // namespace grader
+}  // namespace grader::record

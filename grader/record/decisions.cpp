@@ -8,7 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/record/shown_number.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 constexpr std::array<const char*, 4> kKinds{"points", "excuse", "comment", "late-days"};
@@ -159,4 +159,4 @@ std::vector<std::string> conflicts(const SubmissionResult& computed, const std::
   return lines;
 }
 
-}  // namespace grader
+}  // namespace grader::record

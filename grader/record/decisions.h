@@ -8,7 +8,7 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline record {
 
 // A place in a result is an exercise, "H2", or a category of it, "H2.3"; "" is the whole.
 enum class DecisionKind { points, excuse, comment, late_days };
@@ -39,4 +39,4 @@ std::string decision_text(const Decision& decision);
 // A line each: decisions that were made against other points than those that are computed now.
 std::vector<std::string> conflicts(const SubmissionResult& computed, const std::vector<Decision>& decisions);
 
-}  // namespace grader
+}  // namespace grader::record

@@ -8,7 +8,7 @@
 #include "grader/record/record.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 SubmissionResult alice(double second_category = 1.5) {
@@ -204,4 +204,4 @@ TEST_F(Decisions, ChangesOfALaterGradingAreTold) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

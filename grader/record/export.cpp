@@ -2,7 +2,7 @@
 #include "grader/record/record.h"
 #include "grader/result/fields.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 // Texts that students shape may hold any bytes.
@@ -88,4 +88,4 @@ std::string Record::export_json() {
   return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -8,7 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 // An exercise that the course does not ask for is handed in by nobody.
@@ -100,4 +100,4 @@ CourseHandIn read_hand_in(const Course& course, const std::optional<std::filesys
   return *std::ranges::find(all, name, &CourseHandIn::name);
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -16,7 +16,7 @@
 #include "grader/course/course.h"
 #include "grader/record/rules.h"
 
-namespace grader {
+namespace grader::inline record {
 
 struct CourseHandIn {
   std::string name;  // "": the course has one
@@ -37,4 +37,4 @@ void check_hand_in(const std::string& name, const std::vector<std::string>& name
 // The folder of its pages below the record's: ASCII letters, digits, '-' and '_'. "" for "".
 std::string folder_of_hand_in(const std::string& name);
 
-}  // namespace grader
+}  // namespace grader::record

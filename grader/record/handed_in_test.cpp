@@ -4,7 +4,7 @@
 #include "grader/record/record.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 class HandedInVersions : public testing::Test {
@@ -89,4 +89,4 @@ TEST_F(HandedInVersions, OfAGroupHaveThePeopleOfTheirTime) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

@@ -19,7 +19,7 @@
 #include "grader/sandbox/descriptor.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 constexpr int kProcesses = 4, kStudents = 6;
@@ -148,4 +148,4 @@ TEST_P(Killed, AHundredTimesLosesNothingAndHasNothingTwice) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

@@ -2,7 +2,7 @@
 #include "grader/course/input.h"
 #include "grader/record/record.h"
 
-namespace grader {
+namespace grader::inline record {
 
 void Record::set_listed(const std::vector<Accounted>& listed) {
   const std::lock_guard lock(one_at_a_time_);
@@ -36,4 +36,4 @@ std::vector<Accounted> Record::listed() {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::record

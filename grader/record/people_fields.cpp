@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 // In the order of IdKind.
@@ -23,6 +23,10 @@ Field<Person> ids() {
 }
 
 }  // namespace
+
+}  // namespace grader::record
+
+namespace grader {
 
 const Rows<Owner>& Fields<Owner>::rows() {
   using T = Owner;

@@ -10,6 +10,10 @@ const Rows<PointsThen>& Fields<PointsThen>::rows() {
   return all;
 }
 
+}  // namespace grader
+
+namespace grader::inline record {
+
 std::vector<PointsThen> points_then(const SubmissionResult& result) {
   std::vector<PointsThen> all;
   for (const ExerciseResult& exercise : result.exercises) {
@@ -23,4 +27,4 @@ std::vector<PointsThen> points_then(const SubmissionResult& result) {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::record

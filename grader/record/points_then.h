@@ -8,19 +8,27 @@
 #include "grader/result/fields.h"
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline record {
 
 struct PointsThen {
   std::string place, title;  // "H2.3", "Ill-conditioned systems"; "H2" for an exercise without categories
   double points = 0, max_points = 0;
 };
 
+}  // namespace grader::record
+
+namespace grader {
+
 template <>
 struct Fields<PointsThen> {
   static const Rows<PointsThen>& rows();
 };
 
+}  // namespace grader
+
+namespace grader::inline record {
+
 // A category of each exercise, counted from 1.
 std::vector<PointsThen> points_then(const SubmissionResult& result);
 
-}  // namespace grader
+}  // namespace grader::record

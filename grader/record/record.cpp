@@ -13,7 +13,7 @@
 #include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 constexpr const char* kEntered = "entered into a gradebook";
@@ -307,4 +307,4 @@ std::optional<SubmissionResult> recorded_result(const fs::path& folder, const st
   return found ? std::optional(std::move(found->result)) : std::nullopt;
 }
 
-}  // namespace grader
+}  // namespace grader::record

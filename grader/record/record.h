@@ -27,7 +27,7 @@
 #include "grader/roster/class_list.h"
 #include "grader/roster/hidden_names.h"
 
-namespace grader {
+namespace grader::inline record {
 
 inline constexpr const char* kRecordFile = "class.sqlite";  // no submission is called so
 
@@ -200,4 +200,4 @@ std::string user();  // who runs this process: for the log
 // The result of `name` in the record of a folder, as it was computed; nothing without one.
 std::optional<SubmissionResult> recorded_result(const std::filesystem::path& folder, const std::string& name);
 
-}  // namespace grader
+}  // namespace grader::record

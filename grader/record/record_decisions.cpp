@@ -3,7 +3,7 @@
 #include "grader/record/record.h"
 #include "grader/record/rules.h"
 
-namespace grader {
+namespace grader::inline record {
 
 std::vector<Decision> Record::decisions_of(const std::string& name) {
   std::vector<Decision> all;
@@ -119,4 +119,4 @@ void Record::undo(const std::string& name, DecisionKind kind, const std::string&
                  (there.empty() ? "nothing" : there));
 }
 
-}  // namespace grader
+}  // namespace grader::record

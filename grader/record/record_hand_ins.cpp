@@ -4,7 +4,7 @@
 #include "grader/record/record.h"
 #include "grader/record/zone.h"
 
-namespace grader {
+namespace grader::inline record {
 
 struct Record::Dated {
   std::int64_t id = 0;
@@ -103,4 +103,4 @@ std::map<std::string, Record::Total> Record::totals() {
   return totals;
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -6,7 +6,7 @@
 #include "grader/record/record.h"
 #include "grader/record/same_people.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 // The last one of each name.
@@ -178,4 +178,4 @@ void Record::forget_on_roster(const std::string& hand_in) {
   if (people.size() < list->rows.size()) put_roster(people);
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -7,7 +7,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 TEST(PeopleInTheRecord, ComeBackAndMakeTheClass) {
@@ -90,4 +90,4 @@ TEST(PeopleInTheRecord, AreNotMadeBlindOnceTheyHaveNames) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

@@ -13,7 +13,7 @@
 #include "grader/result/result_fields.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 namespace fs = std::filesystem;
@@ -201,4 +201,4 @@ TEST(Journals, ARecordChangesItsJournalWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

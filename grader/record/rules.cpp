@@ -10,7 +10,7 @@
 #include "grader/record/zone.h"
 #include "grader/text/time_text.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 constexpr int kMinutesADay = 24 * 60;
@@ -73,6 +73,10 @@ std::string to_string(LateOf of) {
   return of == LateOf::reached ? "reached" : "reachable";
 }
 
+}  // namespace grader::record
+
+namespace grader {
+
 const Rows<HandInRules>& Fields<HandInRules>::rows() {
   using T = HandInRules;
   const auto changed = [](auto member) {
@@ -92,6 +96,10 @@ const Rows<HandInRules>& Fields<HandInRules>::rows() {
       field<T>("total_per_cent_at_most", &T::total_per_cent_at_most, changed(&T::total_per_cent_at_most))};
   return all;
 }
+
+}  // namespace grader
+
+namespace grader::inline record {
 
 void read_rules(const JsonValue& json, HandInRules& rules) {
   from_json_value(rules, json, {});
@@ -142,4 +150,4 @@ SubmissionResult under(const HandInRules& rules, SubmissionResult result, const 
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::record

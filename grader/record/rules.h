@@ -21,7 +21,7 @@
 #include "grader/result/lateness.h"
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline record {
 
 enum class LateOf { reached, reachable };
 
@@ -41,12 +41,20 @@ struct HandInRules {
   bool operator==(const HandInRules&) const = default;
 };
 
+}  // namespace grader::record
+
+namespace grader {
+
 template <>
 inline constexpr LateOf kLast<LateOf> = LateOf::reachable;
 template <>
 struct Fields<HandInRules> {
   static const Rows<HandInRules>& rows();
 };
+
+}  // namespace grader
+
+namespace grader::inline record {
 
 // Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place and what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
@@ -71,4 +79,4 @@ Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                        const MoreDays& more);
 
-}  // namespace grader
+}  // namespace grader::record

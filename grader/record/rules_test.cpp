@@ -5,7 +5,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 HandInRules due_in_march() {
@@ -109,4 +109,4 @@ TEST(Rules, AreReadFromTheCourseFile) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

@@ -7,7 +7,7 @@
 
 #include "grader/intake/names.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 // A group whose members nobody knows has none.
@@ -132,4 +132,4 @@ std::vector<RowName> row_names(const std::vector<Drawn>& before, const std::vect
   return names;
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -11,7 +11,7 @@
 
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline record {
 
 struct Drawn {
   HandIn hand_in;    // its system is "" if nobody knows whose it is: then its name counts
@@ -30,4 +30,4 @@ struct RowName {
 // For each of `now` the name of its row; no two are the same if none of `now` are.
 std::vector<RowName> row_names(const std::vector<Drawn>& before, const std::vector<HandIn>& now);
 
-}  // namespace grader
+}  // namespace grader::record

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 HandIn group(const std::string& name, const std::string& id, const std::vector<std::string>& members) {
@@ -167,4 +167,4 @@ TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

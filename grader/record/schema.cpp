@@ -5,7 +5,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 constexpr std::int64_t kApplication = 0x68616972;  // "hair"
@@ -136,4 +136,4 @@ void migrate(Database& database, const std::vector<std::string>& steps) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::record

@@ -6,7 +6,7 @@
 
 #include "grader/record/database.h"
 
-namespace grader {
+namespace grader::inline record {
 
 // The SQL that makes version 7 of an empty file, then 8 of 7, and so on. Entries are never changed, only
 // added: records have them.
@@ -16,4 +16,4 @@ const std::vector<std::string>& migrations();
 // newer or a far older version, and for a database that is no record.
 void migrate(Database& database, const std::vector<std::string>& steps = migrations());
 
-}  // namespace grader
+}  // namespace grader::record

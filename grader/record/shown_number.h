@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace grader {
+namespace grader::inline record {
 
 inline std::string shown_number(double value) {
   std::string text = std::to_string(std::round(value * 100) / 100);
@@ -13,4 +13,4 @@ inline std::string shown_number(double value) {
   return text;
 }
 
-}  // namespace grader
+}  // namespace grader::record

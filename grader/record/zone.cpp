@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace grader {
+namespace grader::inline record {
 
 using namespace std::chrono;
 
@@ -36,4 +36,4 @@ std::string shown_on_clock_of(const TimeText& time, const std::string& zone) {
   return date::format("%F %T", date::local_seconds(on_clock_of(time, zone)));
 }
 
-}  // namespace grader
+}  // namespace grader::record

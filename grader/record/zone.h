@@ -10,7 +10,7 @@
 
 #include "grader/text/time_text.h"
 
-namespace grader {
+namespace grader::inline record {
 
 bool is_zone(const std::string& name);  // the machine's own, "localtime", is none
 
@@ -23,4 +23,4 @@ std::chrono::seconds on_clock_of(const TimeText& time, const std::string& zone);
 // "2025-03-04 10:15:22", as that clock shows it.
 std::string shown_on_clock_of(const TimeText& time, const std::string& zone);
 
-}  // namespace grader
+}  // namespace grader::record

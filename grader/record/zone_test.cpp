@@ -6,7 +6,7 @@
 
 #include "grader/record/rules.h"
 
-namespace grader {
+namespace grader::inline record {
 namespace {
 
 HandInRules due_at(const char* due, const char* zone) {
@@ -101,4 +101,4 @@ TEST(Lateness, IsToldOnTheCoursesClock) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::record

@@ -8,7 +8,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 struct Question {
@@ -66,4 +66,4 @@ std::optional<double> hours_of(const About& about) {
   return hours <= kMostHours ? std::optional(hours) : std::nullopt;
 }
 
-}  // namespace grader
+}  // namespace grader::report

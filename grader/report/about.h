@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace grader {
+namespace grader::inline report {
 
 // Each is one line without blanks at its ends; "": no answer.
 struct About {
@@ -21,4 +21,4 @@ About read_about(const std::string& text);
 // The first number of an answer, with a point or a comma: "about 12,5 h" is 12.5. Nothing without one, or beyond 1000.
 std::optional<double> hours_of(const About& about);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -9,7 +9,7 @@
 #include "grader/report/text.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 // Sorted by their text: their order tells nothing of who wrote them.
@@ -88,4 +88,4 @@ Html about_section(const std::vector<SubmissionResult>& results) {
       {people, results.size(), lines});
 }
 
-}  // namespace grader
+}  // namespace grader::report

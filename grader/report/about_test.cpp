@@ -6,7 +6,7 @@
 #include "grader/report/pages.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 TEST(About, AnswersEndAtTheNextQuestion) {
@@ -73,4 +73,4 @@ TEST(AboutSection, CountsAndNamesNobody) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

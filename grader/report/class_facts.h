@@ -12,7 +12,7 @@
 #include "grader/result/lateness.h"
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline report {
 
 struct ClassFacts {
   std::vector<ClassLine> people = {};  // see grades_csv
@@ -22,4 +22,4 @@ struct ClassFacts {
   std::map<std::string, Lateness> late = {};  // of each hand-in, by name
 };
 
-}  // namespace grader
+}  // namespace grader::report

@@ -9,7 +9,7 @@
 #include "grader/report/text.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using Results = std::vector<SubmissionResult>;
@@ -159,4 +159,4 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   return html_page("Grades of the class", body, Scripts::on, Pictures::beside);
 }
 
-}  // namespace grader
+}  // namespace grader::report

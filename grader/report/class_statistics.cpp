@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr std::size_t kFewest = 10;  // people, for strong and weak ones
@@ -155,4 +155,4 @@ std::vector<FailAlike> who_fail_alike(const Results& results) {
   return groups;
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -11,7 +11,7 @@
 #include "grader/result/result.h"
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline report {
 
 // People by their share of the points, in tenths; extra credit beyond all points counts in the last.
 using Tenths = std::array<std::size_t, 10>;
@@ -61,4 +61,4 @@ double quantile(std::vector<double> values, double share);
 std::vector<FailAlike> who_fail_alike(
     const std::vector<SubmissionResult>& results);  // three people and more; most first
 
-}  // namespace grader
+}  // namespace grader::report

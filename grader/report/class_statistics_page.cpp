@@ -7,7 +7,7 @@
 #include "grader/report/text.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 std::string percent(double share) {
@@ -140,4 +140,4 @@ Html alike_part(const std::vector<SubmissionResult>& results, const NamesForPeop
       {items});
 }
 
-}  // namespace grader
+}  // namespace grader::report

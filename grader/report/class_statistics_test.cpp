@@ -7,7 +7,7 @@
 
 #include "grader/report/pages.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 // One exercise of two points; each category that `passes` says gives one.
@@ -130,4 +130,4 @@ TEST(ClassStatistics, ThePageCountsPeopleAndNotCells) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

@@ -5,7 +5,7 @@
 
 #include "grader/report/text.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 std::string word(Status status) {
@@ -82,4 +82,4 @@ bool all_with_images(const std::vector<SubmissionResult>& results) {
                      [](const SubmissionResult& result) { return result.images; });
 }
 
-}  // namespace grader
+}  // namespace grader::report

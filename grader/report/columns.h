@@ -6,7 +6,7 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline report {
 
 struct Column {
   std::string id, title;
@@ -27,4 +27,4 @@ std::string in_a_row(const std::vector<std::string>& words);  // "S1, H4"
 Isolation least_isolation(const std::vector<SubmissionResult>& results);
 bool all_with_images(const std::vector<SubmissionResult>& results);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -4,7 +4,7 @@
 #include "grader/report/pictures.h"
 #include "hair/io/plot/html.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 // Pressing a picture shows its neighbour in its place, as FLIP assumes it; F does so for all.
@@ -123,4 +123,4 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
   return html_page("Pictures compared", body, Scripts::on);
 }
 
-}  // namespace grader
+}  // namespace grader::report

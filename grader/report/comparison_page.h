@@ -7,7 +7,7 @@
 
 #include "grader/compare/comparison.h"
 
-namespace grader {
+namespace grader::inline report {
 
 // A shrunk pair, as the bytes of PNG files.
 struct SmallPair {
@@ -21,4 +21,4 @@ std::string side_file(const std::string& name);
 
 std::string comparison_page(const Comparison& comparison, const std::vector<SmallPair>& worst);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -8,7 +8,7 @@
 
 #include "grader/report/pages.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using Values = std::vector<double>;
@@ -196,4 +196,4 @@ std::string costs_page(const Costs& costs, const NamesForPeople& people) {
   return html_page("What grading cost", body, Scripts::on);
 }
 
-}  // namespace grader
+}  // namespace grader::report

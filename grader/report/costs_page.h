@@ -7,8 +7,8 @@
 #include "grader/result/costs.h"
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline report {
 
 std::string costs_page(const Costs& costs, const NamesForPeople& people = {});
 
-}  // namespace grader
+}  // namespace grader::report

@@ -7,7 +7,7 @@
 
 #include "hair/io/plot/tests/parsed.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 Costs three_submissions() {
@@ -78,4 +78,4 @@ TEST(CostsPage, AStrictParserReadsItWithoutAnybody) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

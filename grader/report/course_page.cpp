@@ -3,7 +3,7 @@
 #include "grader/report/pages.h"
 #include "grader/report/text.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 Html cell_of(const CourseTable::HandIn& hand_in, const std::string& name,
@@ -64,4 +64,4 @@ std::string course_page(const CourseTable& course, const std::vector<ClassLine>&
   return html_page("Grades of the course", body, Scripts::on, Pictures::beside);
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline report {
 
 struct CourseTable {
   struct Cell {
@@ -26,4 +26,4 @@ struct CourseTable {
   Cell total(const Row& row) const;
 };
 
-}  // namespace grader
+}  // namespace grader::report

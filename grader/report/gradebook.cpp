@@ -5,7 +5,7 @@
 #include "grader/report/text.h"
 #include "grader/text/csv.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 std::string sandbox_cell(Isolation kind) {
@@ -84,4 +84,4 @@ std::string course_csv(const CourseTable& course, const std::vector<ClassLine>& 
   return text + rows_of_absent(own_columns, people);
 }
 
-}  // namespace grader
+}  // namespace grader::report

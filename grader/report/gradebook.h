@@ -9,7 +9,7 @@
 #include "grader/result/result.h"
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline report {
 
 // RFC 4180. A line for each submission: name, total, maximum without extra credit, whether it ran in a
 // sandbox, whether its pictures were graded, then points and status of each exercise, then the note on the
@@ -28,4 +28,4 @@ std::string junit_xml(const std::vector<SubmissionResult>& results);
 // A course's: total and points of each hand-in.
 std::string course_csv(const CourseTable& course, const std::vector<ClassLine>& people);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -10,7 +10,7 @@
 
 #include "grader/report/results_json.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using nlohmann::json;
@@ -154,4 +154,4 @@ std::vector<std::string> broken_rules(const std::string& text) {
   return rules.broken;
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline report {
 
 // Each broken rule in a line, which begins with the document that states it: "specs.md: ...", "troubleshooting.md: ...", or with "ours: ".
 std::vector<std::string> broken_rules(const std::string& results_json);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -2,7 +2,7 @@
 #include "grader/report/gradebook.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 struct Counts {
@@ -92,4 +92,4 @@ std::string junit_xml(const std::vector<SubmissionResult>& results) {
          suites + "</testsuites>\n";
 }
 
-}  // namespace grader
+}  // namespace grader::report

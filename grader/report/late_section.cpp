@@ -6,7 +6,7 @@
 #include "grader/report/text.h"
 #include "grader/text/time_text.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using Late = std::pair<std::string, Lateness>;
@@ -63,4 +63,4 @@ Html late_section(const ClassFacts& facts, const NamesForPeople& people) {
               {due, table, unknown});
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -3,7 +3,7 @@
 
 #include "grader/report/pages.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr std::size_t kMostUnfolded = 10;
@@ -67,4 +67,4 @@ Html run_section(const std::optional<LastRun>& run) {
   return html("<p class=\"stamp\" id=\"run\">{}</p>\n", {said});
 }
 
-}  // namespace grader
+}  // namespace grader::report

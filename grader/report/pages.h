@@ -10,7 +10,7 @@
 #include "grader/result/study.h"
 #include "hair/io/plot/html.h"
 
-namespace grader {
+namespace grader::inline report {
 
 using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
@@ -65,4 +65,4 @@ Html badge(Status status);           // the status in words, coloured
 // The warning of every page with results that were graded without namespaces, or without pictures.
 Html stamps(Isolation isolation, bool images);
 
-}  // namespace grader
+}  // namespace grader::report

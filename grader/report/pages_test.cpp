@@ -15,7 +15,7 @@
 #include "hair/io/plot/readable.h"
 #include "hair/io/plot/tests/parsed.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 // Markup, quotes, a NUL, invalid UTF-8, a terminal's colours, the end of a CDATA section, a formula.
@@ -483,4 +483,4 @@ TEST(Junit, CountsWhatItLists) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

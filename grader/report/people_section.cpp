@@ -1,7 +1,7 @@
 // STAFF ONLY. The class's page says who is missing, and who is on no roster.
 #include "grader/report/pages.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 Html names_of(const Html& heading, const std::vector<const ClassLine*>& lines) {
@@ -34,4 +34,4 @@ Html people_section(const std::vector<ClassLine>& people) {
                names_of(html("<span class=\"badge bad\">graded, but on no roster</span>"), strangers)});
 }
 
-}  // namespace grader
+}  // namespace grader::report

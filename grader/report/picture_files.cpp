@@ -10,7 +10,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ void remove_unshown_pictures(const fs::path& dir) {
       fs::remove(file.path(), none);
 }
 
-}  // namespace grader
+}  // namespace grader::report

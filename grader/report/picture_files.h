@@ -7,7 +7,7 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline report {
 
 std::filesystem::path pictures_folder(const std::filesystem::path& dir);
 
@@ -20,4 +20,4 @@ void write_pictures(const std::filesystem::path& folder, const SubmissionResult&
 // results, because `dir` may hold reports of other submissions too.
 void remove_unshown_pictures(const std::filesystem::path& dir);
 
-}  // namespace grader
+}  // namespace grader::report

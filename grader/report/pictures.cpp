@@ -9,7 +9,7 @@
 #include "grader/result/base64.h"
 #include "hair/io/plot/page.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures
@@ -170,4 +170,4 @@ Html pictures_by_distance(const std::vector<SubmissionResult>& results, const Pi
   return section += html("</section>\n");
 }
 
-}  // namespace grader
+}  // namespace grader::report

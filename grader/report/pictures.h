@@ -9,7 +9,7 @@
 #include "grader/roster/class_list.h"
 #include "hair/io/plot/html.h"
 
-namespace grader {
+namespace grader::inline report {
 
 using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
@@ -45,4 +45,4 @@ std::string shown_distance(double distance);  // three digits: "0.0123"
 // The colour scale of a heat map, with labels at its ends.
 Html heat_scale();
 
-}  // namespace grader
+}  // namespace grader::report

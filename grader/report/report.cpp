@@ -11,7 +11,7 @@
 #include "grader/result/result_fields.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ void remove_reports(const fs::path& dir, const std::string& name) {
   for (const char* ending : {".html", ".json"}) fs::remove(dir / "staff" / (name + ending));
 }
 
-}  // namespace grader
+}  // namespace grader::report

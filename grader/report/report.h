@@ -24,7 +24,7 @@
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 
-namespace grader {
+namespace grader::inline report {
 
 // Throws std::invalid_argument for a name that intake never gives: empty, with '/', with a leading dot, or
 // "staff".
@@ -54,4 +54,4 @@ void remove_reports(const std::filesystem::path& dir, const std::string& name);
 void print_table(std::ostream& out, const std::vector<SubmissionResult>& results,
                  const NamesForPeople& people = {});
 
-}  // namespace grader
+}  // namespace grader::report

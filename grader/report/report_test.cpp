@@ -21,7 +21,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -318,4 +318,4 @@ TEST(Table, KeepsRowsApart) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

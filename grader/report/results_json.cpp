@@ -12,7 +12,7 @@
 #include "hair/io/plot/html.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using hair::Html, hair::html;
@@ -148,4 +148,4 @@ std::string student_json(const SubmissionResult& whole, const ResultsOptions& op
   return student_json(whole, without);
 }
 
-}  // namespace grader
+}  // namespace grader::report

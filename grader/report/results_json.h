@@ -9,7 +9,7 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline report {
 
 struct ResultsOptions {
   bool pictures = false;     // inside, small; the texts say all without them
@@ -25,4 +25,4 @@ inline constexpr std::size_t kMostResultsBytes = 1'000'000;
 
 std::string student_json(const SubmissionResult& result, const ResultsOptions& options = {});
 
-}  // namespace grader
+}  // namespace grader::report

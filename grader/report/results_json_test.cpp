@@ -9,7 +9,7 @@
 #include "grader/report/gradescope_rules.h"
 #include "grader/report/sample_results.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using Json = nlohmann::json;
@@ -117,4 +117,4 @@ TEST(ResultsJson, TextsOfAnyLengthKeepTheBound) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

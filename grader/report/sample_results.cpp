@@ -8,7 +8,7 @@
 #include "grader/compare/test_pictures.h"
 #include "hair/io/image/png.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr int kUnreadable = 14;  // the number of the submission that can't be read
@@ -150,4 +150,4 @@ SubmissionResult submission_full_of(const std::string& text) {
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::report

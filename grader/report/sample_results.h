@@ -6,7 +6,7 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline report {
 
 constexpr Status all_statuses[] = {Status::passed,          Status::partly,    Status::wrong,
                                    Status::not_implemented, Status::missing,   Status::does_not_compile,
@@ -26,4 +26,4 @@ std::vector<SubmissionResult> class_of_ten_exercises(int size);
 // A submission in which every text is `text`, including the staff's.
 SubmissionResult submission_full_of(const std::string& text);
 
-}  // namespace grader
+}  // namespace grader::report

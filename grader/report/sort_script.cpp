@@ -4,7 +4,7 @@
 
 #include "grader/report/pages.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr std::string_view kSortScript = R"js(<script>
@@ -32,4 +32,4 @@ Html sort_script() {
   return Html{std::string(kSortScript)};
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -5,7 +5,7 @@
 #include "grader/report/text.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 std::string total_of(const SubmissionResult& result) {
@@ -46,4 +46,4 @@ std::string first_lines(const SubmissionResult& whole) {
   return text;
 }
 
-}  // namespace grader
+}  // namespace grader::report

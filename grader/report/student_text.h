@@ -5,11 +5,11 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline report {
 
 std::string student_text(const SubmissionResult& result);
 
 // Its first lines as one: the points in all and of each exercise.
 std::string first_lines(const SubmissionResult& result);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -7,7 +7,7 @@
 #include "grader/compare/montage.h"
 #include "hair/io/image/read_png.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr int kCoarseWidth = 48;  // pixels, a tenth
@@ -93,4 +93,4 @@ SubmissionResult for_student(const SubmissionResult& result) {
   return view;
 }
 
-}  // namespace grader
+}  // namespace grader::report

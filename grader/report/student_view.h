@@ -7,9 +7,9 @@
 
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline report {
 
 // The same points; without details and logs.
 SubmissionResult for_student(const SubmissionResult& result);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -11,7 +11,7 @@
 #include "grader/report/sample_results.h"
 #include "hair/io/image/read_png.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr Status kAll[] = {Status::passed,          Status::partly,    Status::wrong,
@@ -133,4 +133,4 @@ TEST(StudentView, DrawsCoarselyWhatIsFarOff) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

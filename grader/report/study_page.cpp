@@ -9,7 +9,7 @@
 #include "hair/io/plot/page.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 using hair::to_text;
@@ -256,4 +256,4 @@ Code that works before it is asked is charged for it in another play.</p>
   return html_page("Error against run time: " + shown_name(result.name, people), body);
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -4,7 +4,7 @@
 #include "grader/report/student_view.h"
 #include "grader/report/text.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 enum class Reader { student, staff };
@@ -200,4 +200,4 @@ std::string staff_page(const SubmissionResult& result, const NamesForPeople& peo
                    Scripts::off, Pictures::beside);
 }
 
-}  // namespace grader
+}  // namespace grader::report

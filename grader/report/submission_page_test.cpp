@@ -4,7 +4,7 @@
 #include "grader/report/pages.h"
 #include "grader/report/sample_results.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 CaseResult category(const char* name, Status status) {
@@ -89,4 +89,4 @@ TEST(SubmissionPage, CountsExtraCreditWithoutAZeroToReach) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

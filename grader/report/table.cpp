@@ -11,7 +11,7 @@
 #include "grader/report/text.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 // Fourteen exercises stand side by side in 112 columns.
@@ -136,4 +136,4 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
   if (!all_with_images(results)) out << "GRADED WITHOUT PICTURES\n";
 }
 
-}  // namespace grader
+}  // namespace grader::report

@@ -12,7 +12,7 @@
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 constexpr int kWidth = 390;  // CSS pixels
@@ -63,4 +63,4 @@ TEST(Telephone, ShowsAllOfAPageWithoutScrollingSideways) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 // At most so many, and no trailing zeros.
@@ -38,4 +38,4 @@ double rounded_points(double points) {
   return std::round(points * 1e4) / 1e4;
 }
 
-}  // namespace grader
+}  // namespace grader::report

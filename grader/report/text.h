@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace grader {
+namespace grader::inline report {
 
 // Points for readers: at most two decimals, no trailing zeros.
 std::string shown_points(double points);
@@ -17,4 +17,4 @@ std::string shown_total(double points, double max_points);
 // Points for files that programs read: without the rounding noise of sums of fractions.
 double rounded_points(double points);
 
-}  // namespace grader
+}  // namespace grader::report

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline report {
 namespace {
 
 TEST(ShownPoints, HaveTwoDecimalsAtMost) {
@@ -22,4 +22,4 @@ TEST(ShownTotal, HasNoZeroToReach) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::report

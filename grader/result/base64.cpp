@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace grader {
+namespace grader::inline result {
 
 std::string base64(std::string_view bytes) {
   std::string text(sodium_base64_encoded_len(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
@@ -26,4 +26,4 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace grader
+}  // namespace grader::result

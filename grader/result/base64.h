@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline result {
 
 std::string base64(std::string_view bytes);
 
 // Decodes the text. Throws std::invalid_argument for text that base64() can't produce.
 std::string from_base64(std::string_view text);
 
-}  // namespace grader
+}  // namespace grader::result

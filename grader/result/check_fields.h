@@ -9,7 +9,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline result {
 
 // Reads a text that errors name "a.json".
 using ReadText = std::function<void(const std::string& text)>;
@@ -67,4 +67,4 @@ inline void expect_each_field_checked(const nlohmann::json& whole, const ReadTex
   visit(Place());
 }
 
-}  // namespace grader
+}  // namespace grader::result

@@ -5,7 +5,7 @@
 
 #include "grader/result/result_fields.h"
 
-namespace grader {
+namespace grader::inline result {
 namespace {
 
 // A measured quantity: its field in timing.json, and its column on the page.
@@ -111,4 +111,4 @@ Costs costs_table(const ClassCosts& costs) {
   return table;
 }
 
-}  // namespace grader
+}  // namespace grader::result

@@ -8,7 +8,7 @@
 
 #include "grader/course/budget.h"
 
-namespace grader {
+namespace grader::inline result {
 
 // The cost of an exercise; the only part of a result that differs from run to run. A row in costs.cpp is all that
 // timing.json and the page need for a new member.
@@ -71,4 +71,4 @@ struct Costs {
 
 Costs costs_table(const ClassCosts& costs);
 
-}  // namespace grader
+}  // namespace grader::result

@@ -27,7 +27,7 @@
 #include "grader/course/input.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline result {
 
 using OrderedJson = nlohmann::ordered_json;
 
@@ -226,4 +226,4 @@ T from_json_text(const std::string& text, const std::string& name,
   return value;
 }
 
-}  // namespace grader
+}  // namespace grader::result

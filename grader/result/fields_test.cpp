@@ -8,7 +8,7 @@
 #include "grader/result/check_fields.h"
 #include "grader/result/result_fields.h"
 
-namespace grader {
+namespace grader::inline result {
 namespace {
 
 using namespace std::string_literals;
@@ -302,4 +302,4 @@ TEST(CostsTable, HasAColumnForEachFieldInTheRowsOrder) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::result

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace grader {
+namespace grader::inline result {
 namespace {
 
 struct Wording {
@@ -92,4 +92,4 @@ bool run_breaks_off(const ExerciseResult& exercise) {
   });
 }
 
-}  // namespace grader
+}  // namespace grader::result

@@ -9,7 +9,7 @@
 
 #include "grader/course/isolation.h"
 
-namespace grader {
+namespace grader::inline result {
 
 enum class Status {
   passed,
@@ -112,4 +112,4 @@ bool run_breaks_off(const ExerciseResult&);
 double points(const SubmissionResult&);      // with adjustments
 double max_points(const SubmissionResult&);  // without extra credit
 
-}  // namespace grader
+}  // namespace grader::result

@@ -3,7 +3,7 @@
 
 #include "grader/result/base64.h"
 
-namespace grader {
+namespace grader::inline result {
 
 PictureText pictures_in_base64() {
   return {[](const std::string& png) { return base64(png); },
@@ -106,4 +106,4 @@ const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::result

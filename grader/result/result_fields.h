@@ -12,7 +12,7 @@
 #include "grader/result/study.h"
 #include "grader/result/suite_result.h"
 
-namespace grader {
+namespace grader::inline result {
 
 template <>
 inline constexpr Status kLast<Status> = Status::unreadable;
@@ -93,4 +93,4 @@ struct Fields<SuiteResult> {
   static const Rows<SuiteResult>& rows();
 };
 
-}  // namespace grader
+}  // namespace grader::result

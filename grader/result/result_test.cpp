@@ -9,7 +9,7 @@
 #include "grader/result/base64.h"
 #include "grader/result/result_fields.h"
 
-namespace grader {
+namespace grader::inline result {
 namespace {
 
 // RFC 4648, section 10.
@@ -41,4 +41,4 @@ TEST(Statuses, HaveNamesAndSentencesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::result

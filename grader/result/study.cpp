@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::inline result {
 
 std::string to_string(StudyEnd end) {
   switch (end) {
@@ -21,4 +21,4 @@ double step_of(const PartStudy& part, int steps) {
   return part.duration / steps;
 }
 
-}  // namespace grader
+}  // namespace grader::result

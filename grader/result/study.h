@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline result {
 
 enum class StudyEnd {
   finished,
@@ -87,4 +87,4 @@ struct SubmissionStudy {
 
 double step_of(const PartStudy& part, int steps);  // s
 
-}  // namespace grader
+}  // namespace grader::result

@@ -1,7 +1,7 @@
 // STAFF ONLY. The fields of studies.
 #include "grader/result/result_fields.h"
 
-namespace grader {
+namespace grader::inline result {
 
 const Rows<StudyPoint>& Fields<StudyPoint>::rows() {
   using T = StudyPoint;
@@ -56,4 +56,4 @@ const Rows<SubmissionStudy>& Fields<SubmissionStudy>::rows() {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::result

@@ -10,7 +10,7 @@
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 
-namespace grader {
+namespace grader::inline result {
 
 // The look for memory errors, see grader/judge/memory_errors.h.
 struct MemoryLook {
@@ -37,4 +37,4 @@ struct SuiteResult {
   bool operator==(const SuiteResult&) const = default;
 };
 
-}  // namespace grader
+}  // namespace grader::result

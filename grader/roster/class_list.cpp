@@ -6,7 +6,7 @@
 #include "grader/intake/names.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 std::vector<const Person*> ClassList::absent() const {
   std::vector<const Person*> people;
@@ -115,4 +115,4 @@ NamesForPeople names_for_people(const std::optional<ClassList>& list, const std:
   return names;
 }
 
-}  // namespace grader
+}  // namespace grader::roster

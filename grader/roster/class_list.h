@@ -9,7 +9,7 @@
 
 #include "grader/roster/roster.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 struct HandIn {
   std::string name;  // of the submission and its folder
@@ -59,4 +59,4 @@ std::string called(const std::string& hand_in, const NamesForPeople& people);
 // A group's row may stand among `hand_ins` several times, with its people of each hand-in of the course.
 ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins);
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -115,4 +115,4 @@ TEST(ClassList, NamesPeopleAsTheyAreReadAndNobodyTwice) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::roster

@@ -8,7 +8,7 @@
 #include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 using Titles = std::vector<const char*>;
@@ -143,4 +143,4 @@ std::optional<Person> RosterColumns::person(const Csv& table, const Csv::Row& ro
   return person;
 }
 
-}  // namespace grader
+}  // namespace grader::roster

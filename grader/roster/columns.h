@@ -6,7 +6,7 @@
 #include "grader/roster/person.h"
 #include "grader/text/csv.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 class RosterColumns {
  public:
@@ -22,4 +22,4 @@ class RosterColumns {
   std::size_t name_, first_name_, last_name_, section_, group_;
 };
 
-}  // namespace grader
+}  // namespace grader::roster

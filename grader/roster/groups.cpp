@@ -7,7 +7,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 struct Group {
@@ -118,4 +118,4 @@ Membership find_members(std::vector<HandIn>& hand_ins, const Roster& roster) {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -13,7 +13,7 @@
 #include "grader/intake/layouts/system.h"
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 // The proof for names that can be read in several ways (intake/layouts/system.h). `roster` must live as long.
 KnownOwner known_by(const Roster& roster);
@@ -26,4 +26,4 @@ struct Membership {
 };
 Membership find_members(std::vector<HandIn>& hand_ins, const Roster& roster);
 
-}  // namespace grader
+}  // namespace grader::roster

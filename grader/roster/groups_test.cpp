@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 // As Canvas exports a group set: with the people who are in no group.
@@ -139,4 +139,4 @@ TEST(Groups, MembersThatADownloadSaysStay) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::roster

@@ -5,7 +5,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 constexpr std::size_t kShortest = 3;  // bytes: less says nothing
@@ -110,4 +110,4 @@ std::string HiddenNames::in_own(std::string_view text, const std::string& hand_i
   return own == own_.end() ? without : replaced(without, own->second);
 }
 
-}  // namespace grader
+}  // namespace grader::roster

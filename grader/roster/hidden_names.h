@@ -10,7 +10,7 @@
 
 #include "grader/roster/class_list.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 class HiddenNames {
  public:
@@ -32,4 +32,4 @@ class HiddenNames {
   std::map<std::string, Words> own_;
 };
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 HiddenNames two_people() {
@@ -42,4 +42,4 @@ TEST(HiddenNames, SingleNamesInWhatIsTheirs) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::roster

@@ -5,7 +5,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 const char* title_of(IdKind kind) {
   constexpr std::array<const char*, kIdKinds> kTitles = {
@@ -42,4 +42,4 @@ NameKeys keys_of(const std::string& name) {
   return {key(name), blank == name.npos ? key(name) : key(name.substr(blank) + name.substr(0, blank))};
 }
 
-}  // namespace grader
+}  // namespace grader::roster

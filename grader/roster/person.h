@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::inline roster {
 
 // Ids of one kind are compared with each other alone: Moodle's participant 4711 is not Canvas's user 4711.
 enum class IdKind { id, sis, login, org_defined, participant, github_id, github_login, email };
@@ -43,4 +43,4 @@ struct Person {
   const std::string& shown_id() const;
 };
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -8,7 +8,7 @@
 #include "grader/roster/columns.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 std::string without_zeros(const std::string& id) {
@@ -202,4 +202,4 @@ Roster read_roster(const std::filesystem::path& file) {
   return Roster(read_csv(file));
 }
 
-}  // namespace grader
+}  // namespace grader::roster

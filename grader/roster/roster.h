@@ -15,7 +15,7 @@
 #include "grader/roster/person.h"
 #include "grader/text/csv.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 class Roster {
  public:
@@ -63,4 +63,4 @@ class Roster {
 
 Roster read_roster(const std::filesystem::path& file);
 
-}  // namespace grader
+}  // namespace grader::roster

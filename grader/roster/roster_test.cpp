@@ -6,7 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 using std::string;
@@ -195,4 +195,4 @@ TEST(Roster, SaysWhatIsWrongWithATable) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::roster

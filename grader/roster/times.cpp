@@ -9,7 +9,7 @@
 #include "grader/text/letters.h"
 #include "grader/text/time_text.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 // Moodle: Last modified (submission). Gradescope: Submission Time. Classroom: submission_timestamp. Canvas's API: submitted_at.
@@ -125,4 +125,4 @@ Times read_times(const std::filesystem::path& file) {
   return Times(read_csv(file));
 }
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -9,7 +9,7 @@
 
 #include "grader/roster/roster.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 class Times {
  public:
@@ -38,4 +38,4 @@ class Times {
 
 Times read_times(const std::filesystem::path& file);
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -10,7 +10,7 @@
 #include "grader/text/letters.h"
 #include "grader/text/number.h"
 
-namespace grader {
+namespace grader::inline roster {
 namespace {
 
 // Grades can be changed, and two dates: they follow the maximum.
@@ -108,4 +108,4 @@ std::optional<Worksheet> worksheet_by_form(const Csv& table, const std::string& 
   return sheet;
 }
 
-}  // namespace grader
+}  // namespace grader::roster

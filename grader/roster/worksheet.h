@@ -11,7 +11,7 @@
 
 #include "grader/text/csv.h"
 
-namespace grader {
+namespace grader::inline roster {
 
 struct Worksheet {
   std::size_t identifier = 0;                       // one word with the numbers of participants
@@ -26,4 +26,4 @@ std::optional<Worksheet> worksheet_by_form(const Csv& table, const std::string& 
 // A cell that says no, in the languages that are known here.
 bool says_no(const std::string& cell);
 
-}  // namespace grader
+}  // namespace grader::roster

@@ -6,7 +6,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline samples {
 
 SampleCategories read_categories(const std::filesystem::path& project, const Course& course) {
   SampleCategories all;
@@ -28,4 +28,4 @@ double points_without(const std::vector<SampleCategory>& categories, const std::
   return points;
 }
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -8,7 +8,7 @@
 
 #include "grader/course/course.h"
 
-namespace grader {
+namespace grader::inline samples {
 
 struct SampleCategory {
   std::string name, title;  // "Energy", and for students "The energy"
@@ -23,4 +23,4 @@ SampleCategories read_categories(const std::filesystem::path& project, const Cou
 // Of an exercise whose categories of these titles fail.
 double points_without(const std::vector<SampleCategory>& categories, const std::vector<std::string>& failed);
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -6,7 +6,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 // "a\nb\n" is three lines, the last of them empty: nothing is lost.
@@ -74,4 +74,4 @@ std::string edited(const std::string& text, const std::string& file, const std::
   return result + comes[lines.size()];
 }
 
-}  // namespace grader
+}  // namespace grader::samples

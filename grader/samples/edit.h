@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline samples {
 
 struct EditLine {
   char mark = '=';
@@ -26,4 +26,4 @@ struct Edit {
 // several times.
 std::string edited(const std::string& text, const std::string& file, const std::vector<Edit>& edits);
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -7,7 +7,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 TEST(Edited, LooksForItsLinesInTheTextAsItWas) {
@@ -41,4 +41,4 @@ TEST(Edited, RefusesWhatIsNotOnePlace) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::samples

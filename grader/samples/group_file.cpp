@@ -9,7 +9,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline samples {
 
 void GroupFile::fail(const GroupLine& line, const std::string& problem) const {
   throw BadInput(path.string() + ":" + std::to_string(line.number) + ": " + problem);
@@ -59,4 +59,4 @@ GroupFile read_group_file(const std::filesystem::path& path) {
   return group;
 }
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline samples {
 
 struct GroupLine {
   int number = 0;    // in the file, from 1
@@ -30,4 +30,4 @@ struct GroupFile {
 // Without comments (#) and empty lines.
 GroupFile read_group_file(const std::filesystem::path& path);
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -9,7 +9,7 @@
 #include "grader/samples/small_project.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 struct Outcome {
@@ -148,4 +148,4 @@ TEST(MakeSamples, PutsPartsIntoEdits) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::samples

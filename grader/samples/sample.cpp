@@ -10,7 +10,7 @@
 #include "grader/samples/group_file.h"
 #include "grader/samples/sample_builder.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 // The group's lines that the sample says nothing of, and then its own.
@@ -92,4 +92,4 @@ std::vector<Sample> read_samples(const std::filesystem::path& project) {
   return samples;
 }
 
-}  // namespace grader
+}  // namespace grader::samples

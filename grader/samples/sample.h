@@ -59,7 +59,7 @@
 
 #include "grader/samples/edit.h"
 
-namespace grader {
+namespace grader::inline samples {
 
 enum class SampleForm { zip, tar_gz, folder };
 
@@ -76,7 +76,7 @@ struct ExpectedResult {
   std::string status;            // as to_string(Status) has it
   std::optional<double> points;  // nothing: all if it passed, or else none
   std::vector<std::string> failed =
-      {};          // the titles of the categories that fail; none: nothing is said of them
+      {};  // the titles of the categories that fail; none: nothing is said of them
 };
 
 struct Attack {
@@ -120,4 +120,4 @@ struct Sample {
 // Throws BadInput with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 void read_form(SampleBuilder& builder, const GroupLine& line) {
@@ -225,4 +225,4 @@ void SampleBuilder::complete(const GroupLine& first) {
   std::ranges::sort(sample.files, {}, &SampleFile::path);
 }
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -11,7 +11,7 @@
 #include "grader/samples/group_file.h"
 #include "grader/samples/sample.h"
 
-namespace grader {
+namespace grader::inline samples {
 
 // One sample, line by line.
 struct SampleBuilder {
@@ -91,4 +91,4 @@ inline constexpr SampleFormName kSampleForms[] = {{SampleForm::zip, "zip", ".zip
                                                   {SampleForm::tar_gz, "tar.gz", ".tar.gz"},
                                                   {SampleForm::folder, "folder", ""}};
 
-}  // namespace grader
+}  // namespace grader::samples

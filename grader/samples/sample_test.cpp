@@ -4,7 +4,7 @@
 #include "grader/course/input.h"
 #include "grader/samples/small_project.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 void expect_refused(const fs::path& project, const std::string& words) {
@@ -142,4 +142,4 @@ TEST(ReadSamples, NamesWhatIsNotRight) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::samples

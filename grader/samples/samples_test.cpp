@@ -14,7 +14,7 @@
 #include "grader/samples/table.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 namespace fs = std::filesystem;
@@ -216,4 +216,4 @@ TEST(SampleTable, HasARowForEverySample) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::samples

@@ -10,7 +10,7 @@
 
 #include "grader/samples/sample.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST(Showcase, HoldsWhatIsMarkedAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::samples

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace grader {
+namespace grader::inline samples {
 
 namespace fs = std::filesystem;
 
@@ -54,4 +54,4 @@ inline void add_sample(const fs::path& project, const std::string& name, const s
 
 inline const std::string kAttack = "place start\nfence A wall.\nmost A 2\nseconds 1.5\n";
 
-}  // namespace grader
+}  // namespace grader::samples

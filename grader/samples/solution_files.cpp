@@ -10,7 +10,7 @@
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ void write_bytes(const fs::path& file, const std::string& bytes) {
   if (!out) throw std::runtime_error(file.string() + ": can't be written");
 }
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -8,7 +8,7 @@
 
 #include "grader/samples/sample.h"
 
-namespace grader {
+namespace grader::inline samples {
 
 // By path in the archive. `project` is the project's root. Throws BadInput if a file is not there, or an edit's lines are not.
 std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project);
@@ -17,4 +17,4 @@ std::map<std::string, std::string> solution_files(const Sample& sample, const st
 std::string read_bytes(const std::filesystem::path& file);
 void write_bytes(const std::filesystem::path& file, const std::string& bytes);
 
-}  // namespace grader
+}  // namespace grader::samples

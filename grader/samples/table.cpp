@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 // "S1 partly 18, S2 missing"
@@ -58,4 +58,4 @@ std::string table_of(const std::vector<Sample>& samples) {
   return out.str();
 }
 
-}  // namespace grader
+}  // namespace grader::samples

@@ -6,7 +6,7 @@
 
 #include "grader/samples/sample.h"
 
-namespace grader {
+namespace grader::inline samples {
 namespace {
 
 // A bug's own category, and at most two besides.
@@ -36,4 +36,4 @@ TEST(BugSamples, LoseTheirCategoryAndAtMostTwoBesides) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::samples

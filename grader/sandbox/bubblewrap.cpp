@@ -5,7 +5,7 @@
 
 #include "grader/sandbox/launch.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
                                             bool filtered) {
@@ -43,4 +43,4 @@ std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

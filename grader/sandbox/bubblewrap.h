@@ -6,10 +6,10 @@
 
 #include "grader/sandbox/cage.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // `filtered`: a filter of system calls is on Launch::kFilter.
 std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
                                             bool filtered);
 
-}  // namespace grader
+}  // namespace grader::sandbox

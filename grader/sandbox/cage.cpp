@@ -23,7 +23,7 @@
 #include "grader/sandbox/own_groups.h"
 #include "grader/sandbox/warden.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 // A word of a command with the path in it that some mount puts there replaced by the path out here; the
@@ -253,4 +253,4 @@ std::vector<std::string> with_inner_limits(const Limits& limits, const std::vect
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

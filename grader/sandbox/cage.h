@@ -21,7 +21,7 @@
 #include "grader/sandbox/descriptor.h"
 #include "grader/sandbox/syscalls.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class ContainerRoot;
 struct Launch;
@@ -118,4 +118,4 @@ class CagedProcess {
 // Adds limits to a command inside the cage, as the unprivileged user: `prlimit ... -- command`.
 std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command);
 
-}  // namespace grader
+}  // namespace grader::sandbox

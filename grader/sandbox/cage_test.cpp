@@ -19,7 +19,7 @@
 #include "hair/io/files/bad_input.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -251,4 +251,4 @@ TEST(SandboxIdentity, ARootThatCanDropNoRightsIsToldSo) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -16,7 +16,7 @@
 #include "grader/sandbox/staging_folder.h"
 #include "grader/sandbox/system_mounts.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class Caged {
  protected:
@@ -91,4 +91,4 @@ inline std::vector<pid_t> descendants(pid_t process) {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

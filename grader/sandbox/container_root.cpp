@@ -13,7 +13,7 @@
 #include <string>
 #include <system_error>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ void ContainerRoot::lend(const Mount& mount, const Identity& user) {
     fail("can't give away", place);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

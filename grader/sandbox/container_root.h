@@ -12,7 +12,7 @@
 #include "grader/sandbox/descriptor.h"
 #include "grader/sandbox/identity.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class ContainerRoot {
  public:
@@ -37,4 +37,4 @@ class ContainerRoot {
   std::vector<Mount> lent_;
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -13,7 +13,7 @@
 
 #include "grader/sandbox/own_groups.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ bool ControlGroup::ran_out_of_memory() const {
   return std::ranges::any_of(folders_, [](const fs::path& folder) { return ended_for_memory(folder) > 0; });
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

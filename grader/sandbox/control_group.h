@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class ControlGroup {
  public:
@@ -35,4 +35,4 @@ class ControlGroup {
 // Can a control group bound memory here? Tried once, by making one.
 bool memory_can_be_bounded();
 
-}  // namespace grader
+}  // namespace grader::sandbox

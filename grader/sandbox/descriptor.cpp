@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 void Descriptor::close() {
   if (number_ >= 0) ::close(number_);
@@ -80,4 +80,4 @@ std::string read_both_ends(const Descriptor& from, std::size_t most, double seco
          end.substr(next);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class Descriptor {
  public:
@@ -37,4 +37,4 @@ std::string read_all(const Descriptor& from, std::size_t limit, double seconds);
 // Reads as long, and all of it. Of more than `most` bytes the middle is left out, in whole lines, and a line says so.
 std::string read_both_ends(const Descriptor& from, std::size_t most, double seconds);
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -12,7 +12,7 @@
 #include "grader/sandbox/listener.h"
 #include "grader/sandbox/staging_folder.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 constexpr double kMostSeconds = 60;
@@ -84,4 +84,4 @@ std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

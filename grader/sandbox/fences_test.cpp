@@ -17,7 +17,7 @@
 #include "grader/sandbox/system_mounts.h"
 #include "grader/sandbox/warden.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,4 +128,4 @@ TEST_P(Fences, AreNamedWhereTheyAreMissing) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -16,7 +16,7 @@
 
 #include "hair/io/files/bad_input.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 namespace {
 
@@ -88,4 +88,4 @@ void share_with_sandbox(const std::filesystem::path& folder, bool writable) {
     throw std::system_error(errno, std::generic_category(), "chmod " + folder.string());
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 struct Identity {
   uid_t user = 0;
@@ -30,4 +30,4 @@ bool become(const Identity& identity);
 // Makes a folder readable only for the sandbox user and us; `writable`: also writable.
 void share_with_sandbox(const std::filesystem::path& folder, bool writable);
 
-}  // namespace grader
+}  // namespace grader::sandbox

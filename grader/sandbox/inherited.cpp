@@ -21,7 +21,7 @@
 #include "grader/sandbox/cage.h"
 #include "hair/io/files/finish_output.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ void require_hard_limits(const Needs& needs) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -10,7 +10,7 @@
 //   the personality        Linux's own: random addresses, no compatible layouts
 #pragma once
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // The first thing in main. Some of this acts only when a program starts: then it starts this program once more, with the
 // same arguments. Without the right to do so it ends the process with a line and exit code 1.
@@ -29,4 +29,4 @@ void require_hard_limits(const Needs& needs);
 // True if whoever started us wants a signal ignored.
 bool is_ignored(int signal);
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -15,7 +15,7 @@
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 using std::string;
@@ -124,4 +124,4 @@ TEST_F(Inherited, SaysWhichHardLimitIsBelowTheNeed) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

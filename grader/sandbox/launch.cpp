@@ -10,7 +10,7 @@
 
 #include <cstring>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 constexpr int kNotReady = 126, kNotFound = 127;  // as shells say it
@@ -57,4 +57,4 @@ void Launch::exec() const {
   _exit(kNotFound);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

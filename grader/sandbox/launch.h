@@ -7,7 +7,7 @@
 
 #include "grader/sandbox/identity.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 struct Launch {
   // Descriptors of the program in its cage. bwrap writes of its child to kInfo, and reads a filter from kFilter.
@@ -26,4 +26,4 @@ struct Launch {
   [[noreturn]] void exec() const;
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 Listener::Listener() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   constexpr int kWaiting = 8;
@@ -23,4 +23,4 @@ Listener::Listener() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   port_ = ntohs(address.sin_port);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

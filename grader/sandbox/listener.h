@@ -3,7 +3,7 @@
 
 #include "grader/sandbox/descriptor.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class Listener {
  public:
@@ -16,4 +16,4 @@ class Listener {
   int port_ = 0;
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

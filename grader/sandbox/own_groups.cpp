@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ long ended_for_memory() {
   return ended;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

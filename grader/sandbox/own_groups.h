@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // Folders of the groups with this controller ("": those of v2): our own, then those above it, up to the one that is mounted. Empty
 // if there are none. `root` holds /proc and the mounted folders.
@@ -22,4 +22,4 @@ int usable_jobs(const std::filesystem::path& root = "/");
 long ended_for_memory();
 long ended_for_memory(const std::filesystem::path& group);
 
-}  // namespace grader
+}  // namespace grader::sandbox

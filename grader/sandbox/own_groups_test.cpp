@@ -9,7 +9,7 @@
 
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST_F(OwnGroups, ProcessesThatTheKernelEndedForMemoryAreCounted) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 Processors::Processors() {
   CPU_ZERO(&all_);
@@ -36,4 +36,4 @@ Processors::Lease::~Lease() {
   sched_setaffinity(0, sizeof processors_.all_, &processors_.all_);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class Processors {
  public:
@@ -40,4 +40,4 @@ class Processors {
   std::mutex mutex_;  // guards the holders
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

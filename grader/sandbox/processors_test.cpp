@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 cpu_set_t allowed() {
@@ -44,4 +44,4 @@ TEST(Processors, ThreadsHaveTheirOwnAsLongAsThereAreEnough) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

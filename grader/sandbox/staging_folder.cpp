@@ -13,7 +13,7 @@
 #include "grader/sandbox/identity.h"
 #include "hair/io/files/bad_input.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ StagingFolder::~StagingFolder() {
   fs::remove_all(path_, ignored);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -6,7 +6,7 @@
 
 #include "grader/sandbox/descriptor.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 class StagingFolder {
  public:
@@ -22,4 +22,4 @@ class StagingFolder {
   Descriptor lock_;  // held while the folder is in use
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 void (*tell_denied)(int) = nullptr;
@@ -95,4 +95,4 @@ void hear_of_stopped_calls(void (*denied)(int number), void (*leaves)(int code))
   sigaction(SIGSYS, &action, nullptr);
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

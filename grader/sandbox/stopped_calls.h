@@ -5,10 +5,10 @@
 // signals, too, and what is here does their work, but for SIGSYS.
 #pragma once
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // Both may be called at any point of the process's code. `denied`: a system call, which then fails with EPERM. `leaves`: the
 // process ends, with an exit code above 127; if this returns, it ends with 1.
 void hear_of_stopped_calls(void (*denied)(int number), void (*leaves)(int code));
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 // Names that a machine's architecture does not have are left out by libseccomp.
@@ -197,4 +197,4 @@ const char* denied_syscall(int number) {
   return "something that is not allowed";
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace grader {
+namespace grader::inline sandbox {
 
 enum class Syscalls {
   // Compute, allocate, print, start threads, read existing files. No processes, no sockets, no writing to
@@ -32,4 +32,4 @@ std::vector<sock_filter> syscall_filter(Syscalls kept);
 // A phrase for the intention of a system call, as in "to open a network connection".
 const char* denied_syscall(int number);
 
-}  // namespace grader
+}  // namespace grader::sandbox

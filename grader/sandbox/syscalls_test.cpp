@@ -30,7 +30,7 @@
 #include <thread>
 #include <vector>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 using std::string;
@@ -455,4 +455,4 @@ TEST(ToolchainFilter, RefusesWhatACompilerNeverNeeds) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

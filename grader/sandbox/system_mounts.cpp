@@ -14,7 +14,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/start_program.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ fs::path system_compiler() {
   throw hair::BadInput("no C++ compiler in /usr/bin; install g++");
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -8,7 +8,7 @@
 
 #include "grader/sandbox/cage.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // This program's own C++ library and libseccomp: all that a worker needs.
 std::vector<Mount> runtime_library_mounts();
@@ -29,4 +29,4 @@ std::vector<Mount> program_mounts(const std::vector<std::filesystem::path>& prog
 // /usr/bin/g++, or the compiler that there is, without links. Throws BadInput.
 std::filesystem::path system_compiler();
 
-}  // namespace grader
+}  // namespace grader::sandbox

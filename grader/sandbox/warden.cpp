@@ -17,7 +17,7 @@
 #include <cstdlib>
 #include <system_error>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 struct Taken {
@@ -201,4 +201,4 @@ RunReport Warden::wait() {
   return told;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

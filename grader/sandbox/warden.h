@@ -10,7 +10,7 @@
 #include "grader/sandbox/descriptor.h"
 #include "grader/sandbox/launch.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // Of all processes of a run together; 0: no limit.
 struct RunLimits {
@@ -47,4 +47,4 @@ class Warden {
   std::optional<RunReport> told_;
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

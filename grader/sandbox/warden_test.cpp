@@ -16,7 +16,7 @@
 #include "grader/sandbox/launch.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST_P(WardenTest, ContainsAForkBomb) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

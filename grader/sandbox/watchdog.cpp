@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 constexpr double kWindow = 0.25, kWindowAtTheEnd = 0.05;
@@ -118,4 +118,4 @@ bool Watchdog::wait(int descriptor, short events, double window, double most_sec
   return false;
 }
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -15,7 +15,7 @@
 
 #include "grader/sandbox/cage.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 
 // Between two looks: how long all threads have computed, and how long the one that waited most has waited for a processor. Threads
 // that have ended in between have computed, too: the process's own clock knows.
@@ -76,4 +76,4 @@ class Watchdog {
   const char* why_ = nullptr;
 };
 
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -14,7 +14,7 @@
 #include "grader/sandbox/system_mounts.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline sandbox {
 namespace {
 
 // A process that never answers, and a watchdog that waits for it.
@@ -202,4 +202,4 @@ TEST(Watchdog, EndsWhatTakesTooLong) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::sandbox

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace grader {
+namespace grader::inline similar {
 namespace {
 
 using Owners = std::set<std::size_t>;
@@ -230,4 +230,4 @@ std::vector<std::vector<std::size_t>> groups_of(const SharedCode& shared, std::s
   return groups;
 }
 
-}  // namespace grader
+}  // namespace grader::similar

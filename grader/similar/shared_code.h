@@ -10,7 +10,7 @@
 
 #include "grader/similar/sim.h"
 
-namespace grader {
+namespace grader::inline similar {
 
 struct SimilarFile {
   std::string name, text;  // whose, and their file
@@ -67,4 +67,4 @@ std::vector<std::vector<std::size_t>> groups_of(const SharedCode& shared, std::s
 SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,
                        const std::vector<std::string>& given, const SimilarRules& rules = {});
 
-}  // namespace grader
+}  // namespace grader::similar

@@ -10,7 +10,7 @@
 #include "grader/sandbox/system_mounts.h"
 #include "hair/io/files/write_file.h"
 
-namespace grader {
+namespace grader::inline similar {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ Matches Sim::matches(const std::vector<std::string>& texts, const std::vector<st
   return found;
 }
 
-}  // namespace grader
+}  // namespace grader::similar

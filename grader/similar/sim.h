@@ -10,7 +10,7 @@
 #include "grader/sandbox/cage.h"
 #include "grader/sandbox/staging_folder.h"
 
-namespace grader {
+namespace grader::inline similar {
 
 struct Lines {
   int first = 0, last = 0;  // from 1 on; both belong to it
@@ -46,4 +46,4 @@ class Sim {
   Cage cage_;
 };
 
-}  // namespace grader
+}  // namespace grader::similar

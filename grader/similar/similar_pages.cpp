@@ -7,7 +7,7 @@
 #include "grader/course/input.h"
 #include "hair/io/plot/html.h"
 
-namespace grader {
+namespace grader::inline similar {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ void write_similar_pages(const fs::path& out, const std::vector<SimilarExercise>
                      {per_cent(rules.least_part), parts})));
 }
 
-}  // namespace grader
+}  // namespace grader::similar

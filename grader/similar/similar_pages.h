@@ -7,7 +7,7 @@
 
 #include "grader/similar/shared_code.h"
 
-namespace grader {
+namespace grader::inline similar {
 
 struct SimilarExercise {
   std::string id, file;  // "S1", "conj_grad.cpp"
@@ -22,4 +22,4 @@ inline constexpr std::size_t kMostPairs = 100;
 void write_similar_pages(const std::filesystem::path& out, const std::vector<SimilarExercise>& exercises,
                          const SimilarRules& rules);
 
-}  // namespace grader
+}  // namespace grader::similar

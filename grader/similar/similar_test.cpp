@@ -15,7 +15,7 @@
 #include "grader/similar/shared_code.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline similar {
 namespace {
 
 namespace fs = std::filesystem;
@@ -247,4 +247,4 @@ TEST_F(Similar, EarlierYearsAreComparedWithThisOneAlone) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::similar

@@ -9,7 +9,7 @@
 #include "grader/text/letters.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 // A million people with all that is known of each.
@@ -160,4 +160,4 @@ std::string place_of(const Csv& table, const Csv::Row& row) {
   return table.file + ", line " + std::to_string(row.line);
 }
 
-}  // namespace grader
+}  // namespace grader::text

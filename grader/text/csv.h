@@ -11,7 +11,7 @@
 
 #include "grader/text/encoding.h"
 
-namespace grader {
+namespace grader::inline text {
 
 using Cells = std::vector<std::string>;
 
@@ -54,4 +54,4 @@ bool starts_formula(std::string_view cell);
 std::string csv_line(const Cells& cells, char separator = ',', const std::string& end_of_line = "\r\n",
                      bool all_quoted = false);
 
-}  // namespace grader
+}  // namespace grader::text

@@ -5,7 +5,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 using std::string, std::string_literals::operator""s;
@@ -163,4 +163,4 @@ TEST(CsvWriter, NoCellStartsAFormula) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::text

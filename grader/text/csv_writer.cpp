@@ -5,7 +5,7 @@
 #include "grader/text/csv.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 constexpr const char* kNotSeen = "\u2060";  // the word joiner
@@ -58,4 +58,4 @@ std::string csv_line(const Cells& cells, char separator, const std::string& end_
   return text + end_of_line;
 }
 
-}  // namespace grader
+}  // namespace grader::text

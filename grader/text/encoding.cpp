@@ -12,7 +12,7 @@
 #include "grader/course/input.h"
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 using std::string_view_literals::operator""sv;
@@ -179,4 +179,4 @@ std::string told_of_stray_byte(std::string_view bytes, const std::string& file) 
   return "";
 }
 
-}  // namespace grader
+}  // namespace grader::text

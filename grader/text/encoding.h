@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::inline text {
 
 // UTF-16 and UTF-32, with a byte order mark and without. Empty if it is neither.
 std::string told_if_wide(std::string_view bytes, const std::string& file);
@@ -39,4 +39,4 @@ Decoded decoded(std::string_view bytes, const std::string& file);
 // or a question mark.
 std::string encoded(std::string_view text, const Encoding& encoding);
 
-}  // namespace grader
+}  // namespace grader::text

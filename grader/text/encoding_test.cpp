@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 using std::string;
@@ -89,4 +89,4 @@ TEST(Encoding, ACodePageIsReadWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::text

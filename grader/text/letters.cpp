@@ -11,7 +11,7 @@
 
 #include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 const utf8proc_uint8_t* bytes_of(std::string_view text) {
@@ -196,4 +196,4 @@ std::string first_columns(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, length));
 }
 
-}  // namespace grader
+}  // namespace grader::text

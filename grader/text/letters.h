@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline text {
 
 // The composed form (NFC) as one line for people: bytes that are no UTF-8 become U+FFFD, blanks become one space, and none is at an
 // end. Letters stay.
@@ -42,4 +42,4 @@ std::size_t terminal_columns(std::string_view text);
 // Its beginning in so many columns at most, with whole letters.
 std::string first_columns(std::string_view text, std::size_t most);
 
-}  // namespace grader
+}  // namespace grader::text

@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 TEST(Letters, AreComposed) {
@@ -66,4 +66,4 @@ TEST(Letters, TakeColumnsOfATerminal) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::text

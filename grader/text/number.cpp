@@ -6,7 +6,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline text {
 
 std::optional<double> number_in(const std::string& cell) {
   std::string digits = composed(cell);
@@ -24,4 +24,4 @@ std::optional<double> number_in(const std::string& cell) {
   return value;
 }
 
-}  // namespace grader
+}  // namespace grader::text

@@ -8,7 +8,7 @@
 
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 using namespace std::chrono;
@@ -108,4 +108,4 @@ std::optional<TimeText> read_time(std::string_view text) {
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::text

@@ -17,7 +17,7 @@
 #include <optional>
 #include <string_view>
 
-namespace grader {
+namespace grader::inline text {
 
 struct TimeText {
   std::chrono::seconds clock{};                     // what it showed, since 1970-01-01 00:00 on it
@@ -29,4 +29,4 @@ struct TimeText {
 // Nothing for any other form, and for a day or an hour that there is not. Parts of a second are left out.
 std::optional<TimeText> read_time(std::string_view text);
 
-}  // namespace grader
+}  // namespace grader::text

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline text {
 namespace {
 
 using namespace std::chrono;
@@ -98,4 +98,4 @@ TEST(TimeText, IsNothingForWhatIsNoTimeOrCouldBeTwo) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::text

@@ -8,7 +8,7 @@
 #include "grader/judge/student/student.h"
 #include "reference/S1/calls.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // What a worker with this object answers for n = 4 and the identity.
 inline Answer ask_conj_grad(WorkerSetup setup, const StagedKit& kit, const std::filesystem::path& object,
@@ -27,4 +27,4 @@ inline Answer ask_conj_grad(WorkerSetup setup, const StagedKit& kit, const std::
   });
 }
 
-}  // namespace grader
+}  // namespace grader::tool

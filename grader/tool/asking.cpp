@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-namespace grader {
+namespace grader::inline tool {
 
 bool says_yes(const Question& question) {
   if (isatty(STDIN_FILENO) == 0 || isatty(STDERR_FILENO) == 0) return false;
@@ -16,4 +16,4 @@ bool says_yes(const Question& question) {
   return answer == "y" || answer == "yes";
 }
 
-}  // namespace grader
+}  // namespace grader::tool

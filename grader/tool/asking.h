@@ -3,7 +3,7 @@
 
 #include "grader/intake/question.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // True if a person says yes to it. Where the input or the errors are no terminal, nobody is asked.
 bool says_yes(const Question& question);
@@ -20,4 +20,4 @@ auto asking(bool& classes, bool& replace, const Work& work) {
     }
 }
 
-}  // namespace grader
+}  // namespace grader::tool

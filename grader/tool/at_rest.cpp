@@ -8,7 +8,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ std::string readable_by_others(const std::vector<StaffPlace>& places) {
   return "others on this machine can read " + names + "; this keeps them out: chmod go=" + command;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

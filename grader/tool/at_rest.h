@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline tool {
 
 struct StaffPlace {
   std::string name;            // "the secret"
@@ -18,4 +18,4 @@ struct StaffPlace {
 // is whom the staff chose.
 std::string readable_by_others(const std::vector<StaffPlace>& places);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -8,7 +8,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_F(AtRest, OddNamesAreQuotedAndLinksAreFollowed) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

@@ -18,7 +18,7 @@
 #include "grader/tool/progress.h"
 #include "grader/tool/rows.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 std::string names_of(const std::vector<Submission>& submissions) {
@@ -212,4 +212,4 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   return batch;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

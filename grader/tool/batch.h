@@ -16,7 +16,7 @@
 #include "grader/tool/grading.h"
 #include "grader/tool/origins.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct BatchSettings {
   std::filesystem::path out;
@@ -49,4 +49,4 @@ struct Batch {
 Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, const BatchSettings& settings,
                   const std::atomic<bool>& interrupted);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -15,7 +15,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 // Letters and digits that nobody mistakes for one another.
@@ -80,4 +80,4 @@ std::vector<ClassLine> blind(const std::vector<ClassLine>& lines) {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

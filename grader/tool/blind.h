@@ -10,7 +10,7 @@
 #include "grader/result/result.h"
 #include "grader/roster/hidden_names.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // Whose the submissions are, for the record.
 std::vector<HandIn> hand_ins_of(const std::vector<Submission>& submissions);
@@ -26,4 +26,4 @@ void hide(const HiddenNames& names, SubmissionResult& result);
 // A line for each hand-in, without whose it is.
 std::vector<ClassLine> blind(const std::vector<ClassLine>& lines);
 
-}  // namespace grader
+}  // namespace grader::tool

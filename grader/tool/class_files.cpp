@@ -11,7 +11,7 @@
 #include "grader/tool/blind.h"
 #include "grader/tool/course_files.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people) {
@@ -67,4 +67,4 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
   return results;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

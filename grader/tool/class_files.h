@@ -10,7 +10,7 @@
 
 #include "grader/record/record.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people);
@@ -19,4 +19,4 @@ void write_student_files(const std::filesystem::path& folder, const Recorded& on
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written = {});
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -16,7 +16,7 @@
 #include "grader/tool/progress.h"
 #include "hair/io/image/read_png.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,7 +94,8 @@ void check_out(const CompareSettings& settings) {
 
 }  // namespace
 
-int compare(const CompareSettings& settings, std::ostream& output, const std::atomic<bool>& interrupted) {
+int compare_pictures(const CompareSettings& settings, std::ostream& output,
+                     const std::atomic<bool>& interrupted) {
   PicturePairs found = find_pairs(settings.reference, settings.test);
   if (settings.out) check_out(settings);
   std::optional<Staging> staging;
@@ -151,4 +152,4 @@ int compare(const CompareSettings& settings, std::ostream& output, const std::at
   return is_complete(comparison) ? 0 : 3;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 #include "grader/report/report.h"
 #include "grader/tool/blind.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 void write_course_files(const std::filesystem::path& folder) {
   Record record(folder);
@@ -37,4 +37,4 @@ void write_course_files(const std::filesystem::path& folder) {
     write_course_reports(folder, course, lines, names_for_people(list, hand_ins));
 }
 
-}  // namespace grader
+}  // namespace grader::tool

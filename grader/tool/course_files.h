@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-namespace grader {
+namespace grader::inline tool {
 
 // Nothing for a record whose hand-in has no name.
 void write_course_files(const std::filesystem::path& folder);
 
-}  // namespace grader
+}  // namespace grader::tool

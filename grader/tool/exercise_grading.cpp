@@ -9,7 +9,7 @@
 #include "grader/sandbox/identity.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
   result.staff_log += beginning_of(suite.log, kMostLog);
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -12,7 +12,7 @@
 #include "grader/result/result.h"
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // A category's share of an exercise's points if so many of its cases hold, in whole points and exact: of 20
 // points 38/57 for 9 of 12 cases are 10, which doubles make 9.99. All are taken in thousandths.
@@ -43,4 +43,4 @@ std::string beginning_of(const std::filesystem::path& log, std::size_t most);
 // An exercise's status from those of its cases.
 Status overall_status(const std::vector<CaseResult>& cases);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 
 #include "grader/tool/settings_for_tests.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST_F(PartialPoints, AreTheShareOfCasesThatHoldInWholePoints) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

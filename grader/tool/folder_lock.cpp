@@ -12,7 +12,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
@@ -43,4 +43,4 @@ std::optional<FolderLock> FolderLock::take(const std::filesystem::path& folder,
   return FolderLock(std::move(lock));
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -11,7 +11,7 @@
 
 #include "grader/sandbox/descriptor.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 inline constexpr const char* kFolderLock = ".lock";  // no submission is called so
 
@@ -31,4 +31,4 @@ class FolderLock {
   Descriptor lock_;  // the kernel releases it when it is closed
 };
 
-}  // namespace grader
+}  // namespace grader::tool

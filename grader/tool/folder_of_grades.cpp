@@ -10,7 +10,7 @@
 #include "grader/course/input.h"
 #include "grader/record/hand_ins.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
   return opened;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

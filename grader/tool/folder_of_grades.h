@@ -12,7 +12,7 @@
 #include "grader/tool/folder_lock.h"
 #include "grader/tool/made_by.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // Throws BadInput if the folder has results of this hand-in that were made otherwise, or that are of an older version and in no record;
 // and if a hand-in has a name here and none there. It needs no
@@ -39,4 +39,4 @@ class FolderOfGrades {
   std::unique_ptr<Record> record_;
 };
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -13,7 +13,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -220,4 +220,4 @@ TEST_F(Folder, ThatCanNotBeWrittenIsRefused) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

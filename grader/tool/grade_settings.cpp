@@ -9,7 +9,7 @@
 #include "grader/tool/isolation_here.h"
 #include "grader/tool/secret.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ GradingSettings settings_of(const GradeSettings& options) {
   return settings;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 #include "grader/course/isolation.h"
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct GradeSettings {
   std::optional<std::filesystem::path> course, secret, cache;
@@ -26,4 +26,4 @@ struct GradeSettings {
 // for a machine that can't isolate.
 GradingSettings settings_of(const GradeSettings& options);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -6,7 +6,7 @@
 
 #include "grader/course/input.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 constexpr long kLargestId = 1L << 53;  // JSON's numbers are whole up to there
@@ -63,4 +63,4 @@ void GradescopeResults::write_with_note(SubmissionResult result, const std::stri
   write_file(file_, student_json(result, options_));
 }
 
-}  // namespace grader
+}  // namespace grader::tool

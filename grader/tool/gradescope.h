@@ -15,7 +15,7 @@
 #include "grader/course/course.h"
 #include "grader/report/results_json.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct Metadata {
   std::string student;     // "4711"
@@ -43,4 +43,4 @@ class GradescopeResults {
   ResultsOptions options_;
 };
 
-}  // namespace grader
+}  // namespace grader::tool

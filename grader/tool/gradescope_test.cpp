@@ -11,7 +11,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ TEST_F(Gradescope, WhatCouldNotBeGradedIsNotTheStudentsFault) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 #include "grader/course/input.h"
 #include "grader/tool/exercise_grading.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ void Grading::finish(Graded& graded) const {
   fs::remove_all(graded.job, ignored);
 }
 
-}  // namespace grader
+}  // namespace grader::tool

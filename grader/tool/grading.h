@@ -18,7 +18,7 @@
 #include "grader/tool/reference_grading.h"
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct Graded {
   SubmissionResult result;
@@ -68,4 +68,4 @@ class Grading {
   ReferenceGraded reference_;
 };
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 #include "grader/tool/ask_conj_grad.h"
 #include "grader/tool/settings_for_tests.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 struct Way {
@@ -179,4 +179,4 @@ TEST_F(HowItEnds, ClocksAndSignalsAreNamedWhereItWasOne) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

@@ -12,7 +12,7 @@
 #include "grader/sandbox/fences.h"
 #include "grader/sandbox/system_mounts.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ Isolation isolation_here(const StagedKit& kit, std::optional<Isolation> asked) {
       "student code all the same, and stamps the report");
 }
 
-}  // namespace grader
+}  // namespace grader::tool

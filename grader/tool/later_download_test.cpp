@@ -9,7 +9,7 @@
 #include "grader/tool/origins.h"
 #include "grader/tool/rows.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 class LaterDownloads : public Submissions {
@@ -129,4 +129,4 @@ TEST_F(LaterDownloads, ArchivesOfOneStudentAreNone) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 #include "grader/report/text.h"
 #include "grader/tool/secret.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
@@ -155,4 +155,4 @@ std::vector<Difference> differences(const MadeBy& there, const MadeBy& here) {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct MadeBy {
   struct Rule {
@@ -43,4 +43,4 @@ struct Difference {
 
 std::vector<Difference> differences(const MadeBy& there, const MadeBy& here);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 MadeBy three_exercises() {
@@ -179,4 +179,4 @@ TEST(MadeBy, SeesEverySettingThatChangesPoints) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

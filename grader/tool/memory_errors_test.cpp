@@ -20,7 +20,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -341,4 +341,4 @@ TEST_F(MemoryErrorsTest, DoNotIncludeMemoryThatIsUsedUp) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

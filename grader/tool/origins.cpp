@@ -10,7 +10,7 @@
 #include "grader/record/record.h"
 #include "grader/tool/grading.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -136,4 +136,4 @@ Settled settle_origins(const std::filesystem::path& folder, std::vector<Submissi
   return lines;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

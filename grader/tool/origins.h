@@ -16,7 +16,7 @@
 
 #include "grader/intake/submission.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct CallersWord {
   IntakeChoices choices = {};
@@ -36,4 +36,4 @@ Settled settle_origins(const std::filesystem::path& folder, std::vector<Submissi
                        const std::optional<std::string>& only, const CallersWord& word,
                        const std::string& hand_in = "");
 
-}  // namespace grader
+}  // namespace grader::tool

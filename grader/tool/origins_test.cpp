@@ -13,7 +13,7 @@
 #include "grader/tool/grading.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -187,4 +187,4 @@ TEST(Asking, GoesOnAfterAYesAtATerminalAlone) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

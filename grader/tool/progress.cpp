@@ -8,7 +8,7 @@
 #include <iostream>
 #include <utility>
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 constexpr double kMinute = 60;
@@ -56,4 +56,4 @@ void Progress::step(const std::string& what, bool worked) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace grader {
+namespace grader::inline tool {
 
 class Progress {
  public:
@@ -30,4 +30,4 @@ class Progress {
   double began_, said_;
 };
 
-}  // namespace grader
+}  // namespace grader::tool

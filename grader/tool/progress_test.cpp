@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 TEST(Progress, ATerminalHasALineForEachStep) {
@@ -46,4 +46,4 @@ TEST(Progress, APipeHasALineAMinute) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 #include "grader/tool/exercise_grading.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ SubmissionResult PublicChecks::check(const Course& course, const Submission& sub
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -11,7 +11,7 @@
 #include "grader/intake/submission.h"
 #include "grader/tool/grading.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 class PublicChecks {
  public:
@@ -41,4 +41,4 @@ class PublicChecks {
 // The checks of a program's output, each a category without points; and one that says how it ended if none of them does.
 std::vector<CaseResult> checks_in(const std::string& output, bool ended_well);
 
-}  // namespace grader
+}  // namespace grader::tool

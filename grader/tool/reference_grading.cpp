@@ -8,7 +8,7 @@
 #include "grader/tool/exercise_grading.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler)
   return graded;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

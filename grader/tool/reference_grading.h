@@ -10,7 +10,7 @@
 #include "grader/result/study.h"
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct ReferenceGraded {
   TimingByExercise timing;               // by exercise, also of kStudy
@@ -21,4 +21,4 @@ struct ReferenceGraded {
 // Throws std::runtime_error if the reference does not pass: what is wrong then is this machine, or the suite.
 ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 #include "grader/roster/groups.h"
 #include "grader/tool/blind.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 void give_members(Intake& intake, const Roster& roster) {
   std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
@@ -36,4 +36,4 @@ std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::ve
   return said;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

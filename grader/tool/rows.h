@@ -10,7 +10,7 @@
 #include "grader/record/record.h"
 #include "grader/roster/roster.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // See grader/roster/groups.h; remarks say what was found, and notices what a person must look at.
 void give_members(Intake& intake, const Roster& roster);
@@ -21,4 +21,4 @@ void give_members(Intake& intake, const Roster& roster);
 std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::vector<Accounted>& listed,
                                    Record& record, std::optional<std::string>& only);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -11,7 +11,7 @@
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ std::string seed_for(const std::string& secret, const std::string& student, cons
   return hmac_sha256(secret, student + '\0' + exercise);
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace grader {
+namespace grader::inline tool {
 
 // ~/.config/hairgrade/secret. Throws BadInput if there is no home.
 std::filesystem::path default_secret_file();
@@ -25,4 +25,4 @@ std::string import_secret(const std::filesystem::path& file);
 // The seed of a student's inputs for an exercise. It stays the same when the student hands in again.
 std::string seed_for(const std::string& secret, const std::string& student, const std::string& exercise);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ TEST_F(Secret, NoneIsReplacedAndNoneIsMadeToBeExported) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::tool

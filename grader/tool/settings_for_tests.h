@@ -7,7 +7,7 @@
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tool/suite_jobs.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // The cache and the secret are the caller's to set.
 inline GradingSettings settings_for_tests() {
@@ -23,4 +23,4 @@ inline GradingSettings settings_for_tests() {
   return settings;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 #include "hair/render/renderer.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ SuiteResult SuiteJobs::run_study(const SuiteJob& job, ExerciseTiming& timing) co
   return timed(settings_.study_program, job, timing);
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -15,7 +15,7 @@
 #include "grader/sandbox/processors.h"
 #include "grader/tool/suite_run.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct GradingSettings {
   Course course;
@@ -89,4 +89,4 @@ class SuiteJobs {
   mutable Processors processors_;  // has a lock of its own
 };
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 #include "grader/sandbox/descriptor.h"
 #include "hair/io/files/start_program.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 constexpr std::size_t kMostOutput = std::size_t{16} << 20;
@@ -50,4 +50,4 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,9 +7,9 @@
 #include "grader/judge/job.h"
 #include "grader/result/suite_result.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 // Throws std::runtime_error if the suite itself fails.
 SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 
 #include "grader/wire/message.h"
 
-namespace grader {
+namespace grader::inline wire {
 namespace {
 
 struct Header {
@@ -67,4 +67,4 @@ std::optional<Message> Channel::receive(std::size_t limit) {
   return message;
 }
 
-}  // namespace grader
+}  // namespace grader::wire

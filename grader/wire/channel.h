@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-namespace grader {
+namespace grader::inline wire {
 
 // New ones come last: attacks of the sample class write these numbers down.
 enum class Kind : std::uint32_t {
@@ -80,4 +80,4 @@ class Channel {
   Wait wait_;
 };
 
-}  // namespace grader
+}  // namespace grader::wire

@@ -8,7 +8,7 @@
 #include "particles/force.h"
 #include "solver/block_band.h"
 
-namespace grader {
+namespace grader::inline wire {
 
 // `question` has size_of_question(which, size) numbers; `which` is one of force_message.h.
 inline void answer_about(const particles::Force& force, int which, int size,
@@ -48,4 +48,4 @@ inline bool add_answered_band(std::vector<double>& answer, solver::BlockBand& ba
   return answer[0] != 0;
 }
 
-}  // namespace grader
+}  // namespace grader::wire

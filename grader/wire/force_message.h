@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace grader {
+namespace grader::inline wire {
 
 // Far from the numbers of matrices, which start at 0, because an exercise may use both. A question holds what is to
 // be added to, so that sums have the same bits wherever the force is.
@@ -34,4 +34,4 @@ inline constexpr std::size_t size_of_band(int size) {
   return 1 + 9 * static_cast<std::size_t>(size);
 }
 
-}  // namespace grader
+}  // namespace grader::wire

@@ -1,7 +1,7 @@
 // STAFF ONLY.
 #include "grader/wire/memory_error.h"
 
-namespace grader {
+namespace grader::inline wire {
 namespace {
 
 constexpr const char* kHeap = "reaches outside of memory that it got from new or malloc";
@@ -60,4 +60,4 @@ const MemoryErrorKind& read_memory_error(MessageReader& body) {
   return kKinds[kind];
 }
 
-}  // namespace grader
+}  // namespace grader::wire

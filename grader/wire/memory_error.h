@@ -9,7 +9,7 @@
 
 #include "grader/wire/message.h"
 
-namespace grader {
+namespace grader::inline wire {
 
 struct MemoryErrorKind {
   std::string_view runtime;  // what the sanitizers' runtime calls it
@@ -25,4 +25,4 @@ std::optional<std::uint32_t> memory_error_kind(std::string_view runtime);
 // Throws MalformedMessage for a kind that is not there.
 const MemoryErrorKind& read_memory_error(MessageReader& body);
 
-}  // namespace grader
+}  // namespace grader::wire

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace grader {
+namespace grader::inline wire {
 namespace {
 
 const MemoryErrorKind& read(const MessageWriter& message) {
@@ -40,4 +40,4 @@ TEST(MemoryError, IsShownInWordsOfOurs) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::wire

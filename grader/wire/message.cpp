@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace grader {
+namespace grader::inline wire {
 
 MessageWriter& MessageWriter::put(std::span<const double> values) {
   put(static_cast<std::uint64_t>(values.size()));
@@ -71,4 +71,4 @@ const std::byte* MessageReader::take(std::size_t size) {
   return data;
 }
 
-}  // namespace grader
+}  // namespace grader::wire

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace grader {
+namespace grader::inline wire {
 
 // A message with an invalid form. If it comes from a worker, the worker broke the rules.
 class MalformedMessage : public std::runtime_error {
@@ -60,4 +60,4 @@ class MessageReader {
   std::size_t at_ = 0;
 };
 
-}  // namespace grader
+}  // namespace grader::wire

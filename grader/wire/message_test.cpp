@@ -8,7 +8,7 @@
 
 #include "grader/wire/channel.h"
 
-namespace grader {
+namespace grader::inline wire {
 namespace {
 
 TEST(Message, IsReadAsItWasWritten) {
@@ -82,4 +82,4 @@ TEST(Channel, CarriesMessagesAndSaysWhenTheOtherSideIsGone) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::wire

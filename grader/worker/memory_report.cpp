@@ -17,7 +17,7 @@ void __ubsan_get_current_report_data(const char** kind, const char** message, co
                                      unsigned* line, unsigned* column, char** address);
 }
 
-namespace grader {
+namespace grader::inline worker {
 namespace {
 
 // The runtime's word for the error begins with its kind: "wild-addr-write", or "null-deref".
@@ -50,7 +50,7 @@ void run_on_known_stack(void (*run)()) {
   _exit(0);
 }
 
-}  // namespace grader
+}  // namespace grader::worker
 
 extern "C" {
 

@@ -12,7 +12,7 @@
 // Each object's own.
 extern "C" __attribute__((visibility("default"))) grader::ProvidedSession provided_session;
 
-namespace grader {
+namespace grader::inline worker {
 
 template <class Calls>
 struct ProvidedAsker {
@@ -52,4 +52,4 @@ ResultOf<function> asked(Arguments&&... arguments) {
     return ask<Calls, function>(asker, arguments...);
 }
 
-}  // namespace grader
+}  // namespace grader::worker

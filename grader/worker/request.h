@@ -5,7 +5,7 @@
 
 #include "grader/worker/session.h"
 
-namespace grader {
+namespace grader::inline worker {
 
 inline constexpr int kIn = 3, kOut = 4;
 
@@ -19,4 +19,4 @@ inline Current current;
 // marked there. The main thread's ends stand in /proc, which no cage has. Only in the worker with sanitizers.
 __attribute__((weak)) void run_on_known_stack(void (*run)());
 
-}  // namespace grader
+}  // namespace grader::worker

@@ -14,7 +14,7 @@ extern "C" __attribute__((weak)) void __asan_poison_memory_region(const volatile
 extern "C" __attribute__((weak)) void __asan_unpoison_memory_region(const volatile void* begin,
                                                                     std::size_t bytes);
 
-namespace grader {
+namespace grader::inline worker {
 namespace {
 
 constexpr std::size_t kLargestAnswer = std::size_t{256} << 20;
@@ -109,4 +109,4 @@ GuardedBuffer::~GuardedBuffer() {
   keep_or_unmap(pages_);
 }
 
-}  // namespace grader
+}  // namespace grader::worker

@@ -11,7 +11,7 @@
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 
-namespace grader {
+namespace grader::inline worker {
 
 // The suite stopped the request: this exception unwinds the student's function.
 struct Stopped {};
@@ -67,4 +67,4 @@ inline constexpr const char* kServerName = "serve";
 using ProvidedSession = Session*;
 inline constexpr const char* kProvidedSessionName = "provided_session";
 
-}  // namespace grader
+}  // namespace grader::worker

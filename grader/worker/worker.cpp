@@ -27,7 +27,7 @@
 #include "grader/worker/session.h"
 #include "solver/not_implemented.h"
 
-namespace grader {
+namespace grader::inline worker {
 namespace {
 
 constexpr std::size_t kLargestRequest = std::size_t{256} << 20;
@@ -126,7 +126,7 @@ void serve_requests() {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::worker
 
 int main(int argc, char* argv[]) {
   using namespace grader;

@@ -5,7 +5,7 @@
 #include "grader/worker/session.h"
 #include "particles/vectors.h"
 
-namespace grader {
+namespace grader::inline worker {
 
 // In front of a protected page.
 class GuardedVector {
@@ -47,4 +47,4 @@ class WorkerHost {
   Session& session_;
 };
 
-}  // namespace grader
+}  // namespace grader::worker

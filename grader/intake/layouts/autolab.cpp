@@ -6,7 +6,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 std::optional<NamedPath> read_autolab(std::string_view name, bool is_folder, const Around&) {
   // A host's name has no "_".
@@ -30,4 +30,4 @@ std::optional<NamedPath> read_autolab(std::string_view name, bool is_folder, con
   return named;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

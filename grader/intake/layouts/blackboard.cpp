@@ -7,7 +7,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 std::optional<NamedPath> read_blackboard(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName(
@@ -40,4 +40,4 @@ void settle_blackboard(std::vector<NamedPath*>& names) {
       named->owner.id = named->stem.substr(title.size());
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -12,7 +12,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 // "May", 18, 2025, 12, 24, "PM" as "2025-05-18 12:24:00".
@@ -64,4 +64,4 @@ void settle_brightspace(std::vector<NamedPath*>& names) {
   for (NamedPath* named : names) std::swap(named->owner.id, named->stem);
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -13,7 +13,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 // "main-1.cpp" was handed in after "main.cpp": Canvas gives such a number to a name that it has already.
@@ -83,4 +83,4 @@ void settle_canvas(std::vector<NamedPath*>& names) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::intake

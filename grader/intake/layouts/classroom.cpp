@@ -5,7 +5,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 constexpr std::string_view kClonedInto = "-submissions";
@@ -45,4 +45,4 @@ void settle_classroom(std::vector<NamedPath*>& names) {
     if (named->stem.size() > slug.size()) named->owner.id = named->stem.substr(slug.size());
 }
 
-}  // namespace grader
+}  // namespace grader::intake

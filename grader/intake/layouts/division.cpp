@@ -10,7 +10,7 @@
 #include "grader/intake/names.h"
 #include "grader/text/letters.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 // A name directly in a folder that the download's names stand in.
@@ -232,4 +232,4 @@ std::optional<Division> divide(std::vector<Entry>& list, const std::string& cont
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::intake

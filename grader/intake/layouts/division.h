@@ -10,7 +10,7 @@
 #include "grader/intake/container.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 struct HandIn {
   Owner owner;
@@ -40,4 +40,4 @@ struct Division {
 std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said,
                                bool may_have_sections = false, const KnownOwner& known = {});
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -12,7 +12,7 @@
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/layouts/gradescope.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -205,4 +205,4 @@ TEST(Layouts, ForeignNamesAreLeftOver) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

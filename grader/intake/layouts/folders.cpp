@@ -10,7 +10,7 @@
 #include "grader/intake/ignored.h"
 #include "grader/intake/same_name.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 std::string_view parent_of(std::string_view path) {
@@ -163,4 +163,4 @@ Layout layout_of(const std::vector<Entry>& entries, const FileNames& exercise_fi
   return layout;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -32,7 +32,7 @@
 #include "grader/intake/container.h"
 #include "grader/intake/exercise_names.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 struct Member {
   enum class Kind { whole, folder, archive, document };
@@ -52,4 +52,4 @@ struct Layout {
 
 Layout layout_of(const std::vector<Entry>& entries, const FileNames& exercise_files, bool on_disk);
 
-}  // namespace grader
+}  // namespace grader::intake

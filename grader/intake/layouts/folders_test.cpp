@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 const FileNames files{"conj_grad.cpp", "normal_equations.cpp"};
@@ -166,4 +166,4 @@ TEST(EntryPath, LosesItsRoot) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::intake

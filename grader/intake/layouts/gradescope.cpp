@@ -9,7 +9,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 namespace {
 
 // A key with Ruby's colon or without; "" if there is none.
@@ -86,4 +86,4 @@ std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string&
   }
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -14,7 +14,7 @@
 
 #include "grader/intake/owner.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 inline constexpr const char* kGradescopeMetadata = "submission_metadata.yml";
 
@@ -27,4 +27,4 @@ struct GradescopeRow {
 std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string& yaml,
                                                               const std::string& file);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace grader::inline intake {
 
 // The groups of `pattern`, counted from 1 as in it. std::regex takes stack for each letter, so a name longer than file systems allow is
 // none.
@@ -20,4 +20,4 @@ inline std::optional<std::vector<std::string>> groups_of(std::string_view name, 
   return groups;
 }
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -12,7 +12,7 @@
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 std::optional<NamedPath> read_moodle(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName("(.+?)(?:_([0-9]+))?_assignsubmission_(file|onlinetext)(?:_(.*))?");
@@ -43,4 +43,4 @@ void settle_moodle(std::vector<NamedPath*>& names) {
   }
 }
 
-}  // namespace grader
+}  // namespace grader::intake

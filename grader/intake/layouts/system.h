@@ -11,7 +11,7 @@
 
 #include "grader/intake/owner.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 // A name directly in a download.
 struct NamedPath {
@@ -80,4 +80,4 @@ void settle_brightspace(std::vector<NamedPath*>& names);
 void settle_blackboard(std::vector<NamedPath*>& names);
 void settle_classroom(std::vector<NamedPath*>& names);
 
-}  // namespace grader
+}  // namespace grader::intake

@@ -3,7 +3,7 @@
 
 #include "grader/intake/layouts/system.h"
 
-namespace grader {
+namespace grader::inline intake {
 
 const std::vector<System>& systems() {
   static const std::vector<System> all{
@@ -88,4 +88,4 @@ std::optional<Told> told_by_name(std::string_view name, bool is_folder, const Kn
   return {};
 }
 
-}  // namespace grader
+}  // namespace grader::intake

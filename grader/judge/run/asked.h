@@ -5,7 +5,7 @@
 #include "grader/calls/client.h"
 #include "grader/judge/run/asking.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct PlayAsker {
   MessageReader ask(const MessageWriter& request, const Products& products) {
@@ -32,4 +32,4 @@ ResultOf<function> asked(Arguments&&... arguments) {
     return ask<Calls, function>(asker, arguments...);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -4,9 +4,9 @@
 #include "grader/wire/message.h"
 #include "grader/wire/products.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 MessageReader ask_student(const MessageWriter& request, const Products& products);
 MessageReader ask_student(const MessageWriter& request);  // for functions that call nothing back
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 Eigen::Index numbers_of(const hair::Synthesis& group) {
@@ -44,4 +44,4 @@ Eigen::VectorXd DenseStrands::at(const Eigen::VectorXd& x, double time) {
   return points;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

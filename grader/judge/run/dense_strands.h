@@ -8,7 +8,7 @@
 #include "hair/head/synthesis.h"
 #include "hair/scene/scene.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class DenseStrands {
  public:
@@ -27,4 +27,4 @@ class DenseStrands {
   std::vector<std::unique_ptr<hair::Synthesis>> groups_;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -6,7 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/judge/random.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 HiddenScene read_hidden_scene(const std::filesystem::path& file, const std::string& seed) {
   const nlohmann::json document = read_json(file);
@@ -32,4 +32,4 @@ HiddenScene read_hidden_scene(const std::filesystem::path& file, const std::stri
   return hidden;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

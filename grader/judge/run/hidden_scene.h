@@ -14,7 +14,7 @@
 
 #include "hair/scene/scene.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct HiddenScene {
   std::string text;  // for the worker
@@ -25,4 +25,4 @@ struct HiddenScene {
 // Throws BadInput for a file of another form.
 HiddenScene read_hidden_scene(const std::filesystem::path& file, const std::string& seed);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -19,7 +19,7 @@
 #include "hair/scene/scene.h"
 #include "particles/state.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // Sends a request to the student's worker and returns the reply. Throws what ends the run.
 using Ask = std::function<MessageReader(const MessageWriter& request, const Products& products)>;
@@ -52,4 +52,4 @@ struct PlayResult {
 using PlayFunction = void (*)(const hair::Scene& scene, const Ask& ask, PlayResult& play);
 inline constexpr const char* kPlayerName = "play";
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -4,7 +4,7 @@
 #include "grader/judge/run/dense_strands.h"
 #include "hair/scene/playback.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 void play_scene(const hair::Scene& scene, Played& played) {
   hair::Scene unwatched = scene;  // nobody has to have written energies
@@ -26,4 +26,4 @@ void play_scene(const hair::Scene& scene, Played& played) {
   played.correction_steps = work.correction_steps;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

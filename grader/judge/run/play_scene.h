@@ -3,9 +3,9 @@
 
 #include "grader/judge/run/play.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // Until it ends or breaks. What was played stays in `played` if an exercise throws.
 void play_scene(const hair::Scene& scene, Played& played);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -6,7 +6,7 @@
 #include "grader/judge/run/dense_strands.h"
 #include "hair/scene/playback.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times) {
   MessageWriter request;
@@ -46,4 +46,4 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   return played;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -7,10 +7,10 @@
 #include "grader/judge/run/play.h"
 #include "grader/judge/trial.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // Lets the student's worker play a scene `times` times: it gets the text, from which we made `scene`. Throws
 // CaseFailed, or MalformedMessage if the answer has another form.
 Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times = 1);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -5,7 +5,7 @@
 #include "grader/judge/run/play.h"
 #include "grader/judge/run/play_scene.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 // What a run may ask about our matrices, forces and accelerations: 24 times what a good S1 asks, and more than
@@ -41,7 +41,7 @@ MessageReader ask_student(const MessageWriter& request) {
   });
 }
 
-}  // namespace grader
+}  // namespace grader::judge
 
 extern "C" __attribute__((visibility("default"))) void play(const hair::Scene& scene, const grader::Ask& ask,
                                                             grader::PlayResult& result) {

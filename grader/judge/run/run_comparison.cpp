@@ -9,7 +9,7 @@
 #include "grader/judge/run/dense_strands.h"
 #include "hair/render/scene_drawing.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 // Apart by less, as a part of the scene's size, nobody can tell particles apart: a thousandth of a pixel.
@@ -145,4 +145,4 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
   return result;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -8,7 +8,7 @@
 #include "grader/judge/run/run_pictures.h"
 #include "hair/scene/playback.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct Moment {
   double time = 0;                   // s
@@ -32,4 +32,4 @@ struct RunComparison {
 // reference itself breaks.
 RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs);
 
-}  // namespace grader
+}  // namespace grader::judge

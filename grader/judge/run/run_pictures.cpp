@@ -12,7 +12,7 @@
 #include "hair/io/image/read_png.h"
 #include "hair/render/renderer.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair
   return pictures;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

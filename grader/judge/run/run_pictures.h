@@ -11,7 +11,7 @@
 #include "hair/render/camera.h"
 #include "hair/render/drawing.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // Pixels. Small, because there are many pictures; a strand is about 3 pixels wide.
 inline constexpr int kPictureWidth = 480, kPictureHeight = 270;
@@ -31,4 +31,4 @@ struct Shot {
 std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair::Camera& camera,
                                       const std::filesystem::path& kept);
 
-}  // namespace grader
+}  // namespace grader::judge

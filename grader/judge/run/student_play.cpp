@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace grader {
+namespace grader::inline judge {
 
 PlayFunction load_player(const std::filesystem::path& player) {
   void* object = dlopen(player.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -27,4 +27,4 @@ Played play_with_student(Trial& trial, const std::filesystem::path& player, cons
   return std::move(play.played);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -7,7 +7,7 @@
 #include "grader/judge/run/play.h"
 #include "grader/judge/trial.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // The function of a player. It stays loaded: a suite plays one exercise. Throws std::runtime_error without one.
 PlayFunction load_player(const std::filesystem::path& player);
@@ -16,4 +16,4 @@ PlayFunction load_player(const std::filesystem::path& player);
 // if an answer has another form.
 Played play_with_student(Trial& trial, const std::filesystem::path& player, const hair::Scene& scene);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -19,7 +19,7 @@
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processors.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ INSTANTIATE_TEST_SUITE_P(Of, StudentPlay, testing::ValuesIn(played_exercises()),
                          [](const auto& one) { return one.param; });
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -8,7 +8,7 @@
 #include "grader/judge/run/student_play.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 std::string at(const Moment& moment) {
@@ -109,4 +109,4 @@ void WholeRun::judge_pictures(Trial& trial) const {
                "the run ends before its last picture");
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -25,7 +25,7 @@
 #include "grader/judge/trial.h"
 #include "grader/result/result.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // The largest error of held particles, relative to the scene's size: the rounding of their motion.
 inline constexpr double kHeld = 1e-9;
@@ -78,4 +78,4 @@ class WholeRun {
   double picture_seconds_ = 0;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

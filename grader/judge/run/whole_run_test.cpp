@@ -15,7 +15,7 @@
 #include "grader/judge/run/play_scene.h"
 #include "hair/head/synthesis.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -177,4 +177,4 @@ TEST(RunComparison, SeesWhatAWorkerMayAnswer) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

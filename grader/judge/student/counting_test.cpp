@@ -4,7 +4,7 @@
 #include "grader/judge/case_asker.h"
 #include "reference/S1/calls.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 using Eigen::VectorXd;
@@ -84,4 +84,4 @@ TEST(CountedCases, AreNotThoseThatAreAskedAside) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

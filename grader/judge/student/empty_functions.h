@@ -4,7 +4,7 @@
 
 #include "grader/calls/client.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class NoProduct : public implicitMatrix {
  public:
@@ -23,4 +23,4 @@ ResultOf<function> asked(Arguments&&... /*arguments*/) {
     return {};
 }
 
-}  // namespace grader
+}  // namespace grader::judge

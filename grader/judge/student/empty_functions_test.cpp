@@ -4,7 +4,7 @@
 #include "grader/course/course.h"
 #include "grader/judge/suite_table.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 class EmptyFunctions : public testing::TestWithParam<std::string> {
@@ -64,4 +64,4 @@ TEST_P(EmptyFunctions, DoNotEndTheCountOfCases) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

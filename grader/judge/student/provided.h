@@ -9,7 +9,7 @@
 #include "grader/wire/message.h"
 #include "grader/wire/products.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 // The arguments and the result of a ConjGrad: the suite's own numbers, whatever a report says.
 struct ProvidedSolve {
@@ -26,4 +26,4 @@ MessageWriter provide(const std::vector<std::string>& provided, MessageReader ca
 
 struct StoppedCall {};
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -9,7 +9,7 @@
 
 #include "grader/judge/student/student.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST_F(Provided, ComputesNoLongerThanItMay) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

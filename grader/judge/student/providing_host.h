@@ -7,7 +7,7 @@
 #include "grader/judge/student/provided.h"
 #include "reference/S1/calls.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class ProvidingHost {
  public:
@@ -61,4 +61,4 @@ class ProvidingHost {
   std::vector<ProvidedSolve>& solves_;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

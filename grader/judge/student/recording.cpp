@@ -1,7 +1,7 @@
 // STAFF ONLY.
 #include "grader/judge/student/recording.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 void Recording::begin_category(const std::string& name) {
   category_ = name;
@@ -29,4 +29,4 @@ void Recording::end(Outcome outcome) {
   open_ = false;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

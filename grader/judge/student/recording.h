@@ -10,7 +10,7 @@
 
 #include "grader/judge/student/student.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class Recording {
  public:
@@ -44,4 +44,4 @@ class Recording {
   std::size_t bytes_ = 0, product_bytes_ = 0;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

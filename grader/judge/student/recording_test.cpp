@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 MessageWriter numbers(std::size_t bytes) {
@@ -59,4 +59,4 @@ TEST(Recording, HoldsSoManyProductsOfEachRequest) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

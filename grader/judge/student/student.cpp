@@ -15,7 +15,7 @@
 #include "grader/sandbox/system_mounts.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 // Larger than any array that a case sends; a worker that announces more has broken the protocol.
@@ -394,4 +394,4 @@ void Student::finish() {
   setup_.allowance->spent.wall_seconds += watch.seconds();
 }
 
-}  // namespace grader
+}  // namespace grader::judge

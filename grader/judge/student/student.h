@@ -18,7 +18,7 @@
 #include "grader/wire/message.h"
 #include "grader/wire/products.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 class Recording;
 
@@ -114,4 +114,4 @@ class Student {
   int starts_ = 0, timeouts_ = 0;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

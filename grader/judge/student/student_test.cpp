@@ -9,7 +9,7 @@
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST_F(StudentTest, KeepsToTheProtocol) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 using nlohmann::json;
@@ -84,4 +84,4 @@ std::vector<Division> between(const Division& coarse) {
   return all;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

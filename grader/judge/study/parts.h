@@ -8,7 +8,7 @@
 #include "grader/judge/study/scenes.h"
 #include "hair/scene/scene.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct StudiedPart {
   std::string name;   // "pendulums, forward Euler"
@@ -32,4 +32,4 @@ std::vector<Division> divisions_of(const hair::Scene& scene);
 // The divisions between `coarse` and the one with twice its steps, fewest steps first.
 std::vector<Division> between(const Division& coarse);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace grader {
+namespace grader::inline judge {
 
 Play WorkerPlayer::play(const SceneText& text, const hair::Scene& scene, int times) {
   Trial trial(student_, Random("", text.name));
@@ -38,4 +38,4 @@ Play UntilItGivesUp::play(const SceneText& text, const hair::Scene& scene, int t
   }
 }
 
-}  // namespace grader
+}  // namespace grader::judge

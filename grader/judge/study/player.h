@@ -14,7 +14,7 @@
 #include "grader/judge/student/student.h"
 #include "grader/judge/study/scenes.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct Play {
   Played played;
@@ -55,4 +55,4 @@ class UntilItGivesUp : public Player {
   std::optional<CaseFailed> end_;
 };
 
-}  // namespace grader
+}  // namespace grader::judge

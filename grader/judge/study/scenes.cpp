@@ -1,7 +1,7 @@
 // STAFF ONLY.
 #include "grader/judge/study/scenes.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 const std::vector<SceneText>& studied_scenes() {
   static const std::vector<SceneText> scenes = {
@@ -130,4 +130,4 @@ const std::vector<SceneText>& studied_scenes() {
   return scenes;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace grader {
+namespace grader::inline judge {
 
 struct SceneText {
   std::string name;  // "strand-swing"
@@ -14,4 +14,4 @@ struct SceneText {
 
 const std::vector<SceneText>& studied_scenes();
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -9,7 +9,7 @@
 
 #include "hair/scene/playback.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 struct Frame {
@@ -76,4 +76,4 @@ TEST(StudiedScenes, StretchIsWhatTheMethodPromises) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -8,7 +8,7 @@
 #include "hair/io/plot/work_precision.h"
 #include "solver/timing.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 constexpr int kMostTimes = 500;
@@ -253,4 +253,4 @@ PartStudy study_part(const StudiedPart& part, const Truth& truth, Player& studen
   return PartStudied(part, truth, settings, asked).study(student, reference);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -16,7 +16,7 @@
 #include "grader/judge/study/truth.h"
 #include "grader/result/study.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct StudySettings {
   int rounds = 5;                  // the number of measured rounds
@@ -31,4 +31,4 @@ using Asked = std::function<void(bool student, int steps)>;
 PartStudy study_part(const StudiedPart& part, const Truth& truth, Player& student, Player& reference,
                      const StudySettings& settings, const Asked& asked = {});
 
-}  // namespace grader
+}  // namespace grader::judge

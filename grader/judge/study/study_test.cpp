@@ -15,7 +15,7 @@
 #include "hair/io/plot/tests/parsed.h"
 #include "hair/scene/playback.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 StudiedPart pendulum(const std::string& method) {
@@ -389,4 +389,4 @@ TEST(Truth, IsKept) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace grader::judge

@@ -6,7 +6,7 @@
 
 #include "grader/judge/study/scenes.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 bool is_left_out(const hair::Scene& scene, const AvailableExercises& exercises) {
@@ -53,4 +53,4 @@ SubmissionStudy study_submission(Student& student, Student& reference, const Ava
   return study;
 }
 
-}  // namespace grader
+}  // namespace grader::judge

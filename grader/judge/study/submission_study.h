@@ -10,7 +10,7 @@
 #include "grader/judge/study/study.h"
 #include "grader/result/study.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct AvailableExercises {
   std::set<std::string> left_out;                  // by the course; also leaves out scenes that need one
@@ -28,4 +28,4 @@ SubmissionStudy study_submission(Student& student, Student& reference, const Ava
                                  const std::optional<std::filesystem::path>& kept,
                                  const StudySettings& settings = {});
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -12,7 +12,7 @@
 #include "hair/truth/accurate_motion.h"
 #include "hair/truth/trajectory.h"
 
-namespace grader {
+namespace grader::inline judge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ Truth true_motion(const StudiedPart& part, const std::optional<fs::path>& kept) 
   return *std::move(found);
 }
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -10,7 +10,7 @@
 #include "grader/judge/study/parts.h"
 #include "particles/state.h"
 
-namespace grader {
+namespace grader::inline judge {
 
 struct Truth {
   std::vector<particles::State> frames;  // of the part's scene; the first is the start
@@ -25,4 +25,4 @@ struct Truth {
 // breaks.
 Truth true_motion(const StudiedPart& part, const std::optional<std::filesystem::path>& kept);
 
-}  // namespace grader
+}  // namespace grader::judge

@@ -8,7 +8,7 @@ namespace CLI {  // NOLINT(readability-identifier-naming): its own name
 class App;
 }
 
-namespace grader {
+namespace grader::inline tool {
 
 // A command declares its options when it is added; `run` reads them, does the work and returns hairgrade's exit code. It throws
 // BadInput for input that is wrong (2), and any other exception for a fault of the grader (1).
@@ -47,4 +47,4 @@ inline constexpr AddCommand kCommands[] = {
 // Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup has started it).
 const std::atomic<bool>& note_interruptions();
 
-}  // namespace grader
+}  // namespace grader::tool

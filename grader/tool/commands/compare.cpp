@@ -6,7 +6,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/comparing.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 Command add_compare(CLI::App& hairgrade) {
   const auto settings = std::make_shared<CompareSettings>();
@@ -18,10 +18,10 @@ Command add_compare(CLI::App& hairgrade) {
                       "A folder for heat maps, pictures side by side and a page of the worst");
   command->add_flag("--json", settings->json, "Print JSON in place of a table");
   return {command, [settings] {
-            const int code = compare(*settings, std::cout, note_interruptions());
+            const int code = compare_pictures(*settings, std::cout, note_interruptions());
             if (code == 130) std::cerr << "hairgrade: interrupted; nothing was written\n";
             return code;
           }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

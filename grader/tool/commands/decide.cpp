@@ -5,7 +5,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 struct DecideOptions : OfARecord {
@@ -90,4 +90,4 @@ Command add_unset(CLI::App& hairgrade) {
           }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 std::string shown(const std::optional<double>& points) {
@@ -53,4 +53,4 @@ Command add_diff(CLI::App& hairgrade) {
   return {command, [options, since] { return diff(*options, *since); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

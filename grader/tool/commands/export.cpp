@@ -4,7 +4,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 Command add_export(CLI::App& hairgrade) {
   const auto options = std::make_shared<OfARecord>();
@@ -17,4 +17,4 @@ Command add_export(CLI::App& hairgrade) {
           }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -16,7 +16,7 @@
 #include "grader/tool/isolation_here.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ Command add_feedback(CLI::App& hairgrade) {
   return {command, [options] { return write_feedback(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 #include "grader/tool/commands/of_a_record.h"
 #include "grader/tool/folder_lock.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 int forget(const OfARecord& options) {
@@ -44,4 +44,4 @@ Command add_forget(CLI::App& hairgrade) {
   return {command, [options] { return forget(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -29,7 +29,7 @@
 #include "grader/tool/rows.h"
 #include "grader/tool/secret.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ Command add_grade(CLI::App& hairgrade) {
   return {command, [options] { return grade(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

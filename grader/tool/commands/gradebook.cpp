@@ -14,7 +14,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ Command add_gradebook(CLI::App& hairgrade) {
   return {command, [options] { return write_gradebook(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -13,7 +13,7 @@
 #include "grader/tool/gradescope.h"
 #include "grader/tool/grading.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 struct GradescopeOptions {
@@ -66,4 +66,4 @@ Command add_gradescope(CLI::App& hairgrade) {
   return {command, [options] { return grade_on_gradescope(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

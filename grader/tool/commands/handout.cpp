@@ -9,7 +9,7 @@
 #include "grader/course/input.h"
 #include "grader/tool/commands/command.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,4 +44,4 @@ Command add_handout(CLI::App& hairgrade) {
   return {command, [options] { return handout(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 // "graded" has points by category, too many for a line.
@@ -41,4 +41,4 @@ Command add_log(CLI::App& hairgrade) {
   return {command, [options] { return log(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

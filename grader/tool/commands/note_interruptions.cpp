@@ -4,7 +4,7 @@
 #include "grader/sandbox/inherited.h"
 #include "grader/tool/commands/command.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 std::atomic<bool> interrupted = false;  // a signal handler has nothing else that it may touch
@@ -20,4 +20,4 @@ const std::atomic<bool>& note_interruptions() {
   return interrupted;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -9,7 +9,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/folder_of_grades.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 void add_folder(CLI::App& command, OfARecord& options) {
   command.add_option("--out", options.folder, "The folder of grades")->required();
@@ -63,4 +63,4 @@ int change_record(const OfARecord& options, const std::function<void(Record&)>& 
   return 0;
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -10,7 +10,7 @@
 
 #include "grader/record/record.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 struct OfARecord {
   std::filesystem::path folder;
@@ -33,4 +33,4 @@ std::vector<std::unique_ptr<Record>> open_hand_ins(const std::filesystem::path& 
 // change, so that an interruption loses none. Returns hairgrade's exit code.
 int change_record(const OfARecord& options, const std::function<void(Record&)>& change);
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -12,7 +12,7 @@
 #include "grader/tool/gradescope.h"
 #include "grader/tool/secret.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 int package_for_gradescope(const GradescopePackage& options) {
@@ -51,4 +51,4 @@ Command add_package(CLI::App& hairgrade) {
   return {command, [options] { return package_for_gradescope(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

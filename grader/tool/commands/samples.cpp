@@ -5,7 +5,7 @@
 #include "grader/samples/table.h"
 #include "grader/tool/commands/command.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 Command add_samples(CLI::App& hairgrade) {
   CLI::App* command = hairgrade.add_subcommand("samples", "Tell of the sample class and the attacks");
@@ -19,4 +19,4 @@ Command add_samples(CLI::App& hairgrade) {
           }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -7,7 +7,7 @@
 
 #include "grader/tool/commands/command.h"
 
-namespace grader {
+namespace grader::inline tool {
 
 Command add_secret(CLI::App& hairgrade) {
   const auto file = std::make_shared<std::filesystem::path>();
@@ -25,4 +25,4 @@ Command add_secret(CLI::App& hairgrade) {
           }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

@@ -17,7 +17,7 @@
 #include "grader/tool/rows.h"
 #include "hair/io/files/read_file.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,4 +144,4 @@ Command add_similar(CLI::App& hairgrade) {
   return {command, [options] { return similar(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool

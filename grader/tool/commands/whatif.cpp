@@ -9,7 +9,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
-namespace grader {
+namespace grader::inline tool {
 namespace {
 
 struct WhatIf : OfARecord {
@@ -72,4 +72,4 @@ Command add_whatif(CLI::App& hairgrade) {
   return {command, [options] { return what_if(*options); }};
 }
 
-}  // namespace grader
+}  // namespace grader::tool
