@@ -93,7 +93,6 @@ class PublicChecks : public testing::Test {
     for (const std::string build : {"ordinary", "sanitised"})
       fs::copy_file(fs::path(HAIR_PUBLIC_CHECKS) / build / id_, checks_ / build);
     fs::copy(HAIR_GOLDEN_DIR, checks_ / "golden");
-    fs::copy(kProject / "handout" / course_.find(id_)->text, checks_ / "text.md");
   }
 
   Checked check(const Compiler& compiler, const std::string& name, const std::string& source,

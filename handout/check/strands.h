@@ -10,16 +10,18 @@
 
 #include "derivative.h"
 #include "hair/strand.h"
+#include "ordinary.h"
 
 namespace checks {
 
 inline constexpr double kU = 0x1p-53;
 
-// Masses that are neither equal nor 1, and only one rigidity that the exercise has a use for.
+// Of these rest lengths, and only one rigidity that the exercise has a use for.
 inline hair::Strand strand_with(double hair::Strand::*rigidity, double value,
                                 const Eigen::VectorXd& rest_length) {
-  hair::Strand strand;
-  strand.mass = Eigen::VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
+  const int count = static_cast<int>(rest_length.size()) + 1;
+  Scatter numbers(count);
+  hair::Strand strand = ordinary_strand(numbers, count);
   strand.rest_length = rest_length;
   strand.stretch_rigidity = strand.bend_rigidity = strand.skip_rigidity = 1e9;
   strand.*rigidity = value;

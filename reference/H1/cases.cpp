@@ -6,8 +6,14 @@
 namespace grader::h1 {
 namespace {
 
+const Springs& springs() {
+  static const Springs all = springs_of<Calls, hair::stretch_energy, hair::add_stretch_force,
+                                        hair::add_stretch_product, &Strand::stretch_rigidity, 1>();
+  return all;
+}
+
 // 10,000 particles on a line, all segments alike: each end moves as that of a strand of 5 does.
-void long_strand(Trial& trial, const Springs& springs) {
+void long_strand(Trial& trial) {
   Random& random = trial.random;
   const Strand few = even_strand(random, 5);
   Strand many = even_strand(random, 10000);
@@ -19,30 +25,55 @@ void long_strand(Trial& trial, const Springs& springs) {
               lengthy = straight_pose(many, (1 + strain) * many.rest_length, direction, "10,000 particles");
   // Their coordinates round by u of the longer strand's length.
   const double rounding = 64 * kUnit * few.stretch_rigidity * largest(lengthy.x);
-  StrandForce filtered = springs;
-  filtered.products = {springs.products[static_cast<int>(GeometricTerm::filtered)]};
+  StrandForce filtered = springs();
+  filtered.products = {springs().products[static_cast<int>(GeometricTerm::filtered)]};
   expect_ends_alike(trial, filtered, brief, lengthy, 1, rounding, push);
 }
 
 }  // namespace
 
+void energy(Trial& trial) {
+  energies_of_springs(trial, springs());
+}
+
+void forces(Trial& trial) {
+  forces_of_springs(trial, springs());
+}
+
+void exact_product(Trial& trial) {
+  exact_products_of_springs(trial, springs());
+}
+
+void filtered_product(Trial& trial) {
+  filtered_products_of_springs(trial, springs());
+}
+
+void sampling(Trial& trial) {
+  rest_lengths_of_springs(trial, springs());
+}
+
+void added(Trial& trial) {
+  added_by_springs(trial, springs());
+}
+
+void no_direction(Trial& trial) {
+  springs_without_direction(trial, springs());
+}
+
+void extremes(Trial& trial) {
+  springs_in_other_units(trial, springs());
+  long_strand(trial);
+}
+
 Cases cases() {
-  const Springs springs = springs_of<Calls, hair::stretch_energy, hair::add_stretch_force,
-                                     hair::add_stretch_product, &Strand::stretch_rigidity, 1>();
-  const auto ask = [springs](void (*of_springs)(Trial&, const Springs&)) {
-    return [=](Trial& trial) { of_springs(trial, springs); };
-  };
-  return {{"Energy", ask(energies_of_springs)},
-          {"Forces", ask(forces_of_springs)},
-          {"ExactProduct", ask(exact_products_of_springs)},
-          {"FilteredProduct", ask(filtered_products_of_springs)},
-          {"Sampling", ask(rest_lengths_of_springs)},
-          {"Added", ask(added_by_springs)},
-          {"NoDirection", ask(springs_without_direction)},
-          {"Extremes", [springs](Trial& trial) {
-             springs_in_other_units(trial, springs);
-             long_strand(trial, springs);
-           }}};
+  return {{"Energy", energy},
+          {"Forces", forces},
+          {"ExactProduct", exact_product},
+          {"FilteredProduct", filtered_product},
+          {"Sampling", sampling},
+          {"Added", added},
+          {"NoDirection", no_direction},
+          {"Extremes", extremes}};
 }
 
 }  // namespace grader::h1

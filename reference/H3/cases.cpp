@@ -9,6 +9,12 @@
 namespace grader::h3 {
 namespace {
 
+const Springs& springs() {
+  static const Springs all = springs_of<Calls, hair::bend_spring_energy, hair::add_bend_spring_force,
+                                        hair::add_bend_spring_product, &Strand::skip_rigidity, 2>();
+  return all;
+}
+
 using Eigen::Vector3d;
 
 // One spring alone is longer than at rest, or has changed: the force on its ends, and the energy. The far end counts where no other
@@ -18,8 +24,7 @@ struct OfOneSpring {
   double energy;
 };
 
-OfOneSpring of_spring(Trial& trial, const Springs& springs, const Strand& strand, const Vector3d& direction,
-                      int i) {
+OfOneSpring of_spring(Trial& trial, const Strand& strand, const Vector3d& direction, int i) {
   const int count = strand.count();
   const Posed rest = straight_pose(strand, strand.rest_length, direction, "on a line");
   // Its second particle, and every second one behind it.
@@ -33,30 +38,32 @@ OfOneSpring of_spring(Trial& trial, const Springs& springs, const Strand& strand
     return both;
   };
   // Beside the strand at rest: whether the other springs know their rest lengths is another category's.
-  VectorXd force = springs.force(trial, posed);
-  force -= springs.force(trial, rest);
-  double energy = springs.energy(trial, posed);
-  energy -= springs.energy(trial, rest);
-  return {ends(force), ends(springs.product(trial, rest, longer)), energy};
+  VectorXd force = springs().force(trial, posed);
+  force -= springs().force(trial, rest);
+  double energy = springs().energy(trial, posed);
+  energy -= springs().energy(trial, rest);
+  return {ends(force), ends(springs().product(trial, rest, longer)), energy};
 }
 
+}  // namespace
+
 // Springs that are alike do the same, wherever they are, and in short strands and long ones.
-void every_spring(Trial& trial, const Springs& springs) {
+void every_spring(Trial& trial) {
   Random& random = trial.random;
-  Strand strand = springs.metres(random, 3);
+  Strand strand = springs().metres(random, 3);
   const Vector3d direction = checks::ordinary_direction(random);
-  const OfOneSpring alone = of_spring(trial, springs, strand, direction, 0);
+  const OfOneSpring alone = of_spring(trial, strand, direction, 0);
   const double k = strand.skip_rigidity;
   expect_not_zero(trial, alone.force, "the force of a strand of 3 particles");
   expect_not_zero(trial, alone.product, "the product of a strand of 3 particles");
   trial.expect(alone.energy > 0, "the energy of a strand of 3 particles is not positive");
   for (int count : {4, 7, 10000}) {
-    strand = springs.metres(random, count);
+    strand = springs().metres(random, count);
     strand.skip_rigidity = k;
     // Coordinates round by u of the strand's length, at most count / 2.
     const double rounding = 64 * kUnit * k * count;
     for (int i = 0; i + 2 < count; i += count > 100 && i > 1 && i + 4 < count ? count / 2 - 3 : 1) {
-      const OfOneSpring one = of_spring(trial, springs, strand, direction, i);
+      const OfOneSpring one = of_spring(trial, strand, direction, i);
       const int ends = i + 4 >= count ? 6 : 3;
       expect_vector(trial, one.force.head(ends), alone.force.head(ends), rounding,
                     "the force of one spring of a strand");
@@ -68,26 +75,44 @@ void every_spring(Trial& trial, const Springs& springs) {
   }
 }
 
-}  // namespace
+void energy(Trial& trial) {
+  energies_of_springs(trial, springs());
+}
+
+void forces(Trial& trial) {
+  forces_of_springs(trial, springs());
+}
+
+void exact_product(Trial& trial) {
+  exact_products_of_springs(trial, springs());
+}
+
+void filtered_product(Trial& trial) {
+  filtered_products_of_springs(trial, springs());
+}
+
+void lengths(Trial& trial) {
+  rest_lengths_of_springs(trial, springs());
+  springs_in_other_units(trial, springs());
+}
+
+void added(Trial& trial) {
+  added_by_springs(trial, springs());
+}
+
+void no_direction(Trial& trial) {
+  springs_without_direction(trial, springs());
+}
 
 Cases cases() {
-  const Springs springs = springs_of<Calls, hair::bend_spring_energy, hair::add_bend_spring_force,
-                                     hair::add_bend_spring_product, &Strand::skip_rigidity, 2>();
-  const auto ask = [springs](void (*of_springs)(Trial&, const Springs&)) {
-    return [=](Trial& trial) { of_springs(trial, springs); };
-  };
-  return {{"Energy", ask(energies_of_springs)},
-          {"Forces", ask(forces_of_springs)},
-          {"ExactProduct", ask(exact_products_of_springs)},
-          {"FilteredProduct", ask(filtered_products_of_springs)},
-          {"EverySpring", ask(every_spring)},
-          {"Lengths",
-           [springs](Trial& trial) {
-             rest_lengths_of_springs(trial, springs);
-             springs_in_other_units(trial, springs);
-           }},
-          {"Added", ask(added_by_springs)},
-          {"NoDirection", ask(springs_without_direction)}};
+  return {{"Energy", energy},
+          {"Forces", forces},
+          {"ExactProduct", exact_product},
+          {"FilteredProduct", filtered_product},
+          {"EverySpring", every_spring},
+          {"Lengths", lengths},
+          {"Added", added},
+          {"NoDirection", no_direction}};
 }
 
 }  // namespace grader::h3
