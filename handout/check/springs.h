@@ -272,6 +272,22 @@ struct Springs {
                        scattered_vector(24, 2), 24 * 128 * kU * sizes(c).product, bound_of_sums());
   }
 
+  // Without the geometric term a spring whose root moves pulls its other end along itself.
+  void expect_own_directions() const {
+    const Case c = bent(8, 4);
+    for (int i = 0; i + apart < 8; ++i) {
+      VectorXd dx = VectorXd::Zero(24);
+      dx.segment<3>(3 * i) = Vector3d(0.3, -0.5, 0.7);
+      const Vector3d u = (c.x.segment<3>(3 * (i + apart)) - c.x.segment<3>(3 * i)).normalized(),
+                     df = product(c, Term::dropped, dx).segment<3>(3 * (i + apart));
+      expect_entries(df, u * u.dot(df), 64 * kU * sizes(c).product,
+                     "the dropped product at particle " + std::to_string(i + apart) + ", where particle " +
+                         std::to_string(i) +
+                         " alone moves, beside its part along that spring, x = " + particles_in_words(c.x),
+                     "64 u of k (1 + " + length + "0/" + length + "): rounding");
+    }
+  }
+
   void expect_semidefinite() const {
     const Case c = bent(8, 4);
     for (const Term term : {Term::filtered, Term::dropped})

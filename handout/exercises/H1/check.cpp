@@ -82,6 +82,7 @@ TEST(FilteredProduct, LetsThroughWhatItIsToldTo) {
 
 TEST(FilteredProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
   look_at("each-segment");
+  springs().expect_own_directions();
   springs().expect_semidefinite();
 }
 

@@ -105,6 +105,7 @@ TEST(FilteredProduct, LetsThroughWhatItIsToldTo) {
 
 TEST(FilteredProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
   look_at("each-spring");
+  springs().expect_own_directions();
   springs().expect_semidefinite();
 }
 
