@@ -5,9 +5,11 @@
 
 namespace particles {
 
+inline constexpr double kEarthGravity = 9.81;  // m/s^2
+
 class Gravity : public Force {
  public:
-  // mass: n, kg; acceleration g in m/s^2, (0, 0, -9.81) on earth.
+  // mass: n, kg; acceleration g in m/s^2, (0, 0, -kEarthGravity) on earth.
   Gravity(Eigen::VectorXd mass, const Vector3d& acceleration);
 
   double energy(Input x) const override;

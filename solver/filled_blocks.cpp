@@ -23,9 +23,6 @@
 #include <cstring>
 
 namespace solver {
-
-__attribute__((weak)) void on_block_taken() noexcept {}
-
 namespace {
 
 const int kept_threshold = mallopt(M_MMAP_THRESHOLD, static_cast<int>(kMostFilled));
@@ -51,20 +48,16 @@ void* __libc_memalign(std::size_t alignment, std::size_t size);
 // NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 __attribute__((visibility("default"))) void* malloc(std::size_t size) noexcept {
-  solver::on_block_taken();
   return solver::filled(__libc_malloc(size));
 }
 __attribute__((visibility("default"))) void* calloc(std::size_t number, std::size_t size) noexcept {
-  solver::on_block_taken();
   return solver::filled(__libc_calloc(number, size), number * size);
 }
 __attribute__((visibility("default"))) void* realloc(void* memory, std::size_t size) noexcept {
-  solver::on_block_taken();
   const std::size_t before = malloc_usable_size(memory);
   return solver::filled(__libc_realloc(memory, size), before);
 }
 __attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  solver::on_block_taken();
   return solver::filled(__libc_memalign(alignment, size));
 }
 __attribute__((visibility("default"))) int posix_memalign(void** memory, std::size_t alignment,

@@ -14,7 +14,4 @@ inline constexpr int kUnsetByte = 0xfe;
 // reserve.
 inline constexpr std::size_t kMostFilled = 1 << 20;
 
-// Called whenever a block is taken or resized. Does nothing, unless the program defines it.
-void on_block_taken() noexcept;
-
 }  // namespace solver

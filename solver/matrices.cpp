@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -161,6 +162,51 @@ void SpectralMatrix::matVecMult(double x[], double b[]) {
   for (auto v = reflectors_.rbegin(); v != reflectors_.rend(); ++v) reflect(*v);  // Q' x
   for (std::size_t i = 0; i < n; ++i) b[i] *= spectrum_[i];
   for (const std::vector<double>& v : reflectors_) reflect(v);  // Q (...)
+}
+
+SparseMatrix scaled(const SparseMatrix& A, double c) {
+  std::vector<SparseMatrix::Entry> entries = A.entries();
+  for (SparseMatrix::Entry& e : entries) e.value *= c;
+  return SparseMatrix(A.rows(), A.cols(), entries);
+}
+
+double even_scale(implicitMatrix& A, const std::vector<double>& b) {
+  std::vector<double> x = b, Ab(b.size());
+  A.matVecMult(x.data(), Ab.data());
+  return 2 * std::inner_product(b.begin(), b.end(), Ab.begin(), 0.0) /
+         std::inner_product(Ab.begin(), Ab.end(), Ab.begin(), 0.0);
+}
+
+PlannedSystem planned_system(const std::vector<double>& curvatures, const std::vector<double>& ratios,
+                             const std::vector<double>& mirror) {
+  const int n = static_cast<int>(curvatures.size());
+  if (static_cast<int>(ratios.size()) != n - 1 || static_cast<int>(mirror.size()) != n)
+    throw std::invalid_argument("planned_system: " + std::to_string(n) + " curvatures with " +
+                                std::to_string(ratios.size()) + " ratios and a mirror of " +
+                                std::to_string(mirror.size()) + " values; need one less and as many");
+  // T = L D L'; row 0 of (1 - T) c = r has any number, and the others 0, so c follows from its last entry.
+  const auto off = [&](int i) { return -ratios[i] * curvatures[i]; };  // T(i, i + 1)
+  const auto main = [&](int i) { return curvatures[i] + (i > 0 ? -ratios[i - 1] * off(i - 1) : 0); };
+  std::vector<double> table(n * n), c(n, 1);
+  for (int i = n - 1; i >= 0; --i) {
+    table[i * n + i] = main(i);
+    if (i == 0) break;
+    table[i * n + i - 1] = table[(i - 1) * n + i] = off(i - 1);
+    c[i - 1] = ((1 - main(i)) * c[i] - (i + 1 < n ? off(i) * c[i + 1] : 0)) / off(i - 1);
+  }
+  const double squared = std::inner_product(mirror.begin(), mirror.end(), mirror.begin(), 0.0);
+  const auto reflect = [&](double* first, int stride) {
+    double dot = 0;
+    for (int i = 0; i < n; ++i) dot += mirror[i] * first[i * stride];
+    for (int i = 0; i < n; ++i) first[i * stride] -= 2 * dot / squared * mirror[i];
+  };
+  reflect(c.data(), 1);
+  for (int i = 0; i < n; ++i) reflect(&table[i], n);
+  for (int i = 0; i < n; ++i) reflect(&table[i * n], 1);
+  std::vector<SparseMatrix::Entry> entries;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) entries.push_back({i, j, table[i * n + j]});
+  return {SparseMatrix(n, n, entries), c};
 }
 
 std::vector<double> log_spaced(int n, double low, double high) {

@@ -72,6 +72,22 @@ class SpectralMatrix : public implicitMatrix {
   std::vector<std::vector<double>> reflectors_;  // of unit length
 };
 
+// c A. And the c for which ||b - c A b|| = ||b||: then ConjGrad's first residual is as long as b.
+SparseMatrix scaled(const SparseMatrix& A, double c);
+double even_scale(implicitMatrix& A, const std::vector<double>& b);
+
+// A symmetric, positive definite, full matrix and a right-hand side for which the lengths of ConjGrad's residuals are chosen: each is
+// ratios[k] times as long as the one before, until the last step of `curvatures.size()` ends at 0. ratios[k] >= 1 makes a plateau or a
+// rise. (ConjGrad's residuals, divided by their lengths, are the columns of a V with V'AV = L D L'. There D has the 1 / alpha[k], which are
+// `curvatures` here, and L has 1 on its diagonal and -ratios[k] below: Saad, "Iterative Methods", 2003, section 6.7. V is the reflection
+// along `mirror` here.)
+struct PlannedSystem {
+  SparseMatrix A;
+  std::vector<double> b;
+};
+PlannedSystem planned_system(const std::vector<double>& curvatures, const std::vector<double>& ratios,
+                             const std::vector<double>& mirror);
+
 // n numbers from low to high whose logarithms are evenly spaced. n >= 2, 0 < low <= high.
 std::vector<double> log_spaced(int n, double low, double high);
 

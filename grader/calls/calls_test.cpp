@@ -4,6 +4,7 @@
 
 #include "all_calls.h"
 #include "grader/calls/draw.h"
+#include "grader/calls/in_words.h"
 #include "grader/calls/relay.h"
 #include "hair/course/course.h"
 
@@ -100,15 +101,7 @@ TEST(Calls, TakeOrRefuseAnyRequestAndReply) {
   });
 }
 
-// "hair::stretch_energy", or a function with other arguments in front of it.
-template <auto function>
-std::string name_of() {
-  const std::string text = __PRETTY_FUNCTION__;
-  const std::size_t begin = text.find("function = ") + 11;
-  return plain_name(text.substr(begin, text.find_first_of(";]", begin) - begin));
-}
-
-// So a report says which function was called.
+// A function with other arguments stands in front of some, and its name is a part of theirs. So a report says which function was called.
 TEST(Calls, StandInTheOrderOfTheExercisesFunctions) {
   const Course course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
   for_each_exercise([&]<class Calls>() {

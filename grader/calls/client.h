@@ -3,7 +3,7 @@
 // may be anything. Whom a client asks is an Asker:
 //
 //   asker.ours()                  while what it returns lives, what is allocated is not the caller's
-//   asker.start(request)          writes what comes before the number of the call
+//   asker.start<function>(request, arguments...)  writes what comes before the number of the call
 //   asker.ask(request, products)  sends it, and returns the reply; `products` answers questions
 //   asker.served(force)           `force` is the one that the other side serves already: it asks itself
 //   asker.scratch(scratch, n)     `scratch` is the caller's, of which the contract gives the function n columns
@@ -28,9 +28,9 @@ struct Served {
   Products products;
 };
 
-// Scratch of so many columns, all of them of one number.
+// Scratch of as many columns as the contract says and some more, all of them of one number.
 struct Filling {
-  int columns;
+  int more_columns = 0;
   double number = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -107,12 +107,12 @@ class Sender {
 
   template <class Given>
   void send_matrix(Given& given) {
+    const int columns = contract.scratch_columns + (contract.scratch_of_size ? static_cast<int>(size_) : 0);
     if constexpr (contract.scratch_columns == 0) {
       encode(request_, given);
     } else if constexpr (std::is_same_v<std::remove_const_t<Given>, Filling>) {
-      request_.put(given.columns).put(given.number);
+      request_.put(columns + given.more_columns).put(given.number);
     } else {
-      const int columns = contract.scratch_columns + (contract.scratch_of_size ? static_cast<int>(size_) : 0);
       asker_.scratch(given, columns);
       request_.put(columns).put(std::numeric_limits<double>::quiet_NaN());
     }
@@ -171,22 +171,26 @@ class Sender {
   Eigen::Index size_;
 };
 
+// The value that comes back for a parameter of type P; void if none does.
+template <class P>
+inline constexpr bool kIsAsked =
+    std::is_same_v<P, particles::Dynamics&> || std::is_same_v<P, implicitMatrix&>;
+template <class P, bool with_scratch>
+using Returned = std::conditional_t<
+    std::is_same_v<P, particles::Output>, Eigen::VectorXd,
+    std::conditional_t<std::is_same_v<P, particles::Scratch>,
+                       std::conditional_t<with_scratch, void, Eigen::MatrixXd>,
+                       std::conditional_t<std::is_lvalue_reference_v<P> &&
+                                              !std::is_const_v<std::remove_reference_t<P>> && !kIsAsked<P>,
+                                          std::remove_cvref_t<P>, void>>>;
+
 // Into the caller's argument. Throws MalformedMessage for another length.
-template <class P, Contract contract, class Given>
+template <class Value, class Given>
 void take_back(MessageReader& reply, Given& given) {
-  constexpr bool matrix = std::is_same_v<P, particles::Scratch>;
-  if constexpr (std::is_same_v<P, particles::Output> || (matrix && contract.scratch_columns == 0)) {
-    std::conditional_t<matrix, Eigen::MatrixXd, Eigen::VectorXd> value;
+  if constexpr (!std::is_void_v<Value>) {
+    Value value = given;
     decode(reply, value);
-    if (value.rows() != given.rows() || value.cols() != given.cols())
-      throw MalformedMessage("an array of " + std::to_string(value.size()) + " numbers; expected " +
-                             std::to_string(given.size()));
-    given = value;
-  } else if constexpr (std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>> &&
-                       !std::is_same_v<P, particles::Dynamics&> && !std::is_same_v<P, implicitMatrix&>) {
-    std::remove_cvref_t<P> value = given;
-    decode(reply, value);
-    expect_like(value, given);
+    expect_like<Value>(value, given);
     given = value;
   }
 }
@@ -203,7 +207,7 @@ class Client {
     const auto ours = asker.ours();
     MessageWriter request;
     Answering answering;
-    asker.start(request);
+    asker.template start<function>(request, given...);
     request.put(Calls::template number_of<function>());
     send(request, answering, asker, given...);
     MessageReader reply = asker.ask(request, answering);
@@ -230,7 +234,7 @@ class Client {
     const auto ours = asker.ours();
     MessageWriter request;
     Answering answering;
-    asker.start(request);
+    std::apply([&](auto&... given) { asker.template start<function>(request, given...); }, made);
     request.put(Calls::template number_of<function>());
     std::apply([&](auto&... given) { send(request, answering, asker, given...); }, made);
     request.put(static_cast<std::uint8_t>(sizeof...(After) > 0));
@@ -266,7 +270,7 @@ class Client {
   template <class Asker, class... Given>
   static void take(MessageReader& reply, Asker& asker, Given&... given) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (take_back<P<i>, Call::contract>(reply, given), ...);
+      (take_back<Returned<P<i>, (Call::contract.scratch_columns > 0)>>(reply, given), ...);
     }
     (std::index_sequence_for<Given...>());
     bool changed = false;
@@ -310,9 +314,49 @@ std::unique_ptr<implicitMatrix> matrix_of(const Asker& asker, Arguments&... argu
   return std::make_unique<AskedMatrix<Calls, function, Asker, Parameters>>(asker, arguments...);
 }
 
+template <class... All>
+auto alone(std::tuple<All...> all) {
+  if constexpr (sizeof...(All) == 1)
+    return std::get<0>(std::move(all));
+  else
+    return all;
+}
+
 template <class Calls, auto function, class Asker, class... Given>
 ResultOf<function> ask(Asker& asker, Given&&... given) {
   return Client<Calls, function>::ask(asker, given...);
+}
+
+// The same of values: returns what the function returns, then what becomes of each output; one value alone, or a tuple.
+template <class Output, class Held>
+auto output_of(Held& held) {
+  if constexpr (std::is_void_v<Output>)
+    return std::tuple<>();
+  else
+    return std::tuple<Output>(std::move(held));
+}
+
+template <class Calls, auto function, class Asker, std::size_t... i, class... Given>
+auto answers_in(std::index_sequence<i...>, Asker& asker, const Given&... given) {
+  constexpr bool scratch = Calls::template Of<function>::contract.scratch_columns > 0;
+  std::tuple<std::conditional_t<std::is_void_v<Returned<ParameterOf<function, i>, scratch>>, const Given&,
+                                Returned<ParameterOf<function, i>, scratch>>...>
+  held(given...);
+  const auto outputs = [&held] {
+    return std::tuple_cat(output_of<Returned<ParameterOf<function, i>, scratch>>(std::get<i>(held))...);
+  };
+  if constexpr (std::is_void_v<ResultOf<function>>) {
+    ask<Calls, function>(asker, std::get<i>(held)...);
+    return alone(outputs());
+  } else {
+    std::tuple result(ask<Calls, function>(asker, std::get<i>(held)...));
+    return alone(std::tuple_cat(std::move(result), outputs()));
+  }
+}
+
+template <class Calls, auto function, class Asker, class... Given>
+auto answers(Asker& asker, const Given&... given) {
+  return answers_in<Calls, function>(std::index_sequence_for<Given...>(), asker, given...);
 }
 
 }  // namespace grader

@@ -7,6 +7,7 @@
 
 #include "grader/calls/client.h"
 #include "grader/calls/draw.h"
+#include "grader/calls/in_words.h"
 #include "reference/P1/calls.h"
 #include "reference/P2/calls.h"
 #include "reference/S1/calls.h"
@@ -31,6 +32,15 @@ hair::Strand strand_of_three() {
   strand.clamped = true;
   strand.root_tangent = Vector3d(0, 0.6, -0.8);
   return strand;
+}
+
+TEST(InWords, NamesTheFunctionAndTellsOfEachArgument) {
+  const std::vector<Vector3d> many(5, Vector3d(1, -2, 0.5));
+  EXPECT_EQ(
+      in_words<particles::midpoint>(strand_of_three(), VectorXd(VectorXd::Constant(5, -2)), many,
+                                    std::vector<int>{}, VectorXd(), Filling{}),
+      "midpoint({(1, 2, 3), (0.1, 0.2), 4, 5, 6, 1, (0, 0.6, -0.8)}, 5 numbers up to 2, 5 of [(1, -2, 0.5)], "
+      "[], (), ...)");
 }
 
 template <class T>
@@ -164,10 +174,10 @@ TEST(Client, TakesNoOtherLengths) {
   encode(message, particles::State{six, six});
   MessageReader states(message.bytes()), vectors(message.bytes());
   particles::State state{six, three};
-  EXPECT_THROW((take_back<particles::State&, Contract{}>(states, state)), MalformedMessage);
+  EXPECT_THROW((take_back<particles::State>(states, state)), MalformedMessage);
   EXPECT_EQ(state.v, three);
   VectorXd vector = three;
-  EXPECT_THROW((take_back<particles::Output, Contract{}>(vectors, vector)), MalformedMessage);
+  EXPECT_THROW((take_back<VectorXd>(vectors, vector)), MalformedMessage);
   EXPECT_EQ(vector, three);
 }
 

@@ -32,7 +32,8 @@ struct Asker {
   bool second;
 
   Nothing ours() const { return {}; }
-  void start(MessageWriter&) const {}
+  template <auto function>
+  void start(MessageWriter&, const auto&...) const {}
   bool served(const particles::Force&) const { return false; }
   void scratch(const auto&, int) const {}
   void changed() const {}

@@ -19,9 +19,8 @@ struct PalettePicture {
 };
 
 // Reduces a picture to at most `most` colours, 1 to 256, else throws std::invalid_argument. A picture with
-// few enough colours keeps them. Uses median cut (P. Heckbert, Color image quantization for frame buffer
-// display, SIGGRAPH 1982), but cuts at the mean, and weights a colour by the square root of its frequency:
-// the ground fills most of a picture and has few colours.
+// few enough colours keeps them. All pixels in one cell of a grid of colours get the cell's mean; the cells
+// are the smallest cubes of which so few are needed.
 PalettePicture in_few_colors(const hair::Image& image, std::size_t most);
 
 // As a PNG file's bytes. The same picture gives the same bytes.

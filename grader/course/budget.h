@@ -1,9 +1,9 @@
 // STAFF ONLY. What a submission may take of the machine, all of its exercises together; or what it has taken.
 //
-// Each exercise has an equal share, and so have the end-to-end runs: what one overruns is not taken from
-// another. A share is no grade: an exercise that uses up its share ends there, with the points of its other
-// categories. These shares suffice on a machine that is ten times as slow as most. An exercise ends far
-// earlier where it takes many times what the reference takes here (grader/tool/suite_jobs.h).
+// Each exercise has an equal share: what one overruns is not taken from another. A share is no grade: an
+// exercise that uses up its share ends there, with the points of its other categories. These shares suffice
+// on a machine that is ten times as slow as most. An exercise ends far earlier where it takes many times what
+// the reference takes here (grader/tool/suite_jobs.h).
 #pragma once
 
 #include <span>

@@ -6,13 +6,15 @@
 #include <utility>
 
 #include "grader/calls/client.h"
+#include "grader/calls/in_words.h"
 #include "grader/judge/trial.h"
 
 namespace grader {
 
 // An Output before a call that must overwrite it.
+inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 inline Eigen::VectorXd unset(Eigen::Index size) {
-  return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
+  return Eigen::VectorXd::Constant(size, kUnset);
 }
 
 class CaseAsker {
@@ -26,7 +28,10 @@ class CaseAsker {
                                        : trial_.ask(request, products, stopped_);
   }
   Nothing ours() const { return {}; }
-  void start(MessageWriter&) const {}
+  template <auto function>
+  void start(MessageWriter&, const auto&... arguments) const {
+    if (!begun_) trial_.describe_call(in_words<function>(arguments...));
+  }
   bool served(const particles::Force&) const { return false; }
   void scratch(const auto&, int) {}
   void changed() { changed_input_ = true; }
@@ -40,11 +45,11 @@ class CaseAsker {
   bool begun_ = false, changed_input_ = false;
 };
 
-// One case.
-template <class Calls, auto function, class... Given>
-ResultOf<function> ask_student_for(Trial& trial, Given&&... given) {
+// One case: what a function of the student's answers when it is given these values; see answers().
+template <class Calls, auto function>
+inline constexpr auto answer_of = [](Trial& trial, const auto&... given) {
   CaseAsker asker(trial);
-  return ask<Calls, function>(asker, given...);
-}
+  return answers<Calls, function>(asker, given...);
+};
 
 }  // namespace grader

@@ -25,7 +25,7 @@ struct WholeRunJob {
 };
 
 struct SuiteJob {
-  std::string exercise;  // or "runs": all of them end to end
+  std::string exercise;  // or "runs": all of them together, for hairstudy
   std::string seed;
   std::filesystem::path kit;
   std::vector<std::string> provided;           // exercises whose functions the suite provides (provided.h)
@@ -42,11 +42,9 @@ struct SuiteJob {
 
   std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
-  // Only for "runs", see AvailableExercises in end_to_end.h.
+  // Only for hairstudy, see study/submission_study.h.
   std::set<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
-
-  // Only for hairstudy, see study/submission_study.h.
   std::vector<std::filesystem::path> reference_objects = {};
   std::filesystem::path motions = {};  // the folder of true motions
 

@@ -62,8 +62,34 @@ LinearSystem scaled(LinearSystem system, double factor) {
   return system;
 }
 
-LinearSystem at_unit_tolerance(const LinearSystem& system, double epsilon) {
-  return scaled(system, 1 / std::sqrt(epsilon));
+namespace {
+
+// c A: each entry of a product is rounded once more.
+struct Scaled : implicitMatrix {
+  std::shared_ptr<implicitMatrix> A;
+  double c;
+  int n;
+
+  Scaled(std::shared_ptr<implicitMatrix> matrix, double factor, int size)
+      : A(std::move(matrix)), c(factor), n(size) {}
+  void matVecMult(double x[], double b[]) override {
+    A->matVecMult(x, b);
+    for (int i = 0; i < n; ++i) b[i] *= c;
+  }
+};
+
+}  // namespace
+
+LinearSystem even(const LinearSystem& system) {
+  const double c = solver::even_scale(*system.A, system.b), length = norm(system.b);
+  LinearSystem result = system;
+  result.A = std::make_shared<Scaled>(system.A, c, system.n());
+  for (double& value : result.b) value /= length;
+  for (double& value : result.solution) value /= c * length;
+  result.norm *= c;
+  result.smallest *= c;
+  result.product_error += 1;
+  return result;
 }
 
 int usual_limit(const LinearSystem& system) {
@@ -97,6 +123,18 @@ LinearSystem spectral_system(std::string name, std::vector<double> spectrum, Ran
   return with_solution(std::move(name),
                        std::make_shared<solver::SpectralMatrix>(std::move(spectrum), std::move(reflectors)),
                        random.normals(n, 1 / std::sqrt(n)), largest, smallest, product_error);
+}
+
+LinearSystem planned_system(std::string name, const std::vector<double>& ratios, Random& random) {
+  const int n = static_cast<int>(ratios.size()) + 1;
+  const double scale = random.uniform(0.6, 1.9);
+  std::vector<double> curvatures(n);
+  for (double& value : curvatures) value = scale * random.uniform(1, 1.1);
+  const solver::PlannedSystem planned = solver::planned_system(curvatures, ratios, random.normals(n));
+  LinearSystem system{std::move(name), std::make_shared<solver::SparseMatrix>(planned.A), planned.b, {}};
+  system.norm = planned.A.norm_bound();
+  system.product_error = n;
+  return system;
 }
 
 double true_residual(const LinearSystem& system, const std::vector<double>& x) {
@@ -227,9 +265,10 @@ void expect_solved_or_at_limit(Trial& trial, const LinearSystem& system, const S
 
 void expect_solves_ordinary_system(Trial& trial) {
   const int n = trial.random.integer(12, 20);
-  const LinearSystem system = spectral_system("ordinary", solver::log_spaced(n, 1, 50), trial.random);
-  const LinearSystem unit = at_unit_tolerance(system, tolerance_after(system, 5).epsilon);
-  expect_solved(trial, unit, solve(trial, unit, 1, usual_limit(unit)), 1);
+  const std::vector<double> spectrum = trial.random.uniforms(n, 1, 8);
+  const LinearSystem system = even(spectral_system("ordinary", spectrum, trial.random));
+  const double epsilon = tolerance_after(system, 4).epsilon;
+  expect_solved(trial, system, solve(trial, system, epsilon, usual_limit(system)), epsilon);
 }
 
 }  // namespace grader

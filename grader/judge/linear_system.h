@@ -58,9 +58,10 @@ Eigen::VectorXd vector_of(const std::vector<double>& values);
 // The same bits: a NaN equals itself, 0 and -0 differ.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
 LinearSystem scaled(LinearSystem system, double factor);  // b and the solution
-// The same system with b so large that `epsilon` becomes 1. There a norm and its square are compared alike, and no fixed tolerance is in
-// the way: a mistake in epsilon shows where epsilon is asked for, and nowhere else.
-LinearSystem at_unit_tolerance(const LinearSystem& system, double epsilon);
+// A and b scaled so that ||b|| = ||b - Ab|| = 1. There an epsilon that is absolute and one that is relative to either are the same: a mistake
+// in epsilon shows where epsilon is asked for, and nowhere else. For the same reason no epsilon that ends a solve is below 1e-6 or so in other
+// categories: fixed tolerances are in nobody's way. Where more digits are asked for, epsilon is 0 and the step limit ends the solve.
+LinearSystem even(const LinearSystem& system);
 // The default step limit, max(100, 2n). Cases that are not about it give it.
 int usual_limit(const LinearSystem& system);
 double true_residual(const LinearSystem& system, const std::vector<double>& x);  // ||b - Ax||
@@ -95,6 +96,9 @@ void expect_honest_value(Trial& trial, const LinearSystem& system, const Solutio
 // or it is at the step limit.
 void expect_solved_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
                                double epsilon, int limit);
+
+// A planned system (solver/matrices.h) whose residuals have these ratios, in a direction of no axis.
+LinearSystem planned_system(std::string name, const std::vector<double>& ratios, Random& random);
 
 // Solves one ordinary system: code that can't do this passes no category of extreme cases.
 void expect_solves_ordinary_system(Trial& trial);

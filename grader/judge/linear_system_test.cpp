@@ -106,6 +106,31 @@ TEST(ToleranceAfter, IsFoundWhereEigenvaluesHappenToBeOne) {
   }
 }
 
+TEST(Even, HasResidualsThatBeginAtTheLengthOfB) {
+  Random random("0", "even");
+  for (const LinearSystem& any : well_conditioned(random)) {
+    const LinearSystem system = even(any);
+    EXPECT_NEAR(norm(system.b), 1, 1e-14) << any.name;
+    EXPECT_NEAR(true_residual(system, system.b), 1, 1e-12) << any.name;
+    EXPECT_NEAR(true_residual(system, system.solution), 0, 1e-12) << any.name;
+  }
+}
+
+TEST(PlannedSystem, HasTheResidualsThatWereChosen) {
+  Random random("0", "planned");
+  for (const std::vector<double>& ratios :
+       {std::vector<double>(14, 1), std::vector<double>{1, 0.4, 1.8, 1.3, 0.2}}) {
+    const LinearSystem system = planned_system("planned", ratios, random);
+    double expected = true_residual(system, system.b);
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      expected *= ratios[k];
+      const double reached = std::sqrt(reference_solution(system, 0, static_cast<int>(k) + 1).value);
+      EXPECT_NEAR(reached / expected, 1, 1e-9) << k;
+    }
+    EXPECT_LT(std::sqrt(reference_solution(system, 0, system.n()).value), 1e-9 * expected);
+  }
+}
+
 // How far the return value's root is from the true ||b - Ax||, over what `drift` allows.
 double part_of_drift(const LinearSystem& system, double epsilon, int steps) {
   const Solution solution = reference_solution(system, epsilon, steps);

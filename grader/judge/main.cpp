@@ -1,5 +1,5 @@
 // STAFF ONLY. The hidden suite of one exercise, as a GoogleTest program: links the reference, and never a
-// student's code. Of an exercise with a whole run its two categories come last.
+// student's code. An exercise's whole run comes after its cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "grader/judge/memory_errors.h"
-#include "grader/judge/run/end_to_end.h"
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_program.h"
 #include "grader/judge/suite_table.h"
@@ -86,7 +85,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     grader::WorkerSetup worker = setup;
     worker.cpu_seconds = job.whole_run->cpu_seconds;
     run.emplace(std::move(worker), job.whole_run->player, std::move(scene), job.pictures, student);
-    of_the_run = run->categories(job.exercise);
+    of_the_run.push_back(run->category(job.exercise));
   }
   std::optional<grader::MemoryErrors> memory;
   if (job.sanitised) {
@@ -116,7 +115,6 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
   if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size())
     throw std::runtime_error("a category has no result");
   count_cases(categories, student, job.seed, cases);
-  result.allocations = student.allocations();
   if (run) {
     run->student().finish();
     result.pictures = run->pictures();
@@ -130,11 +128,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
 SuiteResult run(const SuiteJob& job) {
   const grader::WorkerSetup worker = grader::worker_of(job);
   grader::Student student(worker);
-  SuiteResult result;
-  if (job.exercise == "runs")
-    result.runs = grader::run_end_to_end(student, {job.left_out, job.unavailable}, job.pictures);
-  else
-    result = run_categories(job, worker, student);
+  SuiteResult result = run_categories(job, worker, student);
   add_costs(student, worker, result);
   return result;
 }

@@ -34,6 +34,11 @@ class Random {
     const double length = std::sqrt(-2 * std::log(1 - uniform()));
     return on_grid(length * std::cos(2 * std::numbers::pi * uniform()));
   }
+  std::vector<double> uniforms(int n, double low, double high) {
+    std::vector<double> values(n);
+    for (double& value : values) value = uniform(low, high);
+    return values;
+  }
   std::vector<double> normals(int n, double scale = 1) {
     std::vector<double> values(n);
     for (double& value : values) value = scale * normal();

@@ -5,9 +5,8 @@
 //
 // The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
 // staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
-// read of the first; a hint if what promises to allocate nothing does; and for each bound the largest error
-// / bound, its seed, the category, and the quantity. The exit code is 0 if no category fails, 1 if one
-// does.
+// read of the first; for each bound the largest error / bound, its seed, the category, and the quantity; and for each category a
+// hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1 if one does.
 #include <sodium.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <limits>
 #include <map>
 
+#include "grader/judge/student/recording.h"
 #include "grader/judge/suite_table.h"
 
 namespace {
@@ -22,6 +22,33 @@ namespace {
 struct Failures {
   int count = 0;
   std::string first;
+};
+
+// Of a category's requests, and of the products that the suite gave for them.
+class Hash {
+ public:
+  Hash() { crypto_generichash_init(&state_, nullptr, 0, 8); }
+
+  void add(const grader::Recording& recording) {
+    for (const grader::Recording::Request& request : recording.requests()) {
+      add(std::span<const std::byte>(request.message.bytes()));
+      for (const grader::Recording::Product& product : request.products)
+        add(std::as_bytes(std::span(product.result)));
+    }
+  }
+  std::string in_hex() {
+    std::array<unsigned char, 8> bytes;
+    crypto_generichash_final(&state_, bytes.data(), bytes.size());
+    std::array<char, 17> text;
+    return sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+  }
+
+ private:
+  void add(std::span<const std::byte> bytes) {
+    crypto_generichash_update(&state_, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  }
+
+  crypto_generichash_state state_;
 };
 
 grader::Student uncaged(const std::string& exercise, const std::string& kit,
@@ -55,12 +82,15 @@ int main(int argc, char* argv[]) {
   const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
   std::map<std::string, Failures> failures;
   std::map<std::string, std::pair<double, int>> nearest;  // the ratio, the seed
-  int allocations = 0;
+  std::map<std::string, Hash> asked;
   for (int seed = first; seed < first + count; ++seed) {
     // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is optimised.
     grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
     for (const grader::Category& category : grader::categories(exercise)) {
       grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
+      grader::Recording recording;
+      recording.begin_category(category.name);
+      student.record(&recording);
       try {
         category.run(trial);
       } catch (const grader::CaseFailed& failure) {
@@ -68,21 +98,19 @@ int main(int argc, char* argv[]) {
         if (++of.count == 1)
           of.first = "seed " + std::to_string(seed) + ", " + failure.feedback + "; " + failure.detail;
       }
+      asked[category.name].add(recording);
       for (const auto& [quantity, ratio] : trial.nearest()) {
         std::pair<double, int>& largest = nearest[category.name + " | " + quantity];
         largest = std::max(largest, {ratio, seed});
       }
     }
     student.finish();
-    allocations = std::max(allocations, student.allocations());
   }
   std::cout << exercise << ": " << count << " seeds, " << failures.size() << " categories fail\n";
   for (const auto& [category, of] : failures)
     std::cout << "  " << category << ": " << of.count << "; first: " << of.first << "\n";
-  if (allocations > 0)
-    std::cout << "  a hint: a call allocates up to " << allocations
-              << " times, and its contract asks for none\n";
   for (const auto& [bound, largest] : nearest)
     std::cout << largest.first << " " << largest.second << " " << bound << "\n";
+  for (auto& [category, hash] : asked) std::cout << "asked " << hash.in_hex() << " " << category << "\n";
   return failures.empty() ? 0 : 1;
 }

@@ -35,16 +35,16 @@ void describe(Trial& trial, const Posed& posed);
 template <class Calls, auto energy>
 double energy_of(Trial& trial, const Posed& posed) {
   describe(trial, posed);
-  const double answer = ask_student_for<Calls, energy>(trial, posed.strand, posed.x);
+  const double answer = answer_of<Calls, energy>(trial, posed.strand, posed.x);
   trial.expect(std::isfinite(answer), "the energy is not a finite number");
   return answer;
 }
-// What becomes of `sum`, to which the function adds.
+// What becomes of what was there `before`, to which the function adds.
 template <class Calls, auto add, class... Arguments>
-VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, VectorXd sum,
+VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, const VectorXd& before,
                 const Arguments&... arguments) {
   describe(trial, posed);
-  ask_student_for<Calls, add>(trial, posed.strand, posed.x, arguments..., sum);
+  const VectorXd sum = answer_of<Calls, add>(trial, posed.strand, posed.x, arguments..., before);
   trial.expect(sum.allFinite(), what + " is not a finite number");
   return sum;
 }

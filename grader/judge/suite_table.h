@@ -1,5 +1,5 @@
-// STAFF ONLY. The table of hidden suites: an exercise's categories, as its categories.json declares them, with the cases of
-// reference/<ID>/cases.cpp that ask each.
+// STAFF ONLY. The table of hidden suites: an exercise's categories, as its categories.json declares them, with the function
+// in reference/<ID>/ that asks each: nearly_straight for NearlyStraight.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ const std::vector<checks::Category>& declared_categories(const std::string& exer
 // The one with this id, to be run by `run`. Throws std::out_of_range if it is not declared.
 Category category_of(const std::string& exercise, const std::string& id, std::function<void(Trial&)> run);
 
-// Those that hidden cases ask. Throws std::logic_error if cases and declaration disagree.
+// Those that hidden cases ask.
 std::vector<Category> categories(const std::string& exercise);
 
 }  // namespace grader

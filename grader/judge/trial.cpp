@@ -128,7 +128,9 @@ void Trial::wrong(const std::string& feedback, const std::string& detail, const 
 
 void Trial::fail(Status status, const std::string& feedback, const std::string& detail,
                  const std::string& hint) const {
-  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail, hint};
+  std::string text = description_ + (description_.empty() || detail.empty() ? "" : ": ") + detail;
+  if (!call_.empty()) text += (text.empty() ? "" : "; ") + call_;
+  throw CaseFailed{status, feedback, text, hint};
 }
 
 void Trial::ask_aside(const std::function<void()>& questions) {

@@ -71,7 +71,9 @@ class Trial {
   MessageReader reply_of(Answer answer, const std::string& stopped = {}) const;
 
   // Describes the following cases for staff: "tridiagonal, n = 10".
-  void describe(const std::string& text) { description_ = text; }
+  void describe(const std::string& text) { description_ = text, call_.clear(); }
+  // The same of the call that begins a case (grader/calls/in_words.h).
+  void describe_call(const std::string& text) { call_ = text; }
 
   void expect(bool holds, const std::string& feedback, const std::string& detail = {});
   // For what the rest of a category can't do without: if it does not hold, the category ends.
@@ -108,14 +110,11 @@ class Trial {
 
   Student& student_;
   WhenWrong when_wrong_;
-  std::string description_;
+  std::string description_, call_;
   std::map<std::string, double> nearest_;
   int cases_ = 0, failed_ = 0;
   bool case_failed_ = false;
 };
-
-// The cases of an exercise, by their category's id.
-using Cases = std::vector<std::pair<std::string, std::function<void(Trial&)>>>;
 
 // As categories.json declares it.
 struct Category {

@@ -68,7 +68,7 @@ bool is_hidden(const std::string& path) {
   const bool calls =
       name == "calls.h" || name == "asked.h" || name == "CMakeLists.txt" || name.starts_with("make_");
   return tests || file.extension() == ".samples" || (path.starts_with("reference/") && !calls) ||
-         is_below(path, {"grader/bench/", "grader/samples/solutions/", "grader/tests/", "reference/engine/"});
+         is_below(path, {"grader/samples/solutions/", "grader/tests/", "reference/engine/"});
 }
 
 // The project's files by their paths in it.

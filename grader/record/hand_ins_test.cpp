@@ -6,9 +6,7 @@
 #include <fstream>
 
 #include "grader/course/refusal_for_tests.h"
-#include "grader/record/people_fields.h"
 #include "grader/record/record.h"
-#include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/temporary_folder.h"
 
@@ -200,55 +198,6 @@ TEST_F(HandIns, ForgetEveryByteOfAPersonInAll) {
   first.shred();
   EXPECT_FALSE(someone_holds());
   EXPECT_EQ(second.find("alice")->result, result_of("alice", "H1", 7));
-}
-
-// As version 6 left it: owners are of all hand-ins.
-TEST_F(HandIns, OfARecordOfVersion6HaveItsOwners) {
-  {
-    Database database(dir_ / kRecordFile);
-    migrate(database, std::vector<std::string>(migrations().begin(), migrations().begin() + 6));
-    database.run("INSERT INTO assignments (name, folder) VALUES ('week 1', 'a'), ('week 2', 'b')");
-    database.run("INSERT INTO people (name, drawn_from) VALUES ('doe', 'doe')");
-    database.run("INSERT INTO owners VALUES (1, 'canvas', ?)",
-                 {json_text(Owner{.name = "Doe", .id = "7"}, -1)});
-    database.run(
-        "INSERT INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES (2, 1, 'o', 'f', "
-        "'2025-03-05 12:00:00')");
-    for (const std::int64_t week : {2, 3})
-      database.run(
-          "INSERT INTO results VALUES (?, 1, 'o', ?, '', '', '{}')",
-          {week, json_text(result_of("doe", "S1", 4), -1, {[](const std::string&) { return ""; }, {}})});
-  }
-  for (const char* week : {"week 1", "week 2"}) {
-    Record record(dir_, week);
-    ASSERT_EQ(record.hand_ins().size(), 1U);
-    EXPECT_EQ(record.hand_ins()[0].owner.id, "7") << week;
-  }
-  EXPECT_EQ(Record(dir_, "week 1").handed_in("doe"), "2025-03-05 12:00:00");
-  EXPECT_FALSE(Record(dir_, "week 1").find_decided("doe")->late.marked);
-}
-
-// As version 3 left it, which has no folders of hand-ins.
-TEST_F(HandIns, OfARecordOfVersion3IsTheOneWithoutAName) {
-  const std::vector<std::string> three(migrations().begin(), migrations().begin() + 3);
-  {
-    Database database(dir_ / kRecordFile);
-    migrate(database, three);
-    database.run("INSERT INTO people (name, drawn_from) VALUES ('alice', 'alice')");
-    database.run("INSERT INTO results VALUES (1, 1, 'hand-in /alice', ?, '', '', '{}')",
-                 {json_text(result_of("alice", "S1", 4), -1, {[](const std::string&) { return ""; }, {}})});
-    database.run(
-        "INSERT INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES "
-        "(1, 1, 'hand-in /alice', 'f', '2025-03-05 12:00:00')");
-    database.run(
-        R"(UPDATE assignments SET rules = '{"due": "2025-03-04 23:59", "late_per_cent_a_day": 50}')");
-    EXPECT_EQ(database.number("PRAGMA user_version"), 3);
-  }
-  Record record(dir_);
-  EXPECT_EQ(points(record.find_decided("alice")->result), 2);
-  EXPECT_TRUE(record.named_hand_ins().empty());
-  Record(dir_, "week 2").put({result_of("alice", "H1", 7)});
-  EXPECT_EQ(record.named_hand_ins(), (std::vector<std::string>{"week 2"}));
 }
 
 }  // namespace

@@ -79,5 +79,15 @@ TEST(PeopleInTheRecord, ADamagedOneIsNamed) {
   }
 }
 
+TEST(PeopleInTheRecord, AreNotMadeBlindOnceTheyHaveNames) {
+  const hair::TemporaryFolder folder("names");
+  Record record(folder.path());
+  Recorded one;
+  one.result.name = "alice";
+  record.put(one);
+  EXPECT_THROW(record.set_blind(), BadInput);
+  EXPECT_FALSE(record.is_blind());
+}
+
 }  // namespace
 }  // namespace grader

@@ -1,28 +1,37 @@
 // STAFF ONLY. The tables of a record.
 #include "grader/record/schema.h"
 
+#include <algorithm>
+
 #include "grader/course/input.h"
 
 namespace grader {
 namespace {
 
 constexpr std::int64_t kApplication = 0x68616972;  // "hair"
+constexpr std::int64_t kBaseVersion = 7;           // of an empty file's first tables
 
 // Whoever leaves `people` leaves all other tables, but for pictures, which several may share.
-constexpr const char* kFirst = R"(
+constexpr const char* kBase = R"(
 CREATE TABLE migrations (version INTEGER PRIMARY KEY, at TEXT NOT NULL) STRICT;
+CREATE TABLE class (blind INTEGER NOT NULL) STRICT;  -- one row; 1: names of people are codes
+INSERT INTO class VALUES (0);
 CREATE TABLE assignments (
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE,      -- '' in a record of one assignment
   made_by TEXT NOT NULL DEFAULT '',         -- JSON, see tool/made_by.h
   reference_costs TEXT NOT NULL DEFAULT '', -- JSON
-  last_run TEXT NOT NULL DEFAULT ''         -- JSON
+  last_run TEXT NOT NULL DEFAULT '',        -- JSON
+  rules TEXT NOT NULL DEFAULT '',           -- JSON, see rules.h
+  folder TEXT NOT NULL DEFAULT ''           -- of its pages, below the record's
 ) STRICT;
+CREATE UNIQUE INDEX folder_of_assignment ON assignments (folder COLLATE NOCASE);
 INSERT INTO assignments (name) VALUES ('');
 CREATE TABLE people (
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE,      -- of files and folders
-  drawn_from TEXT NOT NULL        -- their inputs are; stored at first sight (same_people.h)
+  drawn_from TEXT NOT NULL,       -- their inputs are; stored at first sight (same_people.h)
+  known_as TEXT NOT NULL DEFAULT ''         -- where name is a code: the name that intake found
 ) STRICT;
 CREATE TABLE hand_ins (
   id INTEGER PRIMARY KEY,
@@ -31,6 +40,8 @@ CREATE TABLE hand_ins (
   origin TEXT NOT NULL,
   fingerprint TEXT NOT NULL,
   handed_in TEXT NOT NULL,        -- as the download says it; '' if it does not
+  files TEXT NOT NULL DEFAULT '',           -- their hash; '' in older rows
+  marked_late INTEGER NOT NULL DEFAULT 0,   -- 1: by the learning system
   UNIQUE (assignment, person, origin, fingerprint, handed_in)
 ) STRICT;
 CREATE TABLE results (
@@ -73,28 +84,15 @@ CREATE TABLE log (
   detail TEXT NOT NULL
 ) STRICT;
 CREATE INDEX log_of_person ON log (person);
-)";
-
-constexpr const char* kOwners = R"(
+-- A group's members may differ from one hand-in to the next, and each keeps its own.
 CREATE TABLE owners (
-  person INTEGER PRIMARY KEY REFERENCES people ON DELETE CASCADE,
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
   system TEXT NOT NULL,           -- the layout that the hand-in came in
-  owner TEXT NOT NULL             -- JSON
+  owner TEXT NOT NULL,            -- JSON
+  PRIMARY KEY (assignment, person)
 ) STRICT;
 CREATE TABLE roster (place INTEGER PRIMARY KEY, person TEXT NOT NULL) STRICT;  -- JSON
-)";
-
-constexpr const char* kRules = R"(
-ALTER TABLE assignments ADD COLUMN rules TEXT NOT NULL DEFAULT ''; -- JSON, see rules.h
-)";
-
-constexpr const char* kBlind = R"(
-CREATE TABLE class (blind INTEGER NOT NULL) STRICT;  -- one row; 1: names of people are codes
-INSERT INTO class VALUES (0);
-ALTER TABLE people ADD COLUMN known_as TEXT NOT NULL DEFAULT ''; -- where name is a code: the name that intake found
-)";
-
-constexpr const char* kListedFiles = R"(
 CREATE TABLE listed_files (
   place INTEGER PRIMARY KEY,
   assignment INTEGER NOT NULL REFERENCES assignments,
@@ -105,33 +103,10 @@ CREATE TABLE listed_files (
 ) STRICT;
 )";
 
-// The first tables had a place for several assignments; versions up to 4 know only '', and would mix their rows.
-constexpr const char* kNamedHandIns = R"(
-ALTER TABLE assignments ADD COLUMN folder TEXT NOT NULL DEFAULT ''; -- of its pages, below the record's
-CREATE UNIQUE INDEX folder_of_assignment ON assignments (folder COLLATE NOCASE);
-)";
-
-// A group's members may differ from one hand-in to the next, and each keeps its own.
-constexpr const char* kOwnersOfHandIns = R"(
-ALTER TABLE owners RENAME TO owners_of_all;
-CREATE TABLE owners (
-  assignment INTEGER NOT NULL REFERENCES assignments,
-  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
-  system TEXT NOT NULL,           -- the layout that the hand-in came in
-  owner TEXT NOT NULL,            -- JSON
-  PRIMARY KEY (assignment, person)
-) STRICT;
-INSERT INTO owners SELECT assignments.id, person, system, owner FROM owners_of_all, assignments;
-DROP TABLE owners_of_all;
-ALTER TABLE hand_ins ADD COLUMN files TEXT NOT NULL DEFAULT '';  -- their hash; '' in older rows
-ALTER TABLE hand_ins ADD COLUMN marked_late INTEGER NOT NULL DEFAULT 0;  -- 1: by the learning system
-)";
-
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst,       kOwners,       kRules,          kBlind,
-                                               kListedFiles, kNamedHandIns, kOwnersOfHandIns};
+  static const std::vector<std::string> all = {kBase};
   return all;
 }
 
@@ -143,15 +118,17 @@ void migrate(Database& database, const std::vector<std::string>& steps) {
                       "sqlite_master) <> 0) FROM pragma_application_id",
                       {kApplication}) != 0)
     throw BadInput(where + ": is a database, but no record of grades; name another folder with --out");
-  const auto last = static_cast<std::int64_t>(steps.size());
-  if (version() > last)
-    throw BadInput(where + ": has version " + std::to_string(version()) + ", and this hairgrade knows " +
-                   std::to_string(last) + " at most; use the newer hairgrade that made it");
+  const auto last = kBaseVersion - 1 + static_cast<std::int64_t>(steps.size());
+  const std::int64_t found = version();
+  if (found > last || (found > 0 && found < kBaseVersion))
+    throw BadInput(where + ": has version " + std::to_string(found) + ", and this hairgrade knows " +
+                   std::to_string(kBaseVersion) + " to " + std::to_string(last) +
+                   "; use the hairgrade that made it");
   while (version() < last) {
     Transaction transaction(database);
-    const std::int64_t next = version() + 1;  // another process may have been here
+    const std::int64_t next = std::max(kBaseVersion, version() + 1);  // another process may have been here
     if (next > last) return;
-    database.run_all(steps[static_cast<std::size_t>(next - 1)]);
+    database.run_all(steps[static_cast<std::size_t>(next - kBaseVersion)]);
     database.run("INSERT INTO migrations VALUES (?, strftime('%Y-%m-%d %H:%M:%S', 'now'))", {next});
     database.run_all("PRAGMA application_id = " + std::to_string(kApplication) +
                      "; PRAGMA user_version = " + std::to_string(next) + ";");

@@ -8,11 +8,12 @@
 
 namespace grader {
 
-// The SQL that makes version i + 1 of version i, from an empty file on. Entries are never changed, only added: records have them.
+// The SQL that makes version 7 of an empty file, then 8 of 7, and so on. Entries are never changed, only
+// added: records have them.
 const std::vector<std::string>& migrations();
 
-// Brings the file to the last version, each step in a transaction of its own. Throws BadInput for a file of a newer version, and for
-// a database that is no record.
+// Brings the file to the last version, each step in a transaction of its own. Throws BadInput for a file of a
+// newer or a far older version, and for a database that is no record.
 void migrate(Database& database, const std::vector<std::string>& steps = migrations());
 
 }  // namespace grader

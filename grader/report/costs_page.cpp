@@ -137,8 +137,7 @@ Html by_part(const Costs& costs) {
   return html(
       "<section id=\"parts\">\n<h2>By exercise</h2>\n<p class=\"quiet\">A submission, on average; below "
       "it the reference. {}</p>\n{}</section>\n",
-      {"“runs” are the end-to-end scenes, “study” the studies.",
-       table_of(head_of("Exercise", costs.columns, more), rows, "class")});
+      {"“study” are the studies.", table_of(head_of("Exercise", costs.columns, more), rows, "class")});
 }
 
 Html most_in(const CostsByPart& parts, const std::vector<CostColumn>& columns) {

@@ -46,7 +46,6 @@ std::string picture_name(const std::string& png) {
 
 void write_pictures(const fs::path& folder, const SubmissionResult& result) {
   for (const ExerciseResult& exercise : result.exercises) write_pictures_of(folder, exercise.pictures);
-  for (const RunResult& run : result.runs) write_pictures_of(folder, run.pictures);
 }
 
 void remove_unshown_pictures(const fs::path& dir) {

@@ -27,22 +27,12 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
          figure(image(picture.student, whose + " and the reference's hair at " + picture.name, place),
                 html("{} and the reference&#39;s", {whose}))});
   }
-  const auto measured = [](const char* what, double value, double limit) {
-    return html("<span>{} {}{}</span>",
-                {what, shown_distance(value), limit > 0 ? " of at most " + shown_distance(limit) : ""});
-  };
-  const bool scored = picture.blurred_rmse_limit > 0 || picture.flip_limit > 0;
-  const bool far = too_far(picture);
   const bool is_coarse = picture.far_off && place.folder.empty();
   return html(
-      "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong>{}{}{}</div>\n<div "
+      "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>blurred RMSE {}</span><span>FLIP "
+      "{}</span></div>\n<div "
       "class=\"pictures\">\n{}{}{}</div>\n</div>\n",
-      {name_of(picture),
-       scored ? html("<span class=\"badge {}\">{}</span>",
-                     {far ? "bad" : "good", far ? "too far" : "close enough"})
-              : Html{},
-       measured("blurred RMSE", picture.blurred_rmse, picture.blurred_rmse_limit),
-       measured("FLIP", picture.flip, picture.flip_limit),
+      {name_of(picture), shown_distance(picture.blurred_rmse), shown_distance(picture.flip),
        figure(image(picture.student, whose + " at " + picture.name, place),
               html("{}{}", {whose, is_coarse ? ", shown coarsely: it is far from the reference's" : ""})),
        figure(image(picture.reference, "The reference's at " + picture.name, place),
@@ -139,8 +129,7 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
   Html rows;
   for (const PictureResult& picture : pictures) {
     flip = std::max(flip, picture.flip);
-    const bool scored = picture.blurred_rmse_limit > 0 || picture.flip_limit > 0;
-    open = open || (scored ? too_far(picture) : picture.flip > 0);
+    open = open || picture.flip > 0;
     rows += moment(picture, whose, place);
   }
   return html(

@@ -29,9 +29,9 @@ Html figure(const Html& picture, const Html& caption);
 enum class Ending { whole, breaks_off };
 
 // A row with its distances for each moment, under a heading that opens and closes. It starts open if a
-// picture is over a limit, or differs and is not scored, or if the run breaks off: the pictures before that may
-// be like the reference's, and the heading says nothing of their distance. Empty without pictures. `whose`
-// captions the submission's pictures: "Yours".
+// picture differs, or if the run breaks off: the pictures before that may be like the reference's, and the
+// heading says nothing of their distance. Empty without pictures. `whose` captions the submission's pictures:
+// "Yours".
 Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, Ending ending,
              const std::string& whose, const PicturePlace& place);
 

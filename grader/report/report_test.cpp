@@ -87,11 +87,9 @@ SubmissionResult submission_with_all_pictures(const std::string& name) {
                          0.2,
                          name + "\x89 student " + number,
                          "\x89 reference " + number,
-                         name + "\x89 heat " + number,
-                         0.01};
+                         name + "\x89 heat " + number};
   };
   for (ExerciseResult& exercise : result.exercises) exercise.pictures = {picture(), picture(), picture()};
-  for (RunResult& run : result.runs) run.pictures = {picture()};
   return result;
 }
 
@@ -99,7 +97,6 @@ std::vector<PictureResult> pictures_of(const SubmissionResult& result) {
   std::vector<PictureResult> all;
   for (const ExerciseResult& exercise : result.exercises)
     all.insert(all.end(), exercise.pictures.begin(), exercise.pictures.end());
-  for (const RunResult& run : result.runs) all.insert(all.end(), run.pictures.begin(), run.pictures.end());
   return all;
 }
 
@@ -318,16 +315,6 @@ TEST(Table, KeepsRowsApart) {
   print_table(out, results);
   for (const char* name : {"joerg_4710...", "joerg_4711...", "joerg_4712..."})
     EXPECT_NE(out.str().find(name), std::string::npos) << out.str();
-}
-
-TEST(PictureDistance, IsTheLargestOfTheGradedOnes) {
-  SubmissionResult result = sample_class(1).front();
-  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
-  result.runs[0].pictures = {{"1 s", 1, 1, "", "", ""}};
-  EXPECT_FALSE(picture_distance(result));
-  result.exercises[1].pictures = {{"1 s", 0.9, 0.1, "", "", ""}, {"2 s", 0, 0.3, "", "", ""}};
-  result.exercises[2].pictures = {{"1 s", 0.9, 0.2, "", "", ""}};
-  EXPECT_EQ(picture_distance(result), 0.3);
 }
 
 }  // namespace

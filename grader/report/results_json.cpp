@@ -25,7 +25,7 @@ constexpr const char* kOfPublicChecks =
     "These are the public checks, compiled as for grading. They give no points: the hidden ones do, after "
     "the deadline.";
 constexpr int kPictureWidth = 240;  // half
-constexpr std::size_t kPictureColors = 32;
+constexpr std::size_t kPictureColors = 64;
 
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
@@ -82,21 +82,6 @@ Json test(const ExerciseResult& exercise, const std::string& number, const std::
   return test;
 }
 
-// Gradescope shows it; it changes no score.
-Json run_test(const RunResult& run, const std::string& number, bool pictures) {
-  Json test = {{"name", "End to end: " + text_of(run.shows)},
-               {"number", number},
-               {"score", 0},
-               {"max_score", 0},
-               {"status", run.outcome == RunOutcome::same ? "passed" : "failed"}};
-  put_output(test, to_string(run.outcome) + ": " + run.feedback,
-             pictures ? run.pictures : std::vector<PictureResult>{});
-  test.update(Json{{"tags", Json::array({"runs"})},
-                   {"visibility", "visible"},
-                   {"extra_data", {{"run", text_of(run.name)}, {"outcome", to_string(run.outcome)}}}});
-  return test;
-}
-
 // The error of the whole submission, what changes its total, and remarks of the staff.
 std::string said_of_the_whole(const SubmissionResult& result) {
   std::string all = result.note;
@@ -116,7 +101,7 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
     }
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
       const CaseResult& one = exercise.cases[i];
-      const bool shows = options.pictures && one.name == kPicturesTitle;
+      const bool shows = options.pictures && one.name == kRunTitle;
       tests.push_back(test(exercise, exercise.id + "." + std::to_string(i + 1), one.name, one.status,
                            one.points, one.max_points,
                            joined(one.feedback, i == 0 ? exercise.compiler_messages : ""),
@@ -128,8 +113,6 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
                               {"extra_credit", exercise.extra_credit},
                               {"output", text_of(exercise.feedback)}};
   }
-  for (std::size_t i = 0; i < result.runs.size(); ++i)
-    tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1), options.pictures));
   const std::string said = said_of(result.isolation);
   const std::string stamp =
       joined(said.empty() ? "" : said + ".", result.images ? "" : "Graded without pictures.");

@@ -58,7 +58,7 @@ ExerciseResult exercise(const char* id, const char* title, const char* file, dou
 
 }  // namespace
 
-PictureResult sample_picture(const std::string& name, int shift, double limit) {
+PictureResult sample_picture(const std::string& name, int shift) {
   constexpr int kWidth = 160, kHeight = 90;
   const hair::Image student = strands(kWidth, kHeight, 20, shift), reference = strands(kWidth, kHeight, 20);
   const ErrorMap map = flip(reference, student);
@@ -68,16 +68,14 @@ PictureResult sample_picture(const std::string& name, int shift, double limit) {
           distance.flip_mean,
           hair::encode_png(student),
           hair::encode_png(reference),
-          distance.identical ? "" : hair::encode_png(heat_map(map)),
-          limit};
+          distance.identical ? "" : hair::encode_png(heat_map(map))};
 }
 
 std::vector<SubmissionResult> sample_class(int size) {
   constexpr std::array<const char*, 10> names{"alice",  "bob",   "carol", "dave", "erin",
                                               "faythe", "grace", "heidi", "ivan", "judy"};
-  const std::array<PictureResult, 3> pictures{sample_picture("0.50 s", 0, 0.01),
-                                              sample_picture("0.50 s", 1, 0.01),
-                                              sample_picture("0.50 s", 30, 0.01)};
+  const std::array<PictureResult, 3> pictures{sample_picture("0.50 s", 0), sample_picture("0.50 s", 1),
+                                              sample_picture("0.50 s", 30)};
   std::vector<SubmissionResult> results;
   for (int i = 0; i < size; ++i) {
     SubmissionResult result;
@@ -102,11 +100,6 @@ std::vector<SubmissionResult> sample_class(int size) {
         one.pictures[1].name = "1.00 s";
         one.pictures[2].name = "2.00 s";
       }
-    for (int j = 0; j < 5; ++j)
-      result.runs.push_back({"run-" + std::to_string(j), "a hair swings down", static_cast<RunOutcome>(j),
-                             "Apart from ours by 1 to 10 % of the scene's size.",
-                             "largest distance 0.0314159"});
-    result.runs[1].pictures = {pictures[2]};
     if (i == kUnreadable) {
       result.note =
           "handin.tar.gz can't be read: it is damaged or cut short. Pack it again, and check that it opens.";
@@ -154,7 +147,6 @@ SubmissionResult submission_full_of(const std::string& text) {
   exercise.cases.push_back({text, Status::wrong, 0, 10, text, text});
   exercise.pictures = {{text, 1, 1, text, text, text}};
   result.exercises.push_back(exercise);
-  result.runs.push_back({text, text, RunOutcome::blew_up, text, text, exercise.pictures});
   return result;
 }
 

@@ -14,7 +14,7 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
                                    Status::broke_rules,     Status::not_taken, Status::unreadable};
 
 // A moment with strands; the student's are moved to the right by `shift` pixels.
-PictureResult sample_picture(const std::string& name, int shift, double limit);
+PictureResult sample_picture(const std::string& name, int shift);
 
 // A class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results that run have pictures:
 // the same if it passed, near if it passed partly, far if it is wrong.

@@ -47,10 +47,6 @@ std::string sentence_of(const CaseResult& one) {
   }
 }
 
-constexpr const char* kAllocates =
-    " A hint, which takes no points: a function allocates memory that is to allocate nothing (the exercises' "
-    "README.md says why).";
-
 // Once for an exercise: where to go on.
 std::string next_step(const ExerciseResult& exercise) {
   if (exercise.status != Status::partly && exercise.status != Status::wrong) return "";
@@ -78,8 +74,6 @@ SubmissionResult for_student(const SubmissionResult& result) {
     exercise.staff_log.clear();
     if (exercise.feedback.empty()) exercise.feedback = sentence_for(exercise.status);
     exercise.feedback += next_step(exercise);
-    if (exercise.allocations > 0) exercise.feedback += kAllocates;
-    exercise.allocations = 0;
     const bool stub = is_stub(exercise);
     for (CaseResult& one : exercise.cases) {
       if (!stub) one.status = right_wrong_or_broke_off(one.status);
@@ -96,7 +90,6 @@ SubmissionResult for_student(const SubmissionResult& result) {
       picture.flip = to_hundredths(picture.flip);
     }
   }
-  for (RunResult& run : view.runs) run.detail.clear();
   return view;
 }
 

@@ -229,7 +229,7 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 <p class="quiet"><a href="report.html">The report</a> &#183; <a href="study.json">study.json</a></p>
 </header>
 <main>
-<p>The scenes that run end to end, with more steps and with fewer, by your code and by ours. This is to look at: it
+<p>Small scenes, which all of your files play together, with more steps and with fewer, by your code and by ours. This is to look at: it
 gives no points and takes none. Another run gives other times.</p>
 <p>Error: the root mean square of the particles&#39; distances from where they should be, over the whole motion.
 Time: CPU time of a whole run, by the kernel&#39;s clock, the median of rounds in which your code and ours took

@@ -20,11 +20,6 @@ PicturePlace place_of(Reader reader) {
   return {reader == Reader::student ? "" : "pictures"};
 }
 
-template <class Run>
-Ending ending_of(const Run& run) {
-  return run_breaks_off(run) ? Ending::breaks_off : Ending::whole;
-}
-
 std::string points_of(double points, double max_points) {
   return shown_points(points) + " / " + shown_points(max_points);
 }
@@ -92,58 +87,15 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
            {exercise.id, exercise.id, exercise.title, badge(exercise.status),
             points_of(exercise.points, exercise.max_points), exercise.extra_credit ? ", extra credit" : "",
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
-  if (exercise.allocations > 0)  // students have it in a sentence
-    section += html(
-        "<p class=\"quiet\">A hint, which takes no points: a call allocates memory up to {} times, and its "
-        "contract asks for "
-        "none. The worker says so of itself.</p>\n",
-        {std::to_string(exercise.allocations)});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
-  section += moments(exercise.pictures, "The whole run in pictures", ending_of(exercise), whose(reader),
-                     place_of(reader));
+  section +=
+      moments(exercise.pictures, "The whole run in pictures",
+              run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place_of(reader));
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
     section += block("What compiler, linker and worker printed", exercise.staff_log);
-  return section += html("</section>\n");
-}
-
-const char* look_of(RunOutcome outcome) {
-  switch (outcome) {
-    case RunOutcome::same:
-      return "good";
-    case RunOutcome::differs:
-      return "part";
-    case RunOutcome::not_run:
-      return "none";
-    default:
-      return "bad";
-  }
-}
-
-Html runs_section(const SubmissionResult& result, Reader reader) {
-  if (result.runs.empty()) return {};
-  Html section = html(R"(<section id="runs">
-<h2>End to end</h2>
-<p>All exercises together move something, beside ours. This is to look at: it gives no points and takes none.</p>
-<div class="wide"><table class="runs">
-<thead><tr><th scope="col" class="category">Scene</th><th scope="col" class="status">Outcome</th><th scope="col">What we saw</th></tr></thead>
-<tbody>
-)");
-  for (const RunResult& run : result.runs) {
-    section += html("<tr><th scope=\"row\">{}</th><td><span class=\"badge {}\">{}</span></td><td>{}",
-                    {run.shows, look_of(run.outcome), to_string(run.outcome), run.feedback});
-    if (reader == Reader::staff && !run.detail.empty()) section += html("<pre>{}</pre>", {run.detail});
-    section += html("</td></tr>\n");
-  }
-  section += html("</tbody>\n</table></div>\n");
-  if (result.studied)
-    section +=
-        html("<p><a href=\"{}study.html\">Error against run time</a> of these scenes, beside ours.</p>\n",
-             {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
-  for (const RunResult& run : result.runs)
-    section += moments(run.pictures, run.shows, ending_of(run), whose(reader), place_of(reader));
   return section += html("</section>\n");
 }
 
@@ -194,7 +146,9 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
   for (const bool passed : {false, true})
     for (const ExerciseResult& exercise : result.exercises)
       if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader);
-  body += runs_section(result, reader);
+  if (result.studied)
+    body += html("<p><a href=\"{}study.html\">Error against run time</a> of small scenes, beside ours.</p>\n",
+                 {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
   return body += html("</main>\n");
 }
 

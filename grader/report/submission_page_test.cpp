@@ -66,10 +66,10 @@ TEST(SubmissionPage, CallsNoTimeOutACrash) {
 
 TEST(SubmissionPage, SaysWhyAPictureIsCoarseAndThatThereIsNone) {
   SubmissionResult result = two_exercises();
-  result.exercises[1].cases.push_back(category(kPicturesTitle, Status::wrong));
+  result.exercises[1].cases.push_back(category(kRunTitle, Status::crashed));
   const std::string none = "The whole run broke off before its first picture.";
   EXPECT_EQ(times(student_page(result), none), 1U);
-  result.exercises[1].pictures = {sample_picture("1.00 s", 40, 0.01)};
+  result.exercises[1].pictures = {sample_picture("1.00 s", 40)};
   EXPECT_EQ(times(student_page(result), none), 0U);
   EXPECT_EQ(times(student_page(result), "shown coarsely"), 0U);
   result.exercises[1].pictures[0].far_off = true;

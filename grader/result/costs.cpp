@@ -103,10 +103,6 @@ std::string to_json(const ClassCosts& costs) {
   return sorted.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-ClassCosts class_costs_from_json(const std::string& text, const std::string& name) {
-  return from_json_text<ClassCosts>(text, name);
-}
-
 Costs costs_table(const ClassCosts& costs) {
   Costs table;
   for (const Measured& measured : all_measured()) table.columns.push_back(measured.column);

@@ -25,7 +25,7 @@ struct ExerciseTiming {
   bool operator==(const ExerciseTiming&) const = default;
 };
 
-// By exercise, or another part such as the end-to-end runs.
+// By exercise, or another part such as a study.
 using TimingByExercise = std::map<std::string, ExerciseTiming>;
 
 struct LastRun {
@@ -49,9 +49,8 @@ struct ClassCosts {
   bool operator==(const ClassCosts&) const = default;
 };
 
-// timing.json. The reader throws BadInput for a text that is none; errors name it `name`.
+// timing.json.
 std::string to_json(const ClassCosts& costs);
-ClassCosts class_costs_from_json(const std::string& text, const std::string& name);
 
 // What a submission costs is the sum of its wall_seconds; the other columns are parts of these.
 enum class CostKind { wall_seconds, cpu_seconds, count };

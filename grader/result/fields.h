@@ -1,8 +1,8 @@
 // STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and gives the writer and
 // the reader.
 //
-//   const Rows<RunResult>& Fields<RunResult>::rows() {
-//     static const Rows<RunResult> all = {field("name", &RunResult::name), field("outcome", &RunResult::outcome), ...};
+//   const Rows<CaseResult>& Fields<CaseResult>::rows() {
+//     static const Rows<CaseResult> all = {field("name", &CaseResult::name), field("status", &CaseResult::status), ...};
 //     return all;
 //   }
 //
@@ -186,6 +186,13 @@ Field<T> computed(std::string key, double (*get)(const T&)) {
             double number = 0;
             from_json_value(number, at, pictures);
           }};
+}
+
+// A field that records of earlier versions have. It is read over and not written.
+template <class T>
+Field<T> of_earlier_versions(std::string key) {
+  return {
+      std::move(key), {}, [](T&, const JsonValue&, const PictureText&) {}, [](const T&) { return false; }};
 }
 
 // A PNG file's bytes.

@@ -59,8 +59,6 @@ const Wording& wording_of(Status status) {
   throw std::invalid_argument("there is no status " + std::to_string(static_cast<int>(status)));
 }
 
-constexpr std::array<const char*, 5> outcomes{"same", "differs", "blew up", "failed", "not run"};
-
 }  // namespace
 
 std::string to_string(Status status) {
@@ -69,10 +67,6 @@ std::string to_string(Status status) {
 
 std::string sentence_for(Status status) {
   return wording_of(status).sentence;
-}
-
-std::string to_string(RunOutcome outcome) {
-  return outcomes.at(static_cast<std::size_t>(outcome));
 }
 
 double points(const SubmissionResult& result) {
@@ -89,39 +83,13 @@ double max_points(const SubmissionResult& result) {
                          });
 }
 
-bool too_far(const PictureResult& picture) {
-  const auto over = [](double value, double limit) { return limit > 0 && !(value <= limit); };
-  return over(picture.blurred_rmse, picture.blurred_rmse_limit) || over(picture.flip, picture.flip_limit);
-}
-
-namespace {
-
-bool shows_an_end(const std::vector<PictureResult>& pictures) {
-  return std::ranges::any_of(pictures, &PictureResult::breaks_off);
-}
-
-}  // namespace
-
 bool run_breaks_off(const ExerciseResult& exercise) {
-  if (shows_an_end(exercise.pictures)) return true;
+  if (std::ranges::any_of(exercise.pictures, &PictureResult::breaks_off)) return true;
   if (exercise.pictures.size() >= kRunPictures) return false;
   return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const CaseResult& one) {
-    return one.name == kPicturesTitle && one.status != Status::passed &&
+    return one.name == kRunTitle && one.status != Status::passed && one.status != Status::wrong &&
            one.status != Status::not_implemented;
   });
-}
-
-bool run_breaks_off(const RunResult& run) {
-  return (run.outcome == RunOutcome::blew_up || run.outcome == RunOutcome::failed) &&
-         (shows_an_end(run.pictures) || run.pictures.size() < kRunPictures);
-}
-
-std::optional<double> picture_distance(const SubmissionResult& result) {
-  std::optional<double> largest;
-  for (const ExerciseResult& exercise : result.exercises)
-    for (const PictureResult& picture : exercise.pictures)
-      largest = std::max(largest.value_or(0), picture.flip);
-  return largest;
 }
 
 }  // namespace grader

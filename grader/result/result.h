@@ -26,8 +26,8 @@ enum class Status {
   unreadable,  // the whole submission, such as a .rar
 };
 
-// The name of the category that compares pictures of the whole run.
-inline constexpr const char* kPicturesTitle = "Pictures of it";
+// The name of the category that judges the whole run and its pictures.
+inline constexpr const char* kRunTitle = "The whole run";
 
 std::string to_string(Status status);     // "does not compile"
 std::string sentence_for(Status status);  // helps the student without revealing hidden cases
@@ -58,8 +58,6 @@ struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
   std::string student, reference, heat;  // PNG files' bytes; heat is empty if both pictures are the same
-  // The limits for points; 0: shown, but not scored.
-  double blurred_rmse_limit = 0, flip_limit = 0;
   // Its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
   bool breaks_off = false;  // the run has no later moment that can be drawn
@@ -77,25 +75,8 @@ struct ExerciseResult {
   std::vector<CaseResult> cases;
   std::vector<PictureResult> pictures;  // of the whole run
   std::string staff_log;                // the whole output of compiler, linker and worker
-  // How often a function that promises to allocate nothing did so in one call, as the worker says of itself: a hint. 0: never.
-  int allocations = 0;
 
   bool operator==(const ExerciseResult&) const = default;
-};
-
-enum class RunOutcome { same, differs, blew_up, failed, not_run };
-
-std::string to_string(RunOutcome outcome);  // "blew up"
-
-// A scene that runs all exercises of a submission together: shown, but not scored.
-struct RunResult {
-  std::string name, shows;  // "strand-swing", and a line about what to see
-  RunOutcome outcome = RunOutcome::not_run;
-  std::string feedback;  // for students
-  std::string detail;    // for staff
-  std::vector<PictureResult> pictures = {};
-
-  bool operator==(const RunResult&) const = default;
 };
 
 // A change of the total that no exercise makes, such as lateness: a line of its own.
@@ -110,12 +91,11 @@ struct SubmissionResult {
   std::string name;
   std::string origin;  // what it came in, see grader/intake/origin.h; for staff
   std::vector<ExerciseResult> exercises;
-  std::vector<RunResult> runs;
   std::string note;         // not empty: an error of the whole submission, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   Isolation isolation = Isolation::namespaces;  // every page says if it is another
   bool images = true;                           // false: graded without pictures; every page says so
-  // Exercises, or "runs", that the clock on the wall ended: their points are not final, and a person looks.
+  // Exercises that the clock on the wall ended: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};
   bool studied = false;  // there is a study.html, to which pages link
   std::vector<Adjustment> adjustments = {};
@@ -126,16 +106,10 @@ struct SubmissionResult {
   bool operator==(const SubmissionResult&) const = default;
 };
 
-bool too_far(const PictureResult&);  // over a limit
-
 // Whether its whole run was played and ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
-bool run_breaks_off(const RunResult&);
 
 double points(const SubmissionResult&);      // with adjustments
 double max_points(const SubmissionResult&);  // without extra credit
-
-// The largest FLIP of the exercises' pictures; nothing if there are none.
-std::optional<double> picture_distance(const SubmissionResult&);
 
 }  // namespace grader

@@ -34,10 +34,10 @@ const Rows<PictureResult>& Fields<PictureResult>::rows() {
       picture("student", &T::student),
       picture("reference", &T::reference),
       picture("heat", &T::heat),
-      field("blurred_rmse_limit", &T::blurred_rmse_limit),
-      field("flip_limit", &T::flip_limit),
       field("far_off", &T::far_off),
-      field<T>("breaks_off", &T::breaks_off, [](const T& one) { return one.breaks_off; })};
+      field<T>("breaks_off", &T::breaks_off, [](const T& one) { return one.breaks_off; }),
+      of_earlier_versions<T>("blurred_rmse_limit"),
+      of_earlier_versions<T>("flip_limit")};
   return all;
 }
 
@@ -55,15 +55,7 @@ const Rows<ExerciseResult>& Fields<ExerciseResult>::rows() {
                               field("cases", &T::cases),
                               field("pictures", &T::pictures),
                               field("staff_log", &T::staff_log),
-                              field("allocations", &T::allocations)};
-  return all;
-}
-
-const Rows<RunResult>& Fields<RunResult>::rows() {
-  using T = RunResult;
-  static const Rows<T> all = {field("name", &T::name),       field("shows", &T::shows),
-                              field("outcome", &T::outcome), field("feedback", &T::feedback),
-                              field("detail", &T::detail),   field("pictures", &T::pictures)};
+                              of_earlier_versions<T>("allocations")};
   return all;
 }
 
@@ -83,7 +75,7 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
       field("images", &T::images),
       field("note", &T::note),
       field("exercises", &T::exercises),
-      field("runs", &T::runs),
+      of_earlier_versions<T>("runs"),
       field<T>("ended_by_the_clock", &T::ended_by_the_clock,
                [](const T& result) { return !result.ended_by_the_clock.empty(); }),
       field<T>("studied", &T::studied, [](const T& result) { return result.studied; }),
@@ -104,10 +96,8 @@ const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
   using T = SuiteResult;
   static const Rows<T> all = {field("cases", &T::cases),
                               field("pictures", &T::pictures),
-                              field("runs", &T::runs),
                               field("study", &T::study),
                               field("memory", &T::memory),
-                              field("allocations", &T::allocations),
                               field("cpu_seconds", &T::cpu_seconds),
                               field("run_cpu_seconds", &T::run_cpu_seconds),
                               field("picture_cpu_seconds", &T::picture_cpu_seconds),

@@ -1,7 +1,7 @@
 // STAFF ONLY. The structs of results, studies and costs that have declared fields (fields.h).
 //
 //   staff/NAME.json   json_text(SubmissionResult, 1), with pictures as names of files (grader/report/picture_files.h)
-//   NAME/study.json   json_text(SubmissionStudy, 1); grader/judge/README.md describes it
+//   NAME/study.json   json_text(SubmissionStudy, 1); grader/result/study.h describes it
 //   timing.json       to_json(ClassCosts)
 //   hairsuite's output   json_text(SuiteResult, -1)
 #pragma once
@@ -16,8 +16,6 @@ namespace grader {
 
 template <>
 inline constexpr Status kLast<Status> = Status::unreadable;
-template <>
-inline constexpr RunOutcome kLast<RunOutcome> = RunOutcome::not_run;
 template <>
 inline constexpr Isolation kLast<Isolation> = Isolation::container;
 template <>
@@ -34,10 +32,6 @@ struct Fields<PictureResult> {
 template <>
 struct Fields<ExerciseResult> {
   static const Rows<ExerciseResult>& rows();
-};
-template <>
-struct Fields<RunResult> {
-  static const Rows<RunResult>& rows();
 };
 template <>
 struct Fields<Adjustment> {

@@ -1,6 +1,6 @@
-// STAFF ONLY. The results of a study of a submission, as plain data: error against time for each end-to-end
-// scene, compared with the reference in an identical worker. Shown, but not scored: only study.html and
-// study.json contain it.
+// STAFF ONLY. The results of a study of a submission, as plain data: error against time for each scene,
+// compared with the reference in an identical worker. Shown, but not scored: only study.html and study.json
+// contain it.
 #pragma once
 
 #include <cstdint>

@@ -26,10 +26,8 @@ struct MemoryLook {
 struct SuiteResult {
   std::vector<CaseResult> cases;         // of an exercise; points are weights, not yet scaled to its points
   std::vector<PictureResult> pictures;   // of its whole run
-  std::vector<RunResult> runs;           // of "runs"
   std::optional<SubmissionStudy> study;  // of "study"
   std::optional<MemoryLook> memory;      // nothing: not looked for
-  int allocations = 0;                   // see Student::allocations
   double cpu_seconds = 0;                // of the worker
   double run_cpu_seconds = 0;            // of the worker that played the whole run
   double picture_cpu_seconds = 0;        // on our side: drawing and comparing

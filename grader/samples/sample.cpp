@@ -37,6 +37,23 @@ std::vector<GroupLine> all_lines(const GroupFile& group, const std::vector<Group
   return lines;
 }
 
+// All right programs of one name, reference/<ID>/right/NAME.cpp, are the sample right-NAME.
+void add_right_programs(const std::filesystem::path& project, const Course& course, GroupFile& group) {
+  std::map<std::string, std::vector<GroupLine>> files;  // by that name
+  for (const Exercise& exercise : course.exercises)
+    if (const auto folder = project / "reference" / exercise.id / "right"; std::filesystem::exists(folder))
+      for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().stem().string();
+        files[name].push_back({0, "file", name + " " + exercise.file});
+      }
+  for (const auto& [name, lines] : files) {
+    std::vector<GroupLine>& sample = group.samples.emplace_back();
+    sample = {
+        {0, "sample", "right-" + name}, {0, "shows", "All right programs " + name + "."}, {0, "form", "zip"}};
+    sample.insert(sample.end(), lines.begin(), lines.end());
+  }
+}
+
 }  // namespace
 
 std::string Sample::file_name() const {
@@ -58,7 +75,8 @@ std::vector<Sample> read_samples(const std::filesystem::path& project) {
   std::vector<Sample> samples;
   std::set<std::string> names;
   for (const auto& [name, file] : groups) {
-    const GroupFile group = read_group_file(file);
+    GroupFile group = read_group_file(file);
+    if (name == "right") add_right_programs(project, course, group);
     for (const std::vector<GroupLine>& own : group.samples) {
       const GroupLine& first = own.front();
       if (!names.insert(first.rest).second)

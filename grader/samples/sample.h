@@ -77,7 +77,6 @@ struct ExpectedResult {
   std::optional<double> points;  // nothing: all if it passed, or else none
   std::vector<std::string> failed =
       {};          // the titles of the categories that fail; none: nothing is said of them
-  int causes = 0;  // how many these are, with the whole run and its pictures as one
 };
 
 struct Attack {
@@ -116,7 +115,8 @@ struct Sample {
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// The exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples, in the order of their names.
+// The exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples, in the order of their names. The group
+// "right" also has the right programs of all exercises: the sample right-plain, of reference/<ID>/right/plain.cpp, and so on.
 // Throws BadInput with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 

@@ -97,7 +97,6 @@ void read_fails(SampleBuilder& builder, const GroupLine& line) {
   if (known == builder.categories.end()) builder.fail(line, "the suites have no categories of " + id);
   ExpectedResult& expected = builder.expect(line, id);
   std::vector<std::string>& failed = expected.failed;
-  bool whole_run = false;
   while (!names.empty()) {
     const std::string name = builder.take(line, names);
     const auto category = std::ranges::find(known->second, name, &SampleCategory::name);
@@ -109,9 +108,6 @@ void read_fails(SampleBuilder& builder, const GroupLine& line) {
     if (std::ranges::find(failed, category->title) != failed.end())
       builder.fail(line, "names " + name + " twice");
     failed.push_back(category->title);
-    const bool of_whole_run = name == "WholeRun" || name == "Pictures";
-    expected.causes += of_whole_run && whole_run ? 0 : 1;
-    whole_run = whole_run || of_whole_run;
   }
   if (failed.empty()) builder.fail(line, "name the categories that fail, as in \"fails H2 Energy Balance\"");
   if (failed.size() == known->second.size())

@@ -9,7 +9,7 @@
 namespace grader {
 namespace {
 
-// A bug's own category, and at most two besides; the whole run with its pictures is one.
+// A bug's own category, and at most two besides.
 constexpr int kMostCauses = 3;
 
 TEST(BugSamples, LoseTheirCategoryAndAtMostTwoBesides) {
@@ -19,8 +19,9 @@ TEST(BugSamples, LoseTheirCategoryAndAtMostTwoBesides) {
     int most = 0;
     for (const auto& [id, expected] : sample.expected) {
       if (expected.failed.empty()) continue;
-      causes[id].push_back(expected.causes);
-      most = std::max(most, expected.causes);
+      const int lost = static_cast<int>(expected.failed.size());
+      causes[id].push_back(lost);
+      most = std::max(most, lost);
     }
     if (most == 0) continue;
     if (sample.useless.empty())

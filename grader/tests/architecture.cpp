@@ -98,7 +98,7 @@ const std::vector<Room>& rooms() {
       {"grader/intake", {"reads archives,", "finds whose files", "these are"}, 0, 1, true},
       {"grader/compile", {"a file becomes", "a shared object"}, 1, 1, true},
       {"grader/worker", {"student's object,", "and a server made", "of reference/*/calls.h"}, 2, 1, true},
-      {"grader/judge", {"asks, compares with", "reference/; cases are", "in reference/*/cases.cpp"}, 3, 1},
+      {"grader/judge", {"asks, compares with", "reference/, where", "the cases lie, too"}, 3, 1},
       {"grader/result", {"points, costs, studies:", "fields declared once"}, 4, 1},
       {"grader/record", {"one SQLite file a class,", "from which all files", "are made"}, 5, 1},
       {"grader/report", {"pages, feedback,", "tables"}, 5, 0},

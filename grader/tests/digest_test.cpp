@@ -19,7 +19,8 @@ Finding finding(const std::string& suite, const std::string& name, Finding::Stat
 
 const Finding kRight = finding("Energy", "OfOne", Finding::State::passed);
 const Finding kWrong =
-    finding("Balance", "IsKept", Finding::State::failed, {"the sum\nerror = 2"}, "a sign?");
+    finding("Balance", "IsKept", Finding::State::failed,
+            {"the sum\nerror = 2\nGoogle Test trace:\nexercises/H2/check.cpp:9: two strands"}, "a sign?");
 
 const std::vector<Category> kCategories = {
     {"Energy", "The energy", 2, {"energy"}, {{"half", "the energy is wrong", "the half"}}},
@@ -37,8 +38,9 @@ TEST(Digest, OfRightChecksIsALine) {
 
 TEST(Digest, ShowsTheFirstFailureAndWhatIsAtStake) {
   const std::string before =
-      "H2: 1 of 2 checks pass, 1 fail\n\n"
+      "H2: 1 of 2 checks pass, 1 fail\n"
       "Balance.IsKept (exercises/H2/check.cpp:7):\n"
+      "  for two strands\n"
       "  the sum\n"
       "  error = 2\n"
       "  Hint: a sign?\n"

@@ -10,6 +10,7 @@
 #include "grader/course/course.h"
 #include "grader/judge/suite_table.h"
 #include "hair/io/files/temporary_folder.h"
+#include "handout/check/category.h"
 
 namespace grader {
 namespace {

@@ -18,7 +18,6 @@
 #include "grader/record/record.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
-#include "grader/result/base64.h"
 #include "grader/tests/busy_user.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
@@ -129,22 +128,14 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(run_hairgrade({"degrade"}), {"degrade", "is no command; there are grade, compare, "});
   expect_refused(grade({sample("other-order")}), {"--out"});
   expect_refused(grade({sample("other-order"), "--out", out(), "--quickly"}), {"--quickly"});
+  expect_refused(grade({"/no/such/file.zip", "--out", out()}), {"/no/such/file.zip"});
+  expect_refused(grade({sample("other-order"), "--from", "myspace", "--out", out()}), {"--from", "canvas"});
+  const string course = write("course.json", R"({"exercises": {"S1": {"role": "homework"}}})");
+  expect_refused(grade({sample("other-order"), "--out", out(), "--course", course}),
+                 {"course.json", "S1.role", "assigned"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})
     expect_refused(grade({sample("other-order"), "--out", out(), "-j", jobs}), {"-j"});
   EXPECT_EQ(run_hairgrade({"--help"}).code, 0);
-}
-
-TEST_F(Hairgrade, RefusesSubmissionsThatAreNone) {
-  expect_refused(grade({"/no/such/file.zip", "--out", out()}), {"/no/such/file.zip"});
-  expect_refused(grade({write("notes.txt", "hello"), "--out", out()}), {"notes.txt"});
-  fs::create_directory(folder_ / "empty");
-  expect_refused(grade({(folder_ / "empty").string(), "--out", out()}), {"empty"});
-  // It may be a whole class, and then nobody gets a 0.
-  expect_refused(grade({write("class.zip", "<html>Log in</html>"), "--out", out()}),
-                 {"class.zip", "nothing was graded"});
-  expect_refused(grade({sample("other-order"), "--from", "myspace", "--out", out()}), {"--from", "canvas"});
-  expect_refused(grade({sample("other-order"), "--from", "canvas", "--out", out()}),
-                 {"Canvas", "doejane_4711_90001_main.cpp"});
 }
 
 // Strays, names that clash and archives beside exercise files: a line each, exit code 3, and all else is graded.
@@ -201,35 +192,6 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 6) << gradebook;
 }
 
-TEST_F(Hairgrade, MarksTwoSubmissionsOfOneName) {
-  fs::create_directory(folder_ / "late");
-  const string late = (folder_ / "late" / "other-order.tar.gz").string();
-  fs::copy_file(sample("other-order"), late);
-  const ProgramRun run = grade({sample("other-order"), late, sample("stubs"), "--out", out()});
-  EXPECT_EQ(run.code, 3) << run.errors;
-  for (const string& word : {sample("other-order"), late})
-    EXPECT_NE(run.errors.find(word), string::npos) << run.errors;
-  EXPECT_NE(run.output.find("3 graded"), string::npos) << run.output;
-  EXPECT_TRUE(fs::exists(fs::path(out()) / "stubs" / "report.html"));
-  EXPECT_FALSE(fs::exists(fs::path(out()) / "other-order"));
-}
-
-TEST_F(Hairgrade, RefusesBadCourseFiles) {
-  const string submission = sample("other-order");
-  const std::map<string, std::vector<string>> bad = {
-      {"{", {"course.json"}},
-      {R"({"exercises": {"S9": {"role": "given"}}})", {"course.json", "S9"}},
-      {R"({"exercises": {"S1": {"role": "homework"}}})", {"course.json", "S1.role", "assigned"}},
-      {R"({"exercises": {"S1": {"points": -1}}})", {"course.json", "points"}},
-      {R"({"exercises": {"S1": {"role": "absent"}}})", {"S2", "S1"}},
-      {R"({"exercise": {}})", {"course.json", "exercise"}}};
-  for (const auto& [text, words] : bad) {
-    SCOPED_TRACE(text);
-    expect_refused(grade({submission, "--out", out(), "--course", write("course.json", text)}), words);
-  }
-  expect_refused(grade({submission, "--out", out(), "--course", "/no/course.json"}), {"/no/course.json"});
-}
-
 TEST_F(Hairgrade, RefusesExercisesAndNamesThatAreNotThere) {
   expect_refused(grade({sample("other-order"), "--out", out(), "--exercise", "X1"}),
                  {"X1", "asks for S1, S2"});
@@ -245,20 +207,6 @@ TEST_F(Hairgrade, RefusesAShortOrMissingSecret) {
                  {"short", "16"});
   expect_refused(run_hairgrade({"grade", sample("other-order"), "--out", out(), "--secret", "/no/secret"}),
                  {"/no/secret"});
-}
-
-TEST_F(Hairgrade, RefusesAnOutputThatIsAFile) {
-  const string file = write("file", "not a folder");
-  const ProgramRun run = grade({sample("other-order"), "--out", file});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.errors.find(file), string::npos) << run.errors;
-  EXPECT_EQ(hair::bytes_of(file), "not a folder");
-}
-
-TEST_F(Hairgrade, RefusesAHandoutThatCanNotBeWritten) {
-  const ProgramRun run = run_hairgrade({"handout", "--out", "/no/such/folder/handout.tar.gz"});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.errors.find("/no/such/folder"), string::npos) << run.errors;
 }
 
 // In another shell, too, whose limits, signals and environment would change what is found.
@@ -306,8 +254,7 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
     fs::create_directories(folder_ / "mallory" / name);
     std::ofstream(folder_ / "mallory" / name / "conj_grad.cpp") << "int wrong;\n";
   }
-  fs::create_directory_symlink("mallory", folder_ / "zoes-class");
-  const string mallory = (folder_ / "mallory").string(), another_name = (folder_ / "zoes-class").string();
+  const string mallory = (folder_ / "mallory").string();
   const auto refused = [&](std::vector<string> arguments, const string& flag) {
     arguments.insert(arguments.end(), {"--out", out()});
     const ProgramRun run = grade(arguments);
@@ -318,14 +265,13 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   };
   refused({mallory}, "--class");
   refused({mallory, "--class"}, "--replace");
-  refused({another_name}, "--class");
   const ProgramRun together = grade({sample("other-order"), mallory, "--out", out()});
   EXPECT_EQ(together.code, 3) << together.errors;
   EXPECT_NE(together.errors.find("--class"), string::npos) << together.errors;
   EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 52);
   EXPECT_EQ(points(recorded_result(out(), "mallory").value()), 0);
 
-  const ProgramRun replaced = grade({another_name, "--replace", "--out", out()});
+  const ProgramRun replaced = grade({mallory, "--class", "--replace", "--out", out()});
   EXPECT_EQ(replaced.code, 0) << replaced.errors;
   EXPECT_NE(replaced.errors.find("other-order is there of the hand-in"), string::npos) << replaced.errors;
   EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 0);
@@ -334,7 +280,7 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
 // The clock is no judge: a person is told, and asked to grade again. It does not end the reference, which takes a second.
 TEST_F(Hairgrade, ListsWhatTheClockEnded) {
   nlohmann::json course = two_exercises();
-  course["budget"] = {{"idle_seconds", 10000}, {"wall_seconds", 1.5}};  // a third each
+  course["budget"] = {{"idle_seconds", 10000}, {"wall_seconds", 1}};  // half each
   fs::create_directories(folder_ / "sleeper");
   std::ofstream(folder_ / "sleeper" / "conj_grad.cpp")
       << "#include \"solver/linearSolver.h\"\n#include <unistd.h>\n"
@@ -366,45 +312,6 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
 }
 
-TEST_F(Hairgrade, MakesDamagedFilesAgainFromTheRecord) {
-  const std::vector<string> submission = {sample("other-order.tar.gz"), "--out", out()};
-  ASSERT_EQ(grade(submission).code, 0);
-  const std::map<string, string> first = files(out());
-  std::vector<string> resume = submission;
-  resume.push_back("--resume");
-  const fs::path picture = fs::directory_iterator(fs::path(out()) / "staff" / "pictures")->path();
-  write("grades/staff/pictures/" + picture.filename().string(), "damaged");
-  write("grades/other-order/results.json", R"({"score": 100})");
-  fs::remove(fs::path(out()) / "staff" / "other-order.json");
-  EXPECT_NE(grade(resume).output.find("0 graded, 1 kept"), string::npos);
-  std::map<string, string> again = files(out()), expected = first;
-  for (const char* times : {"timing.json", "costs.html"})
-    EXPECT_EQ(again.erase(times) + expected.erase(times), 2U);
-  EXPECT_EQ(again, expected);
-}
-
-TEST_F(Hairgrade, KeepsPicturesOfOthersAndNoneThatNobodyHas) {
-  // Both end with the same bytes of code, at first: only their names differ.
-  for (const char* name : {"alice", "bob"}) {
-    fs::create_directories(folder_ / "class" / name);
-    std::ofstream(folder_ / "class" / name / "conj_grad.cpp")
-        << code_of("entry-test-inverted", "conj_grad.cpp");
-  }
-  const auto pictures = [&] { return files(fs::path(out()) / "staff" / "pictures"); };
-  const std::vector<string> everybody = {(folder_ / "class").string(), "--out", out(), "--exercise", "S1"};
-  ASSERT_EQ(grade(everybody).code, 0);
-  const std::map<string, string> wrong = pictures();
-  std::ofstream(folder_ / "class" / "alice" / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
-  std::vector<string> alice = everybody;
-  alice.insert(alice.end(), {"--only", "alice"});
-  ASSERT_EQ(grade(alice).code, 0);
-  EXPECT_EQ(pictures(), wrong) << "the reference's, and what bob's page shows";
-  std::ofstream(folder_ / "class" / "bob" / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
-  ASSERT_EQ(grade(everybody).code, 0);
-  EXPECT_LT(pictures().size(), wrong.size());
-  EXPECT_EQ(pictures().size(), 3U) << "the reference's";
-}
-
 // A bug in every exercise that has a run, so that all pictures differ from the reference's.
 TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
   const std::map<string, string> bugs = {
@@ -424,16 +331,14 @@ TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
   for (const ExerciseResult& exercise : result.exercises)
     pictures.insert(pictures.end(), exercise.pictures.begin(), exercise.pictures.end());
   EXPECT_EQ(pictures.size(), 9U * 3);
-  for (const RunResult& run : result.runs)
-    pictures.insert(pictures.end(), run.pictures.begin(), run.pictures.end());
-  std::size_t different = 0;
+  std::size_t different = 0, least = 0;
   std::set<string> references;
   for (const PictureResult& picture : pictures) {
     different += !picture.heat.empty();
+    least += picture.student.size() + picture.heat.size();
     references.insert(picture_name(picture.reference));
   }
   EXPECT_EQ(different, pictures.size());
-  EXPECT_GE(pictures.size(), 9U * 3 + 15) << "those of the exercises, and of the runs that don't break";
 
   std::size_t bytes = 0;
   std::map<string, string> all = files(out());
@@ -442,20 +347,8 @@ TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
         (name.starts_with("staff/") && references.count(fs::path(name).filename()) == 0))
       bytes += content.size();
   EXPECT_LE(bytes, 1'000'000U);
-  EXPECT_GT(bytes, 500'000U) << "were all counted?";
+  EXPECT_GT(bytes, least) << "staff have each, and so has the student's report";
   RecordProperty("bytes", std::to_string(bytes));
-
-  // Once in the student's report, which is one file, and once for staff.
-  const string report = all.at("wrong/report.html");
-  for (const PictureResult& picture : pictures)
-    for (const string& png : {picture.student, picture.reference, picture.heat}) {
-      if (png.empty()) continue;
-      // The student's page has a coarse one of what is far off.
-      EXPECT_NE(report.find(base64(png)) != string::npos, picture.far_off && png != picture.reference);
-      EXPECT_EQ(all.at("staff/pictures/" + picture_name(png)), png);
-      for (const char* page : {"staff/wrong.html", "staff/wrong.json", "index.html"})
-        EXPECT_EQ(all.at(page).find(base64(png)), string::npos) << page;
-    }
 }
 
 TEST_F(Hairgrade, GradesOneExerciseAlone) {
@@ -483,23 +376,13 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
   auto score = [](const string& folder) {
     return nlohmann::json::parse(hair::bytes_of(fs::path(folder) / "thief" / "results.json")).at("score");
   };
+  const BusyUser user(64);  // more threads than a worker may have in a sandbox
   const string outside = (folder_ / "outside").string();
   ASSERT_EQ(grade({thief, "--out", outside, "--unsafe-no-sandbox"}).code, 0);
   EXPECT_EQ(score(outside), 32);
+  EXPECT_NE(hair::bytes_of(fs::path(outside) / "index.html").find("without a sandbox"), string::npos);
   ASSERT_EQ(grade({thief, "--out", out()}).code, 0);
   EXPECT_EQ(score(out()), 0);
-}
-
-TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
-  nlohmann::json points = two_exercises();
-  points.merge_patch(nlohmann::json::parse(
-      R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}},
-          "hand_in": {"total_per_cent_at_most": 110}})"));
-  const string course = write("course.json", points.dump());
-  ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--course", course}).code, 0);
-  EXPECT_EQ(
-      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
-      65);
 }
 
 TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
@@ -537,18 +420,7 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   EXPECT_NE(gradebook.find("stubs,0"), string::npos) << gradebook;
 }
 
-TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {
-  const BusyUser user(64);  // more threads than a worker may have in a sandbox
-  ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--unsafe-no-sandbox"}).code, 0);
-  EXPECT_NE(hair::bytes_of(fs::path(out()) / "other-order" / "report.html").find("without a sandbox"),
-            string::npos);
-  EXPECT_NE(hair::bytes_of(fs::path(out()) / "index.html").find("without a sandbox"), string::npos);
-  EXPECT_EQ(
-      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
-      52);
-}
-
-TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
+TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
   const fs::path blind = folder_ / "blind";
   earlier_run();
   const auto numbers = [](const fs::path& folder) {
@@ -560,13 +432,10 @@ TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
     return points;
   };
   const std::map<string, double> with = numbers(out());
-  EXPECT_EQ(with.at("Pictures of it"), 1);
+  EXPECT_EQ(with.at("The whole run"), 2);
   const ProgramRun run = grade({sample("other-order"), "--out", blind.string(), "--no-images"});
   EXPECT_NE(run.output.find(", without pictures"), string::npos);
-  std::map<string, double> without = numbers(blind);
-  EXPECT_EQ(without.count("Pictures of it"), 0U);
-  EXPECT_EQ(without.size() + 1, with.size());
-  for (const auto& [name, points] : without) EXPECT_NEAR(points, with.at(name) * 32 / 31, 1e-3) << name;
+  EXPECT_EQ(numbers(blind), with);
   EXPECT_EQ(nlohmann::json::parse(hair::bytes_of(blind / "other-order" / "results.json")).at("score"), 52);
   for (const char* page : {"other-order/report.html", "index.html"})
     EXPECT_NE(hair::bytes_of(blind / page).find("without pictures"), string::npos) << page;

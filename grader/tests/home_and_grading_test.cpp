@@ -255,7 +255,7 @@ TEST_F(HomeAndGrading, AVariableThatNobodySetsHoldsTheSameInBoth) {
   }
 }
 
-// In the lecture's first program, which prints x and the steps. A worker's memory is worker_allocations_test's.
+// In the lecture's first program, which prints x and the steps. A worker's memory is filled_blocks_test's.
 TEST_F(HomeAndGrading, AProgramAtHomeFillsMemoryAsTheWorkerDoes) {
   const std::string source =
       "#include \"solver/linearSolver.h\"\n#include <vector>\n"

@@ -156,16 +156,5 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
   EXPECT_NE(hair::bytes_of(root_ / "book.csv").find("4711047110"), string::npos);
 }
 
-TEST_F(NamesAndCodes, AFolderWithNamesIsNotMadeBlind) {
-  write_class();
-  fs::create_directory(out_);
-  Recorded one;
-  one.result.name = "alice";
-  Record(out_).put(one);
-  Record record(out_);
-  EXPECT_THROW(record.set_blind(), BadInput);
-  EXPECT_FALSE(record.is_blind());
-}
-
 }  // namespace
 }  // namespace grader

@@ -139,22 +139,6 @@ TEST_F(SecondDownload, ACorrectedTableReplacesTimesAndSaysSo) {
   EXPECT_EQ(time(), "2025-03-09 10:00");
 }
 
-TEST_F(SecondDownload, ABlindGroupKeepsItsCode) {
-  download({"team7_4713_90001_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
-  const ProgramRun first = grade({"--anonymous", "--roster", write("roster.csv", kRoster)});
-  ASSERT_EQ(first.code, 0) << first.errors;
-  const Words codes = names();
-  ASSERT_EQ(codes.size(), 2U);
-  download({"rockets_4714_90011_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
-  const ProgramRun second = grade({"--roster", write("roster.csv", kLater)});
-  EXPECT_EQ(second.code, 0) << second.errors;
-  EXPECT_EQ(names(), codes);
-  for (const char* name : {"muster", "erika", "rockets", "team7", "team 7", "4713", "4714"}) {
-    EXPECT_FALSE(has(lowered(second.output + second.errors), name)) << name << second.output << second.errors;
-    EXPECT_FALSE(has(lowered(read("grades/index.html") + read("grades/grades.csv")), name)) << name;
-  }
-}
-
 // Moodle's own blind download: staff of the course know nobody, and the worksheet with names comes later.
 TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
   download({"Teilnehmer_4713_assignsubmission_file/conj_grad.cpp",

@@ -106,14 +106,5 @@ TEST_F(SeveralHandIns, AreLookedAtOneByOneForSharedCode) {
   expect_refused(similar({"--hand-in", "week 3"}), "has no hand-in \"week 3\"; there are \"week 1\"");
 }
 
-TEST_F(SeveralHandIns, AreNoneOfARecordOfOneWithoutAName) {
-  SubmissionResult result;
-  result.name = "alice";
-  fs::create_directory(out_);
-  Record(out_).put({result});
-  expect_refused(grade("other-order", {"--hand-in", "week 1"}), "a course with one hand-in without a name");
-  expect_refused(run({"log", "alice", "--hand-in", "week 1"}), "leave out --hand-in");
-}
-
 }  // namespace
 }  // namespace grader

@@ -45,7 +45,6 @@ void keep_other_exercises(Recorded& one, const Recorded& earlier, const Course& 
   const auto place = [&](const ExerciseResult& exercise) { return course.find(exercise.id); };
   std::sort(result.exercises.begin(), result.exercises.end(),
             [&](const ExerciseResult& a, const ExerciseResult& b) { return place(a) < place(b); });
-  result.runs = earlier.result.runs;
   one.costs.insert(earlier.costs.begin(), earlier.costs.end());
 }
 

@@ -67,7 +67,6 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
     EXPECT_EQ(exercise.status, Status::passed) << exercise.id;
     EXPECT_EQ(exercise.feedback.find("not final"), std::string::npos) << exercise.feedback;
   }
-  for (const RunResult& run : result.runs) EXPECT_EQ(run.outcome, RunOutcome::same) << run.name;
 }
 
 }  // namespace

@@ -150,7 +150,6 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
   if (sanitised && !sanitised->switched_off.empty())
     for (CaseResult& one : found.cases)
       if (one.name == kMemoryTitle && one.status != Status::passed) one.feedback = sanitised->switched_off;
-  result.allocations = found.allocations;
   result.cases = std::move(found.cases);
   result.pictures = std::move(found.pictures);
   result.status = overall_status(result.cases);

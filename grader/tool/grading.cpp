@@ -21,7 +21,7 @@ constexpr const char* kNotFinal =
 // A file may include headers that the reference's does not need: <regex> takes the compiler several seconds, twice.
 constexpr double kSpareCompilerSeconds = 15;
 
-// Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
+// Why a study does not call an exercise of a submission; nothing if it does.
 std::string why_not_called(Status status) {
   switch (status) {
     case Status::missing:
@@ -45,12 +45,12 @@ std::string why_not_called(Status status) {
   }
 }
 
-// Runs all files of a submission together in the end-to-end scenes, which give no points: one worker for all of its objects, which
-// lie in the folders of `job`. Given exercises use the reference's objects, and exercises that can't be called use stubs: scenes
-// that need a stub are not run.
-SuiteJob end_to_end_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionResult& result) {
+// All files of a submission together, in one worker: their objects lie in the folders of `job`. Given
+// exercises use the reference's objects, and exercises that can't be called use stubs: scenes that need a
+// stub are not studied.
+SuiteJob study_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionResult& result) {
   const StagedKit& kit = jobs.kit();
-  SuiteJob suite = jobs.end_to_end(kit.new_job(job.filename() / kRuns));
+  SuiteJob suite = jobs.study(kit.new_job(job.filename() / kStudy));
   for (const Exercise& exercise : jobs.settings().course.exercises) {
     const std::string file = exercise.id + ".so";
     fs::path object = kit.folder() / (exercise.role == Role::given ? "lib" : "stub") / file;
@@ -164,12 +164,12 @@ void Grading::grade_one(const Submission& submission, const Exercise& exercise, 
 
 // All files together, at the end.
 void Grading::finish(Graded& graded) const {
-  if (!settings_.exercise) {
+  if (reference_.study) {
     try {
-      run_end_to_end(graded);
-    } catch (const std::exception& problem) {
-      graded.result.fingerprint.clear();
-      graded.problems.push_back(graded.result.name + ": end to end: " + problem.what());
+      graded.study =
+          jobs_.run_study(study_job(jobs_, graded.job, graded.result), graded.timing[kStudy]).study.value();
+    } catch (const std::exception& problem) {  // the grade stands
+      graded.problems.push_back(graded.result.name + ": study: " + problem.what());
     }
   }
   if (!graded.result.ended_by_the_clock.empty()) {
@@ -178,18 +178,6 @@ void Grading::finish(Graded& graded) const {
   }
   std::error_code ignored;
   fs::remove_all(graded.job, ignored);
-}
-
-void Grading::run_end_to_end(Graded& graded) const {
-  const SuiteJob runs = end_to_end_job(jobs_, graded.job, graded.result);
-  graded.result.runs = jobs_.run(runs, graded.timing[kRuns]).runs;
-  if (jobs_.ended_by_the_clock(graded.timing[kRuns])) graded.result.ended_by_the_clock.emplace_back(kRuns);
-  if (!reference_.study) return;
-  try {
-    graded.study = jobs_.run_study(jobs_.study(runs), graded.timing[kStudy]).study.value();
-  } catch (const std::exception& problem) {  // the grade stands
-    graded.problems.push_back(graded.result.name + ": study: " + problem.what());
-  }
 }
 
 }  // namespace grader

@@ -1,5 +1,5 @@
 // STAFF ONLY. Grades one submission, from its files to its result: compiles and links each exercise's file in
-// cages and runs its hidden suite; then runs all files together, which gives no points. Needs no lock:
+// cages and runs its hidden suite; then studies all files together, if it is asked to. Needs no lock:
 // submissions are graded in parallel.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace grader {
 
 struct Graded {
   SubmissionResult result;
-  TimingByExercise timing;  // by exercise, also of "runs" and "study"
+  TimingByExercise timing;  // by exercise, also of kStudy
   std::optional<SubmissionStudy> study;
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
   std::filesystem::path job = {};     // its objects, as long as the clock on the wall has ended a part
@@ -57,7 +57,6 @@ class Grading {
  private:
   void grade_one(const Submission& submission, const Exercise& exercise, double& compiler_seconds,
                  ExerciseResult& result, Graded& graded) const;
-  void run_end_to_end(Graded& graded) const;
   void finish(Graded& graded) const;
 
   GradingSettings settings_;

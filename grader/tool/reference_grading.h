@@ -13,7 +13,7 @@
 namespace grader {
 
 struct ReferenceGraded {
-  TimingByExercise timing;               // by exercise, also of kRuns and kStudy
+  TimingByExercise timing;               // by exercise, also of kStudy
   std::optional<SubmissionStudy> study;  // beside itself: deviations of its ratios from 1 are noise
   std::vector<std::string> problems;     // of studies; they don't affect grades
 };

@@ -57,8 +57,8 @@ std::string what_draws() {
   } catch (const hair::NoOpenGl& none) {
     throw BadInput(
         std::string("this machine can't draw: ") + none.what() +
-        "; install libosmesa6, or grade with --no-images, which leaves the pictures' points to the "
-        "other categories and stamps the report");
+        "; install libosmesa6, or grade with --no-images, which judges whole runs without pictures and "
+        "stamps the report");
   }
 }
 
@@ -107,9 +107,8 @@ bool SuiteJobs::ended_by_the_clock(const ExerciseTiming& timing) const {
 }
 
 Budget SuiteJobs::share() const {
-  int parts = 1;  // the end-to-end runs
-  for (const Exercise& exercise : settings_.course.exercises) parts += asked_for(exercise) ? 1 : 0;
-  return share_of(settings_.course.budget, parts);
+  const auto parts = std::ranges::count_if(settings_.course.exercises, asked_for);
+  return share_of(settings_.course.budget, std::max(1, static_cast<int>(parts)));
 }
 
 Budget SuiteJobs::allowance(const std::string& exercise) const {
@@ -162,17 +161,12 @@ SuiteJob SuiteJobs::cases(const Exercise& exercise, const std::string& student, 
   return suite;
 }
 
-SuiteJob SuiteJobs::end_to_end(const fs::path& folder) const {
-  SuiteJob suite = job(kRuns, folder);
-  if (pictures_) suite.pictures = *pictures_ / kRuns;
-  return suite;
-}
-
-SuiteJob SuiteJobs::study(SuiteJob end_to_end) const {
-  end_to_end.motions = settings_.cache / "motions" / sha256_of(settings_.study_program);
+SuiteJob SuiteJobs::study(const fs::path& folder) const {
+  SuiteJob study = job("runs", folder);
+  study.motions = settings_.cache / "motions" / sha256_of(settings_.study_program);
   for (const Exercise& exercise : settings_.course.exercises)
-    end_to_end.reference_objects.push_back(reference_object(exercise));
-  return end_to_end;
+    study.reference_objects.push_back(reference_object(exercise));
+  return study;
 }
 
 fs::path SuiteJobs::reference_object(const Exercise& exercise) const {

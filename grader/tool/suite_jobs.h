@@ -30,8 +30,7 @@ struct GradingSettings {
   bool study = false;  // error against time, beside the reference: shown, but not scored
 };
 
-// Names in the timing, beside those of the exercises: the end-to-end runs, and the study.
-inline constexpr const char* kRuns = "runs";
+// The study's name in the timing, beside those of the exercises.
 inline constexpr const char* kStudy = "study";
 
 // What a job's workers print, in its folder.
@@ -54,8 +53,8 @@ class SuiteJobs {
 
   bool selected(const Exercise& exercise) const;  // to be graded
 
-  // What an exercise, or kRuns, may take: its share of the course's budget, also if others are not selected;
-  // and 20 times the reference's CPU time and messages, for which each field has a least limit.
+  // What an exercise, or a study, may take: its share of the course's budget, also if others are not
+  // selected; and 20 times the reference's CPU time and messages, for which each field has a least limit.
   Budget allowance(const std::string& exercise) const;
   bool ended_by_the_clock(const ExerciseTiming& timing) const;
 
@@ -68,11 +67,8 @@ class SuiteJobs {
   SuiteJob cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
                  const std::filesystem::path& folder) const;
 
-  // A job with all objects together; the caller adds the objects.
-  SuiteJob end_to_end(const std::filesystem::path& folder) const;
-
-  // The same job for hairstudy: with more and fewer steps, beside a worker that has only the reference's objects.
-  SuiteJob study(SuiteJob end_to_end) const;
+  // A job for hairstudy with all of the reference's objects; the caller adds the submission's.
+  SuiteJob study(const std::filesystem::path& folder) const;
 
   std::filesystem::path reference_object(const Exercise& exercise) const;
 

@@ -6,7 +6,6 @@
 //   request(function, ...)
 //   product_result(...)       product(operator, x), during the request
 //   stop, for the request     denied(system call), during the request
-//                             allocated(how often), during the request
 //                             done(...) | stopped | not_implemented | threw | out_of_memory
 //                             | memory_error, of a worker with sanitizers | left(exit code)
 //
@@ -48,7 +47,6 @@ enum class Kind : std::uint32_t {
   callback_result,  // doubles
   callback_threw,   // an exception leaves the call; the request goes on
   memory_error,     // see grader/wire/memory_error.h; the worker ends
-  allocated,        // int, how often a function did that promises not to; if it is more than was said before
   left,             // int, an exit code above 127; the worker ends
 };
 

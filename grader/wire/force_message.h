@@ -29,12 +29,6 @@ inline int size_of_question(int which, int size) {
   }
 }
 
-// The other way round: the numbers of a vector in a question of so many.
-inline int size_of_vectors(int which, std::size_t numbers) {
-  const int without = size_of_question(which, 0);
-  return (static_cast<int>(numbers) - without) / (size_of_question(which, 1) - without);
-}
-
 // The numbers of an answer about a band.
 inline constexpr std::size_t size_of_band(int size) {
   return 1 + 9 * static_cast<std::size_t>(size);

@@ -55,8 +55,8 @@ void run_on_known_stack(void (*run)()) {
 extern "C" {
 
 // `symbolize`: there is nobody who could, and what is printed is not read. `malloc_context_size`: nor is it asked who
-// allocated. `handle_abort`: an abort is no memory error. `malloc_fill_byte`: blocks hold
-// what those of allocations.cpp do.
+// allocated. `handle_abort`: an abort is no memory error. `malloc_fill_byte`: blocks hold what
+// those of solver/filled_blocks.cpp do.
 __attribute__((visibility("default"))) const char* __asan_default_options() {
   return "detect_leaks=0:symbolize=0:malloc_context_size=0:quarantine_size_mb=16:allocator_may_return_null=1:"
          "detect_odr_violation=0:handle_abort=0:handle_sigfpe=0:handle_sigill=0:"

@@ -16,8 +16,11 @@ namespace grader {
 
 template <class Calls>
 struct ProvidedAsker {
-  Session::Uncounted ours() const { return Session::Uncounted(*provided_session); }
-  void start(MessageWriter& request) const { request.put(std::string(Calls::id)); }
+  Nothing ours() const { return {}; }
+  template <auto function>
+  void start(MessageWriter& request, const auto&...) const {
+    request.put(std::string(Calls::id));
+  }
   MessageReader ask(const MessageWriter& request, const Products& products) const {
     return provided_session->call(
         request, [&](int which, std::vector<double>& x, std::vector<double>& y) { products(which, x, y); });
@@ -34,16 +37,14 @@ struct ProvidedAsker {
   void changed() const {}
 };
 
-// While it lives, what is allocated is not the student's.
-inline Session::Uncounted ours() {
-  return Session::Uncounted(*provided_session);
+inline Nothing ours() {
+  return {};
 }
 
 template <class Calls, auto function, class... Arguments>
 ResultOf<function> asked(Arguments&&... arguments) {
   using Call = typename Calls::template Of<function>;
   ProvidedAsker<Calls> asker;
-  const Session::Uncounted uncounted = ours();
   Call::Check::check(arguments...);
   if constexpr (Call::Signature::returns_matrix)
     return matrix_of<Calls, function>(asker, arguments...);

@@ -19,7 +19,4 @@ inline Current current;
 // marked there. The main thread's ends stand in /proc, which no cage has. Only in the worker with sanitizers.
 __attribute__((weak)) void run_on_known_stack(void (*run)());
 
-// What this worker's malloc counts. Not in the worker with sanitizers, whose runtime has the malloc.
-__attribute__((weak)) Allocations& allocations();
-
 }  // namespace grader

@@ -2,8 +2,6 @@
 // loaded after the student's object and calls it through the given headers.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -15,20 +13,13 @@
 
 namespace grader {
 
-// Calls of the worker's malloc and of what is like it, while it counts.
-struct Allocations {
-  std::atomic<bool> counting = false;
-  std::atomic<int> count = 0;
-};
-
 // The suite stopped the request: this exception unwinds the student's function.
 struct Stopped {};
 
 class Session {
  public:
-  // `allocations`: null where nothing can be counted.
-  Session(Channel& channel, std::uint64_t nonce, MessageReader asked, Allocations* allocations)
-      : request(std::move(asked)), channel_(channel), nonce_(nonce), allocations_(allocations) {}
+  Session(Channel& channel, std::uint64_t nonce, MessageReader asked)
+      : request(std::move(asked)), channel_(channel), nonce_(nonce) {}
 
   // Asks the suite for the product of its operator number `which` with x.
   void product(int which, std::span<const double> x, std::span<double> result);
@@ -39,63 +30,15 @@ class Session {
   // Calls a function that the suite provides, grader/judge/student/provided.h. An exception of `callback` ends the call.
   MessageReader call(const MessageWriter& arguments, const Callback& callback);
 
-  // Calls a function of the student's that allocates nothing, by its contract, and counts what it allocates.
-  template <typename Function>
-  decltype(auto) counted(Function&& call) {
-    const Counted during(*this);
-    return call();
-  }
-
-  // How often a counted function allocated, at the most.
-  int allocations() const { return most_allocations_; }
-
-  // While it lives, nothing is counted: what a function of ours allocates, which the student's calls.
-  class Uncounted {
-   public:
-    explicit Uncounted(const Session& session)
-        : allocations_(session.allocations_),
-          before_(allocations_ != nullptr && allocations_->counting.exchange(false)) {}
-    Uncounted(const Uncounted&) = delete;
-    Uncounted& operator=(const Uncounted&) = delete;
-    ~Uncounted() {
-      if (allocations_ != nullptr) allocations_->counting = before_;
-    }
-
-   private:
-    Allocations* allocations_;
-    bool before_;
-  };
-
   MessageReader request;
   MessageWriter reply;
   const void* served_force = nullptr;  // the force that the suite holds in this request, if there is one
 
  private:
-  class Counted {
-   public:
-    explicit Counted(Session& session) : session_(session) {
-      if (session_.allocations_ == nullptr) return;
-      session_.allocations_->count = 0;
-      session_.allocations_->counting = true;
-    }
-    Counted(const Counted&) = delete;
-    Counted& operator=(const Counted&) = delete;
-    ~Counted() {
-      if (session_.allocations_ == nullptr) return;
-      session_.allocations_->counting = false;
-      session_.most_allocations_ = std::max(session_.most_allocations_, session_.allocations_->count.load());
-    }
-
-   private:
-    Session& session_;
-  };
-
   Message receive(std::size_t limit);
 
   Channel& channel_;
   std::uint64_t nonce_;
-  Allocations* allocations_;
-  int most_allocations_ = 0;
 };
 
 // A copy of `values` that ends directly before a protected page.

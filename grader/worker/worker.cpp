@@ -88,23 +88,12 @@ Loaded load(Channel& channel, int count, char* files[]) {
   return loaded;
 }
 
-// How often a function allocates that promises not to. Sent if it is more than `sent` already.
-void send_allocations(Channel& channel, std::uint64_t nonce, int most, int& sent) {
-  if (most <= sent) return;
-  sent = most;
-  MessageWriter message;
-  message.put(most);
-  channel.send(Kind::allocated, nonce, message.bytes());
-}
-
-void answer(Channel& channel, const Loaded& loaded, Message& request, int& allocations_sent) {
+void answer(Channel& channel, const Loaded& loaded, Message& request) {
   const std::uint64_t nonce = request.nonce;
   try {
-    Session session(channel, nonce, MessageReader(std::move(request.body)),
-                    allocations != nullptr ? &allocations() : nullptr);
+    Session session(channel, nonce, MessageReader(std::move(request.body)));
     for (ProvidedSession* provided : loaded.provided) *provided = &session;
     loaded.serve(session);
-    send_allocations(channel, nonce, session.allocations(), allocations_sent);
     channel.send(Kind::done, nonce, session.reply.bytes());
   } catch (const Stopped&) {
     channel.send(Kind::stopped, nonce);
@@ -129,10 +118,9 @@ void serve_requests() {
   Channel channel(kIn, kOut);
   const Loaded loaded = load(channel, arguments.count, arguments.files);
   channel.send(Kind::hello, 0);
-  int allocations_sent = 0;
   while (std::optional<Message> request = channel.receive(kLargestRequest)) {
     current.nonce = request->nonce;
-    answer(channel, loaded, *request, allocations_sent);
+    answer(channel, loaded, *request);
   }
   _exit(0);  // not through the student's destructors
 }

@@ -24,8 +24,9 @@ class GuardedVector {
 class WorkerHost {
  public:
   using Vector = GuardedVector;
-  struct Ours : Session::Uncounted {
-    explicit Ours(const WorkerHost& host) : Uncounted(host.session_) {}
+  struct Ours {
+    explicit Ours(const WorkerHost&) {}
+    ~Ours() {}
   };
 
   explicit WorkerHost(Session& session) : session_(session) {}
@@ -33,16 +34,11 @@ class WorkerHost {
   void ask(const Question& question) { session_.product(question.which, question.numbers, question.answer); }
   template <class Call, class... Arguments>
   decltype(auto) call(Arguments&&... arguments) {
-    const auto function = [&]() -> decltype(auto) { return Call::function(arguments...); };
-    // Of a function that makes a matrix it is the product.
-    if constexpr (Call::contract.allocates_nothing && !Call::Signature::returns_matrix)
-      return session_.counted(function);
-    else
-      return function();
+    return Call::function(arguments...);
   }
   template <class Product>
-  void multiply(bool allocates_nothing, Product&& product) {
-    allocates_nothing ? session_.counted(product) : product();
+  void multiply(bool, Product&& product) {
+    product();
   }
   void bound(int&, Eigen::Index) {}
   void served(const particles::Force& force) { session_.served_force = &force; }

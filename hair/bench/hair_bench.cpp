@@ -1,4 +1,4 @@
-// What a step of hair costs: by method and number of strands, beside a step that is not watched, and by stiffness.
+// What a step of hair costs: by method and number of strands, and by stiffness.
 //
 // All hair is human hair in segments of 1 cm that starts level and swings down for `kWarmUp` steps before it is
 // timed, so that it is bent and moves.
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 #include "hair/simulation/simulation.h"
@@ -26,7 +25,6 @@ using hair::Simulation;
 
 constexpr double kStep = 1.0 / 240;
 constexpr int kWarmUp = 20;
-constexpr int kTurn = 5;  // steps: enough for the clock, which counts microseconds
 
 hair::StrandStart level_hair(int segments, const hair::Material& material = {}) {
   const Eigen::VectorXd x = hair::straight_shape(segments, 0.01 * segments,
@@ -46,14 +44,6 @@ Simulation swinging(Method method, int strands, int segments, double step,
   return simulation;
 }
 
-// CPU seconds: other programs on the machine matter less.
-template <class Work>
-double seconds(Work work) {
-  const std::clock_t start = std::clock();
-  work();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
 // Arguments: number of strands, of 16 particles each.
 void steps(benchmark::State& state, Method method) {
   constexpr int kParticles = 16;
@@ -63,7 +53,9 @@ void steps(benchmark::State& state, Method method) {
   long taken = 0;
   double fastest = INFINITY;
   for (auto _ : state) {
-    const double time = seconds([&] { simulation.step(); });
+    const double start = timing::cpu_seconds();
+    simulation.step();
+    const double time = timing::cpu_seconds() - start;
     fastest = std::min(fastest, time);
     state.SetIterationTime(time);
     ++taken;
@@ -80,39 +72,13 @@ BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(1)->Iterations(40
 BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(100)->Iterations(20)->UseManualTime();
 BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(10'000)->Iterations(3)->UseManualTime();
 
-// What the watch adds to a step: the same steps with it and without, turn by turn. Arguments: segments.
-void watched(benchmark::State& state, Method method) {
-  Description description;
-  description.method = method;
-  description.step = kStep;
-  description.strands = {level_hair(static_cast<int>(state.range(0)))};
-  Simulation with(description);
-  description.watched = false;
-  Simulation without(description);
-  with.advance(kWarmUp);
-  without.advance(kWarmUp);
-  std::vector<double> ratios;
-  for (auto _ : state) {
-    const double time = seconds([&] { with.advance(kTurn); });
-    ratios.push_back(time / seconds([&] { without.advance(kTurn); }));
-    state.SetIterationTime(time);
-  }
-  state.counters["ratio"] = timing::median(ratios);
-}
-BENCHMARK_CAPTURE(watched, H4, Method::implicit_euler)->Arg(15)->Arg(150)->Iterations(100)->UseManualTime();
-BENCHMARK_CAPTURE(watched, H6, Method::predictor_corrector)
-    ->Arg(15)
-    ->Arg(150)
-    ->Iterations(100)
-    ->UseManualTime();
-
 // Iterations of ConjGrad for a solve, 30 segments. Arguments: the logarithm of how many times hair's stiffness.
 void stiffness(benchmark::State& state, Method method) {
   hair::Material material;
   material.young_modulus *= std::pow(10, static_cast<double>(state.range(0)));
   Simulation simulation = swinging(method, 1, 30, kStep, material);
   const hair::Work before = simulation.work();
-  for (auto _ : state) state.SetIterationTime(seconds([&] { simulation.step(); }));
+  for (auto _ : state) simulation.step();
   const double solves = static_cast<double>(simulation.work().strand_steps - before.strand_steps) *
                         (method == Method::implicit_euler ? 1 : 2);
   state.counters["CG"] = static_cast<double>(simulation.work().solver_steps - before.solver_steps) / solves;
@@ -123,12 +89,10 @@ void stiffness(benchmark::State& state, Method method) {
 BENCHMARK_CAPTURE(stiffness, H4, Method::implicit_euler)
     ->DenseRange(-4, 6, 2)
     ->Iterations(40)
-    ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(stiffness, H6, Method::predictor_corrector)
     ->DenseRange(-4, 6, 2)
     ->Iterations(40)
-    ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

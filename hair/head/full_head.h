@@ -37,15 +37,16 @@
 
 #include "hair/strand/material.h"
 #include "hair/strand/solid.h"
+#include "particles/gravity.h"
 #include "particles/vectors.h"
 
 namespace hair {
 
 struct FullHeadSettings {
   Material material = {};
-  Vector3d gravity = Vector3d(0, 0, -9.81);  // m/s^2
-  double drag = 0;                           // 1/s, >= 0: N s/m of each kg of hair
-  Vector3d wind = Vector3d::Zero();          // m/s
+  Vector3d gravity = Vector3d(0, 0, -particles::kEarthGravity);  // m/s^2
+  double drag = 0;                                               // 1/s, >= 0: N s/m of each kg of hair
+  Vector3d wind = Vector3d::Zero();                              // m/s
   bool bending = true;
   bool clamped = true;  // with bending: hair leaves the head along root_tangent
   bool correct_lengths = true;

@@ -77,7 +77,7 @@ void check_look(const GroomLook& look, std::size_t points) {
 
 }  // namespace
 
-void check_writable(const Groom& groom, Eigen::Index fewest) {
+void check_writable(const Groom& groom) {
   if (groom.strands.empty()) throw BadInput("the groom has no strands; a file has one at least");
   if (points_of(groom) > kMostGroomPoints)
     throw BadInput("the groom has " + std::to_string(points_of(groom)) + " points; a file has at most " +
@@ -85,9 +85,7 @@ void check_writable(const Groom& groom, Eigen::Index fewest) {
   for (std::size_t i = 0; i < groom.strands.size(); ++i) {
     const Eigen::VectorXd& x = groom.strands[i];
     const std::string which = "strand " + std::to_string(i) + " of the groom: ";
-    if (points_of(x) < fewest)
-      throw BadInput(which + "has " + std::to_string(points_of(x)) + " point; a file of this format has " +
-                     std::to_string(fewest) + " at least");
+    if (points_of(x) < 1) throw BadInput(which + "has no points; one at least is right");
     for (const double number : x)
       if (!fits_float(number))
         throw BadInput(which + "has a number that is not finite, or too large for 32 bits");

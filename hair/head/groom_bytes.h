@@ -44,8 +44,8 @@ class GroomBytes {
 void put_number(std::string& bytes, std::uint32_t number, int size = 4);
 void put_real(std::string& bytes, float number);
 
-// What every writer asks for before it writes: throws BadInput for a groom without strands, for one with too
-// many points, for a strand of fewer than `fewest` points, and for a number that 32 bits can't hold.
-void check_writable(const Groom& groom, Eigen::Index fewest);
+// Every writer calls this before it writes. Throws BadInput for a groom without strands, for one with too many
+// points, for a strand without points, and for a number that 32 bits can't hold.
+void check_writable(const Groom& groom);
 
 }  // namespace hair

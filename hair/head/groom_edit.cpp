@@ -4,17 +4,23 @@
 
 namespace hair {
 
-namespace {
+void scale(Groom& groom, double factor) {
+  for (Eigen::VectorXd& x : groom.strands) x *= factor;
+  const auto to_unit = [&](float& thickness) {
+    thickness = static_cast<float>(factor * static_cast<double>(thickness));
+  };
+  if (groom.look.thickness) to_unit(*groom.look.thickness);
+  for (float& thickness : groom.look.thicknesses) to_unit(thickness);
+}
 
-// Keeps strands for which `keep(number)` is true, and what their points look like.
-void keep_strands(Groom& groom, auto keep) {
+void keep_every(Groom& groom, long every) {
   GroomLook& look = groom.look;
   std::vector<Eigen::VectorXd> strands;
   std::vector<float> thicknesses, transparencies, colours;
   std::size_t first = 0;
   for (std::size_t i = 0; i < groom.strands.size(); ++i) {
     const auto points = static_cast<std::size_t>(points_of(groom.strands[i]));
-    if (keep(i)) {
+    if (i % static_cast<std::size_t>(every) == 0) {
       strands.push_back(std::move(groom.strands[i]));
       const auto copy = [&](std::vector<float>& to, const std::vector<float>& from, std::size_t size) {
         if (from.empty()) return;
@@ -31,27 +37,6 @@ void keep_strands(Groom& groom, auto keep) {
   look.thicknesses = std::move(thicknesses);
   look.transparencies = std::move(transparencies);
   look.colours = std::move(colours);
-}
-
-}  // namespace
-
-void scale(Groom& groom, double factor) {
-  for (Eigen::VectorXd& x : groom.strands) x *= factor;
-  const auto to_unit = [&](float& thickness) {
-    thickness = static_cast<float>(factor * static_cast<double>(thickness));
-  };
-  if (groom.look.thickness) to_unit(*groom.look.thickness);
-  for (float& thickness : groom.look.thicknesses) to_unit(thickness);
-}
-
-void keep_every(Groom& groom, long every) {
-  keep_strands(groom, [&](std::size_t i) { return i % static_cast<std::size_t>(every) == 0; });
-}
-
-long drop_bald_roots(Groom& groom) {
-  const std::size_t before = groom.strands.size();
-  keep_strands(groom, [&](std::size_t i) { return groom.strands[i].size() > 3; });
-  return static_cast<long>(before - groom.strands.size());
 }
 
 }  // namespace hair

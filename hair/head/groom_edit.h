@@ -11,7 +11,4 @@ void scale(Groom& groom, double factor);
 // Keeps the first of every so many strands.
 void keep_every(Groom& groom, long every);
 
-// Returns how many there were.
-long drop_bald_roots(Groom& groom);
-
 }  // namespace hair

@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 
-#include "hair/head/data_file.h"
 #include "hair/head/hair_file.h"
 #include "hair/head/ply_file.h"
 #include "hair/head/refusal.h"
@@ -49,32 +48,25 @@ TEST_F(RealGrooms, HaveTheirStrandsAndPoints) {
 TEST_F(RealGrooms, AreWrittenAsTheyWereByteForByte) {
   for (const std::string name : {"straight.hair", "Bangs_100.hair"})
     EXPECT_TRUE(hair_file_of(read_groom((*this)(name))) == bytes(name)) << name;
-  EXPECT_TRUE(data_file_of(read_groom((*this)("Bangs_100.data"))) == bytes("Bangs_100.data"));
   // A header may have other words for the same.
   const auto body = [](const std::string& ply) { return ply.substr(ply.find("end_header")); };
   EXPECT_TRUE(body(ply_file_of(read_groom((*this)("Curly_100.ply")))) == body(bytes("Curly_100.ply")));
 }
 
-TEST_F(RealGrooms, TheSameGroomInThreeFormatsHasTheSamePoints) {
+TEST_F(RealGrooms, TheSameGroomInTwoFormatsHasTheSamePoints) {
   const Groom hair = read_groom((*this)("Bangs_100.hair"));
-  EXPECT_EQ(read_groom((*this)("Bangs_100.data")).strands, hair.strands);
   EXPECT_EQ(read_groom((*this)("Bangs_100_ascii.ply")).strands, hair.strands);
-  EXPECT_EQ(parse_data_file(data_file_of(hair), "a").strands, hair.strands);
-  EXPECT_EQ(parse_hair_file(hair_file_of(parse_data_file(data_file_of(hair), "a")), "b").strands,
-            hair.strands);
   EXPECT_EQ(parse_ply_file(ply_file_of(hair, true), "a").strands, hair.strands);
 }
 
 TEST_F(RealGrooms, ThatAreCutOffAreRefused) {
   EXPECT_EQ(refusal([&] { parse_hair_file(bytes("Bangs_100.hair").substr(0, 7000), "a.hair"); }),
             "a.hair: has 7000 bytes, and its header says 14308; it is cut off or damaged");
-  for (const std::string name : {"Bangs_100.data", "Bangs_100_ascii.ply", "Curly_100.ply"}) {
+  for (const std::string name : {"Bangs_100_ascii.ply", "Curly_100.ply"}) {
     const std::string whole = bytes(name);
     for (std::size_t part = 0; part < 50; ++part) {
       const std::string cut = whole.substr(0, whole.size() * part / 50);
-      EXPECT_NE(
-          refusal([&] { name.ends_with("ply") ? parse_ply_file(cut, "a") : parse_data_file(cut, "a"); }), "")
-          << name << " " << part;
+      EXPECT_NE(refusal([&] { parse_ply_file(cut, "a"); }), "") << name << " " << part;
     }
   }
   EXPECT_EQ(refusal([&] { read_groom((*this)("Bangs_head.ply")); }),
@@ -85,24 +77,21 @@ TEST_F(RealGrooms, ThatAreCutOffAreRefused) {
 TEST(GroomFile, TheEndingSaysTheFormat) {
   const TemporaryFolder folder("groom");
   Groom groom{{Eigen::VectorXd::LinSpaced(6, 0, 5), Eigen::VectorXd::LinSpaced(9, 1, 9)}};
-  for (const std::string name : {"a.hair", "a.data", "a.ply", "A.PLY"}) {
-    write_groom(groom, folder.path() / name, {.ascii = name == "A.PLY"});
+  for (const std::string name : {"a.hair", "a.ply", "A.PLY"}) {
+    write_groom(groom, folder.path() / name, name == "A.PLY");
     EXPECT_EQ(read_groom(folder.path() / name).strands, groom.strands) << name;
   }
-  write_groom(groom, folder.path() / "a.usda");
-  EXPECT_TRUE(read_file(folder.path() / "a.usda", kMost, "").starts_with("#usda 1.0\n"));
-  EXPECT_EQ(refusal([] { read_groom("a.usda"); }),
-            "a.usda: has the ending of no format that is read; .hair, .data and .ply are");
-  EXPECT_EQ(refusal([&] { write_groom(groom, "a.obj"); }),
-            "a.obj: has the ending of no format that is written; .hair, .data, .ply and .usda are");
+  const std::string other = "a.obj: has the ending of no groom's format; .hair and .ply are right";
+  EXPECT_EQ(refusal([] { read_groom("a.obj"); }), other);
+  EXPECT_EQ(refusal([&] { write_groom(groom, "a.obj"); }), other);
   EXPECT_EQ(refusal([] { read_groom("no-such.hair"); }),
             "no-such.hair: can't be read (No such file or directory); give the path of a .hair file");
   EXPECT_THROW(read_groom("/"), BadInput);
-  groom.strands.emplace_back(Eigen::VectorXd::Zero(3));
-  const fs::path bald = folder.path() / "bald.usda";
-  EXPECT_EQ(refusal([&] { write_groom(groom, bald); }),
-            bald.string() + ": strand 2 of the groom: has 1 point; a file of this format has 2 at least");
-  EXPECT_FALSE(fs::exists(bald));
+  groom.strands.emplace_back();
+  const fs::path none = folder.path() / "none.ply";
+  EXPECT_EQ(refusal([&] { write_groom(groom, none); }),
+            none.string() + ": strand 2 of the groom: has no points; one at least is right");
+  EXPECT_FALSE(fs::exists(none));
 }
 
 }  // namespace

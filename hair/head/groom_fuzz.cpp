@@ -1,8 +1,7 @@
-// Hostile bytes as a groom, of each format that is read. What is accepted can be written: as .hair or .data byte for byte
+// Hostile bytes as a groom, of each format that is read. What is accepted can be written: as .hair byte for byte
 // as it was, as PLY with points as 32 bits hold them.
 #include <numeric>
 
-#include "hair/head/data_file.h"
 #include "hair/head/groom_bytes.h"
 #include "hair/head/hair_file.h"
 #include "hair/head/made_hair_file.h"
@@ -54,32 +53,21 @@ void expect_written_as_ply(std::string_view bytes) {
   }
 }
 
-std::string data_file(std::initializer_list<std::uint32_t> counts) {
-  std::string bytes;
-  hair::put_number(bytes, static_cast<std::uint32_t>(counts.size()));
-  for (const std::uint32_t count : counts) {
-    hair::put_number(bytes, count);
-    for (std::uint32_t k = 0; k < 3 * count; ++k) hair::put_real(bytes, static_cast<float>(k));
-  }
-  return bytes;
-}
-
 }  // namespace
 
 void fuzz::try_input(std::string_view bytes) {
   expect_written_as_it_was(bytes, hair::parse_hair_file, hair::hair_file_of);
-  expect_written_as_it_was(bytes, hair::parse_data_file, hair::data_file_of);
   expect_written_as_ply(bytes);
 }
 
 // As text a point is six bytes; here 24 in a list and 24 in its strand, in this groom and in the one that is
-// read again from up to 60 bytes of text and two edges. The other formats take a fifth of it.
+// read again from up to 60 bytes of text and two edges. A .hair file takes a fifth of it.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 20'000 + 100 * input;
 }
 
 std::vector<std::string> fuzz::seeds() {
-  std::vector<std::string> all = {data_file({1}), data_file({2, 3}), data_file({1, 4, 1, 2})};
+  std::vector<std::string> all;
 
   hair::MadeHairFile whole{.arrays = 31};
   whole.rest = std::string(5 * 20, 'x');

@@ -119,7 +119,7 @@ Groom parse_hair_file(std::string_view bytes, const std::string& name, Numbers n
 }
 
 std::string hair_file_of(const Groom& groom) {
-  check_writable(groom, 1);
+  check_writable(groom);
   const GroomLook& look = groom.look;
   const auto segments_of = [](const Eigen::VectorXd& x) {
     return static_cast<std::uint32_t>(points_of(x) - 1);

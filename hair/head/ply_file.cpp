@@ -217,7 +217,7 @@ Groom parse_ply_file(std::string_view bytes, const std::string& name, Numbers nu
 }
 
 std::string ply_file_of(const Groom& groom, bool ascii) {
-  check_writable(groom, 1);
+  check_writable(groom);
   const std::vector<Look> looks = looks_of(groom.look);
   const auto points = static_cast<std::uint32_t>(points_of(groom));
   const auto strands = static_cast<std::uint32_t>(groom.strands.size());

@@ -58,7 +58,7 @@ std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& cour
   for (const MethodRow& row : methods()) {
     const bool taught = std::all_of(row.exercises.begin(), row.exercises.end(),
                                     [&](std::string_view id) { return course.has(std::string(id)); });
-    if (taught && row.method != Method::newton_euler && moves(row, scene)) all.push_back(&row);
+    if (taught && moves(row, scene)) all.push_back(&row);
   }
   return all;
 }
@@ -81,7 +81,7 @@ void change(Scene& scene, const LiveSettings& settings, const Course& course) {
                                     [&](const MethodRow* row) { return row->id == settings.method; });
     if (found == all.end())
       throw BadInput(scene.name + ": is not moved by the method \"" + printable(settings.method, 60) + "\"");
-    scene.hair.method = (*found)->method;
+    scene.hair.method = (*found)->method();
     for (Toy& toy : scene.toys)
       if ((*found)->toy && !has_strands(scene)) toy.method = *(*found)->toy;
   }

@@ -52,27 +52,23 @@ const char* why_no_skipping(Starts) {
   return "no strand has them";
 }
 
-void add_stretching(const StrandStart&, GeometricTerm term, Products, MovingStrand& moving,
-                    particles::ForceSum& sum) {
-  sum.emplace<StretchForce>(moving.strand, term);
+void add_stretching(const StrandStart&, GeometricTerm term, Products, MovingStrand& moving) {
+  moving.force.emplace<StretchForce>(moving.strand, term);
 }
 
-void add_bending(const StrandStart&, GeometricTerm, Products product, MovingStrand& moving,
-                 particles::ForceSum& sum) {
-  sum.emplace<BendForce>(moving.strand, product);
+void add_bending(const StrandStart&, GeometricTerm, Products product, MovingStrand& moving) {
+  moving.force.emplace<BendForce>(moving.strand, product);
 }
 
-void add_rest_curvature(const StrandStart& start, GeometricTerm, Products product, MovingStrand& moving,
-                        particles::ForceSum& sum) {
+void add_rest_curvature(const StrandStart& start, GeometricTerm, Products product, MovingStrand& moving) {
   auto rest =
       std::make_unique<RestCurvature>(moving.strand, start.rest_curvature, start.root_normal, product);
-  moving.rest_curvatures.push_back(rest.get());
-  sum.add(std::move(rest));
+  moving.rest_curvature = rest.get();
+  moving.force.add(std::move(rest));
 }
 
-void add_skipping(const StrandStart&, GeometricTerm term, Products, MovingStrand& moving,
-                  particles::ForceSum& sum) {
-  sum.emplace<BendSpringForce>(moving.strand, term);
+void add_skipping(const StrandStart&, GeometricTerm term, Products, MovingStrand& moving) {
+  moving.force.emplace<BendSpringForce>(moving.strand, term);
 }
 
 constexpr ForcePart kParts[] = {
@@ -103,32 +99,6 @@ constexpr ForcePart kParts[] = {
      .add = add_skipping},
 };
 
-// To `sum`, with products as said.
-void add_parts(const ForceOptions& options, const StrandStart& start, GeometricTerm geometric_term,
-               Products bend_product, MovingStrand& moving, particles::ForceSum& sum) {
-  const Strand& strand = moving.strand;
-  const bool main = &sum == &moving.force;
-  for (const ForcePart& part : kParts)
-    if (part.acts(start)) {
-      part.add(start, geometric_term, bend_product, moving, sum);
-      if (main) (part.of_lengths ? moving.stretching : moving.bending).push_back(&sum.last());
-    }
-  if (options.gravity != Vector3d::Zero()) sum.emplace<particles::Gravity>(strand.mass, options.gravity);
-  if (options.drag > 0) {
-    // Half of the segments on either side, as for masses.
-    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(strand.count());
-    coefficients.head(strand.segments()) += options.drag / 2 * strand.rest_length;
-    coefficients.tail(strand.segments()) += options.drag / 2 * strand.rest_length;
-    const auto& drag = sum.emplace<particles::Drag>(std::move(coefficients), options.wind);
-    if (main) moving.drag = &drag;
-  }
-  if (options.point_forces) {
-    auto forces = std::make_unique<PointForces>();
-    moving.point_forces.push_back(forces.get());
-    sum.add(std::move(forces));
-  }
-}
-
 }  // namespace
 
 std::span<const ForcePart> force_parts() {
@@ -142,20 +112,28 @@ std::vector<std::string> exercises_of(const StrandStart& start) {
   return called;
 }
 
-void add_forces(const ForceOptions& options, const StrandStart& start, bool with_definite,
-                MovingStrand& moving) {
-  using enum GeometricTerm;
-  using enum Products;
-  if (with_definite) {
-    add_parts(options, start, full, exact, moving, moving.force);
-    add_parts(options, start, filtered, definite, moving, moving.definite_force);
-  } else {
-    add_parts(options, start, options.geometric_term, options.bend_product, moving, moving.force);
+void add_forces(const ForceOptions& options, const StrandStart& start, MovingStrand& moving) {
+  const Strand& strand = moving.strand;
+  particles::ForceSum& force = moving.force;
+  for (const ForcePart& part : kParts)
+    if (part.acts(start)) {
+      part.add(start, options.geometric_term, options.bend_product, moving);
+      (part.of_lengths ? moving.stretching : moving.bending).push_back(&force.last());
+    }
+  if (options.gravity != Vector3d::Zero()) force.emplace<particles::Gravity>(strand.mass, options.gravity);
+  if (options.drag > 0) {
+    // Half of the segments on either side, as for masses.
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(strand.count());
+    coefficients.head(strand.segments()) += options.drag / 2 * strand.rest_length;
+    coefficients.tail(strand.segments()) += options.drag / 2 * strand.rest_length;
+    moving.drag = &force.emplace<particles::Drag>(std::move(coefficients), options.wind);
   }
-  if (!options.band) {
-    moving.force.hide_band();
-    moving.definite_force.hide_band();
+  if (options.point_forces) {
+    auto forces = std::make_unique<PointForces>();
+    moving.point_forces = forces.get();
+    force.add(std::move(forces));
   }
+  if (!options.band) force.hide_band();
 }
 
 }  // namespace hair

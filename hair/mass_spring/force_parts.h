@@ -30,8 +30,8 @@ struct ForcePart {
   bool (*acts)(const StrandStart&);
   // The reason why no strand of a scene uses this part.
   const char* (*why_not)(std::span<const StrandStart>);
-  // Adds the part to `sum`, one of the strand's sums, with the given kind of products.
-  void (*add)(const StrandStart&, GeometricTerm, Products, MovingStrand&, particles::ForceSum& sum);
+  // Adds the part to the strand's force, with the given kind of products.
+  void (*add)(const StrandStart&, GeometricTerm, Products, MovingStrand&);
   bool of_lengths = false;  // its energy is that of stretched segments
 };
 
@@ -40,9 +40,7 @@ std::span<const ForcePart> force_parts();
 // The exercises that the parts of this strand call.
 std::vector<std::string> exercises_of(const StrandStart& start);
 
-// Adds the forces to a strand that was made from `start`. `with_definite`: `force` gets exact products, and
-// `definite_force` the same forces with definite products.
-void add_forces(const ForceOptions& options, const StrandStart& start, bool with_definite,
-                MovingStrand& moving);
+// Adds the forces to a strand that was made from `start`.
+void add_forces(const ForceOptions& options, const StrandStart& start, MovingStrand& moving);
 
 }  // namespace hair

@@ -20,7 +20,7 @@ MassSpringBody::MassSpringBody(const StrandStart& start, const StepMethod& metho
       method_(method),
       root_normal_(start.root_normal),
       collides_(collides) {
-  add_forces(options, start, method.needs_definite_force, moving_);
+  add_forces(options, start, moving_);
   if (watched)
     energy_.emplace(moving_, options.gravity, options.drag, !method.goes_straight_on, method.read_every);
 }
@@ -36,7 +36,7 @@ void MassSpringBody::restart(const StrandStart& start) {
 void MassSpringBody::set_root_frame(const Vector3d& tangent, const Vector3d& normal) {
   moving_.strand.root_tangent = tangent;
   root_normal_ = normal;
-  for (RestCurvature* rest : moving_.rest_curvatures) rest->set_root_normal(normal);
+  if (moving_.rest_curvature) moving_.rest_curvature->set_root_normal(normal);
   if (energy_) energy_->root_turned();
 }
 
@@ -65,7 +65,7 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
   const bool looks_at_way = energy_ && method_.keeps_lengths;
   if (collides || looks_at_way) x_before = moving_.state.x;
   if (energy_ && moving_.drag) v_before = moving_.state.v;
-  for (PointForces* forces : moving_.point_forces) forces->set(step.forces);
+  if (moving_.point_forces) moving_.point_forces->set(step.forces);
   if (energy_) energy_->before_step();
 
   const particles::Scratch for_method = memory.leftCols(method_.scratch);
@@ -90,7 +90,6 @@ std::optional<Stage> MassSpringBody::finish(const BodyStep& step, particles::Inp
   work.solver_steps += outcome.solver_steps;
   work.plain_solves += outcome.plain_solves;
   work.correction_steps += outcome.correction_steps;
-  work.halvings += outcome.halvings;
   work.solves += outcome.solves;
   work.unconverged += outcome.unconverged;
   solves_ += outcome.solves;

@@ -35,11 +35,10 @@ struct MovingStrand {
   particles::Particles particles;
   particles::State state;
   particles::ForceSum force;
-  // For Newton's method only: the same forces with definite products. Empty for other methods.
-  particles::ForceSum definite_force;
-  std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand is curved at rest
-  std::vector<PointForces*> point_forces;       // parts of these sums, if external forces act on the strand
-  // Parts of `force`: those whose energy is that of lengths, those of bends, and the air's drag, if there is one.
+  // Parts of `force`: rest curvature, if the strand is curved at rest; external forces, if some act on it; those whose
+  // energy is that of lengths, those of bends, and the air's drag, if there is one.
+  RestCurvature* rest_curvature = nullptr;
+  PointForces* point_forces = nullptr;
   std::vector<const particles::Force*> stretching, bending;
   const particles::Drag* drag = nullptr;
   particles::ParticleSystem system;  // for the explicit methods

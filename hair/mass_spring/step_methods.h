@@ -17,8 +17,7 @@ struct StepOutcome {
   int solves = 0;                      // solves and corrections
   int unconverged = 0;                 // those that ended above their tolerance
   double residual = 0;                 // the largest of these solves, relative to its right-hand side
-  long correction_steps = 0;           // Newton steps: of the length correction, or of newton_euler
-  long halvings = 0;                   // of newton_euler's steps: each evaluates the forces once more
+  long correction_steps = 0;           // Newton steps of the length correction
   Stage suspect = Stage::integration;  // where numbers stopped being finite; otherwise the last stage
 };
 
@@ -52,14 +51,10 @@ struct StepMethod {
 
   // So many steps are read as one by these books.
   int read_every = 1;
-
-  // The method uses exact products of the force, and also definite ones: MovingStrand::definite_force.
-  bool needs_definite_force = false;
 };
 
-// The methods of P1, H4 and H6.
-extern const StepMethod kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4;
-extern const StepMethod kImplicitEuler, kNewtonEuler;
+// The methods of H4 and H6; those of P1: explicit_step.h.
+extern const StepMethod kImplicitEuler;
 extern const StepMethod kPredictorCorrector;
 
 }  // namespace hair

@@ -11,6 +11,7 @@
 #include "hair/simulation/methods.h"
 #include "hair/strand/obstacles.h"
 #include "hair/strand/strand_spec.h"
+#include "particles/gravity.h"
 
 namespace hair {
 
@@ -26,10 +27,10 @@ struct Description {
   std::vector<StrandStart> strands;      // of masses and springs
   std::vector<ModelledStrand> modelled;  // of any model; their indices follow those of `strands`
   Method method = Method::predictor_corrector;
-  double step = 1.0 / 240;                   // s
-  Vector3d gravity = Vector3d(0, 0, -9.81);  // m/s^2
-  double drag = 0;                           // N s/m^2: for each metre of hair
-  Vector3d wind = Vector3d::Zero();          // m/s, of the air
+  double step = 1.0 / 240;                                       // s
+  Vector3d gravity = Vector3d(0, 0, -particles::kEarthGravity);  // m/s^2
+  double drag = 0;                                               // N s/m^2: for each metre of hair
+  Vector3d wind = Vector3d::Zero();                              // m/s, of the air
   std::vector<Obstacle> obstacles;
   // Links and strips between `strands`, which are one system then: implicit_euler only, and clamped strands.
   std::optional<ControlMesh> mesh;
@@ -40,8 +41,7 @@ struct Description {
 
   int jobs = 1;  // threads that step strands, >= 1; exercises' code then runs in all of them at a time
 
-  // Only for implicit methods. newton_euler ignores the two kinds of products, because its result does not
-  // depend on them.
+  // Only for implicit methods.
   std::optional<GeometricTerm> geometric_term;  // of a segment's product; empty: row_of(method).usual_term()
   Products bend_product = Products::definite;
   double tolerance = 1e-10;    // residual of a solve, relative to its right-hand side

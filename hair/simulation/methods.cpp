@@ -1,5 +1,7 @@
 #include "hair/simulation/methods.h"
 
+#include "hair/mass_spring/explicit_step.h"
+
 namespace hair {
 
 namespace {
@@ -11,8 +13,7 @@ constexpr std::string_view kImplicit[] = {"S1", "H4"};
 constexpr std::string_view kCorrected[] = {"S1", "H4", "H5", "H6"};
 
 constexpr MethodRow kMethods[] = {
-    {.method = Method::forward_euler,
-     .id = "forward_euler",
+    {.id = "forward_euler",
      .name = "forward Euler",
      .exercises = kExplicit,
      .order = 1,
@@ -20,18 +21,18 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 1,
      .limit = "the least of 2 zeta/omega and 2/|lambda|",
+     .springs = &kExplicitStep<particles::forward_euler>,
      .toy = ToyMethod::forward_euler},
-    {.method = Method::symplectic_euler,
-     .id = "symplectic_euler",
+    {.id = "symplectic_euler",
      .name = "symplectic Euler",
      .exercises = kExplicit,
      .order = 1,
      .evaluations = 1,
      .is_explicit = true,
      .limit = "2 (sqrt(1 + zeta^2) - zeta)/omega",
+     .springs = &kExplicitStep<particles::symplectic_euler>,
      .toy = ToyMethod::symplectic_euler},
-    {.method = Method::midpoint,
-     .id = "midpoint",
+    {.id = "midpoint",
      .name = "midpoint",
      .exercises = kExplicit,
      .order = 2,
@@ -39,9 +40,9 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 2,
      .limit = "|1 + z + z^2/2| = 1",
+     .springs = &kExplicitStep<particles::midpoint>,
      .toy = ToyMethod::midpoint},
-    {.method = Method::runge_kutta_4,
-     .id = "runge_kutta_4",
+    {.id = "runge_kutta_4",
      .name = "Runge-Kutta 4",
      .exercises = kExplicit,
      .order = 4,
@@ -49,33 +50,31 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 4,
      .limit = "RK4's |R(h lambda)| = 1",
+     .springs = &kExplicitStep<particles::runge_kutta_4>,
      .toy = ToyMethod::runge_kutta_4},
-    {.method = Method::implicit_euler,
-     .id = "implicit_euler",
+    {.id = "implicit_euler",
      .name = "implicit Euler",
      .exercises = kImplicit,
      .order = 1,
      .evaluations = 1,
      .limit = "what its matrix leaves out",
+     .springs = &kImplicitEuler,
      .toy = ToyMethod::implicit_euler},
-    {.method = Method::predictor_corrector,
-     .id = "predictor_corrector",
+    {.id = "predictor_corrector",
      .name = "predictor and corrector",
      .exercises = kCorrected,
      .order = 1,
      .evaluations = 2,  // one for each of its two solves
      .keeps_lengths = true,
-     .limit = "across the hair"},
-    {.method = Method::newton_euler,
-     .id = "newton_euler",
-     .name = "implicit Euler by Newton's method",
-     .exercises = kImplicit,
-     .order = 1,
-     .evaluations = 1,
-     .limit = ""},
+     .limit = "across the hair",
+     .springs = &kPredictorCorrector},
 };
 
 }  // namespace
+
+Method MethodRow::method() const {
+  return static_cast<Method>(this - kMethods);
+}
 
 std::span<const MethodRow> methods() {
   return kMethods;

@@ -1,9 +1,7 @@
-// The table of time methods: a row holds everything that the rest of the project knows about a method. No
-// other code distinguishes methods, so a new method is one row here, and for each model that it moves a step in the model's room and
-// its place in the model's table of steps, in <model>_strand.cpp.
+// The table of time methods: a row holds everything that the rest of the project knows about a method, and its step of masses and
+// springs. Where it moves another model, its step is in the model's room and has a place in the table of <model>_strand.cpp.
 #pragma once
 
-#include <iterator>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -13,18 +11,19 @@
 
 namespace hair {
 
+// The rows that code names, in the table's order. Those that only scenes name come after them.
 enum class Method {
   forward_euler,
   symplectic_euler,
   midpoint,
   runge_kutta_4,
   implicit_euler,
-  predictor_corrector,
-  newton_euler  // implicit Euler by Newton's method to convergence: for studies, not for hair
+  predictor_corrector
 };
 
+struct StepMethod;
+
 struct MethodRow {
-  Method method;
   const char* id;                               // in scenes and records: "forward_euler"
   const char* name;                             // in sentences: "forward Euler"
   std::span<const std::string_view> exercises;  // the exercises that it calls; the last one is its own
@@ -35,7 +34,11 @@ struct MethodRow {
   int polynomial = 0;  // the power up to which its amplification is the Taylor series of exp; 0: other
   const char* limit;   // the theoretical limit of its steps, in words
 
+  const StepMethod* springs;  // moves masses and springs: hair/mass_spring/step_methods.h
+
   std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
+
+  Method method() const;  // its place in the table
 
   // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no such term.
   // But 1 - l0/l rounds, to a positive mean once the filter takes its negative values away: a drag of about u k h^2 / m.
@@ -44,15 +47,7 @@ struct MethodRow {
   }
 };
 
-std::span<const MethodRow> methods();  // in the order of the enumeration
+std::span<const MethodRow> methods();
 const MethodRow& row_of(Method method);
-
-// In a model's table of {method, step}: the step. Null: such strands don't move by this method.
-template <class Steps>
-auto step_of(const Steps& steps, Method method) -> decltype(&std::begin(steps)->step) {
-  for (const auto& row : steps)
-    if (row.method == method) return &row.step;
-  return nullptr;
-}
 
 }  // namespace hair

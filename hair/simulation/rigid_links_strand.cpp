@@ -1,5 +1,6 @@
 #include "hair/simulation/rigid_links_strand.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -18,9 +19,15 @@ constexpr LinkStep kLinkSteps[] = {{Method::symplectic_euler, &TreeSteps::symple
                                    {Method::runge_kutta_4, &TreeSteps::runge_kutta_4},
                                    {Method::implicit_euler, &TreeSteps::linearly_implicit_euler}};
 
+// Null: links don't move by this method.
+const TreeStep* step_of(Method method) {
+  const auto* row = std::ranges::find(kLinkSteps, method, &LinkStep::method);
+  return row == std::end(kLinkSteps) ? nullptr : &row->step;
+}
+
 std::unique_ptr<Body> make_links(const StrandSpec& spec, const Description& description) {
   const MethodRow& method = row_of(description.method);
-  const TreeStep* step = step_of(kLinkSteps, method.method);
+  const TreeStep* step = step_of(description.method);
   if (!step) {
     std::string others;
     for (const LinkStep& other : kLinkSteps)
@@ -56,7 +63,7 @@ ModelRow rigid_links_model() {
           .why_not = why_not_of_links,
           .points = [](const StrandSpec& spec) { return spec.elements + 1L; },
           .make = make_links,
-          .moves_by = [](const MethodRow& row) { return step_of(kLinkSteps, row.method) != nullptr; }};
+          .moves_by = [](const MethodRow& row) { return step_of(row.method()) != nullptr; }};
 }
 
 }  // namespace hair

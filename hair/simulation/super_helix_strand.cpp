@@ -33,7 +33,7 @@ ModelRow super_helix_model() {
           .why_not = why_not_of_helices,
           .points = helix_points,
           .make = make_helix,
-          .moves_by = [](const MethodRow& row) { return row.method == kHelixMethod; }};
+          .moves_by = [](const MethodRow& row) { return row.method() == kHelixMethod; }};
 }
 
 }  // namespace hair

@@ -9,10 +9,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "solver/tests/numbers.h"
+
 namespace hair {
 namespace {
 
-constexpr double kU = 0x1p-53;
+using reference_tests::kUnit;
 
 // What a call says when it refuses; empty if it does not.
 std::string refusal(const std::function<void()>& call) {
@@ -34,13 +36,13 @@ TEST(MakeStrand, MassesAreHalfOfTheSegmentsBesideThem) {
   EXPECT_DOUBLE_EQ(strand.mass[30], segment / 2);
   for (int i = 1; i < 30; ++i) EXPECT_DOUBLE_EQ(strand.mass[i], segment);
   // A sum of 31 terms is within 31 u of itself; each mass has 4 roundings.
-  EXPECT_NEAR(strand.mass.sum(), hair.line_density() * 0.3, 40 * kU * strand.mass.sum());
+  EXPECT_NEAR(strand.mass.sum(), hair.line_density() * 0.3, 40 * kUnit * strand.mass.sum());
 }
 
 TEST(MakeStrand, RefiningChangesNeitherMassNorLengthNorRigidity) {
   const Strand coarse = uniform_strand({}, 10, 0.3), fine = uniform_strand({}, 80, 0.3);
-  EXPECT_NEAR(fine.mass.sum(), coarse.mass.sum(), 100 * kU * coarse.mass.sum());
-  EXPECT_NEAR(fine.rest_length.sum(), 0.3, 100 * kU);
+  EXPECT_NEAR(fine.mass.sum(), coarse.mass.sum(), 100 * kUnit * coarse.mass.sum());
+  EXPECT_NEAR(fine.rest_length.sum(), 0.3, 100 * kUnit);
   EXPECT_EQ(fine.stretch_rigidity, coarse.stretch_rigidity);
   EXPECT_EQ(fine.bend_rigidity, coarse.bend_rigidity);
 }

@@ -10,6 +10,7 @@
 
 #include "hair/strand/meeting.h"
 #include "hair/strand/tests/placed_ball.h"
+#include "solver/tests/numbers.h"
 
 namespace hair {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using particles::Particles;
 using particles::State;
 
-constexpr double kG = 9.81;
+constexpr double kG = reference_tests::kGravity;
 
 Particles one_particle() {
   return {Eigen::VectorXd::Constant(1, 0.3), {0}};

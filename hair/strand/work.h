@@ -9,8 +9,7 @@ struct Work {
   long strand_steps = 0;      // steps times strands
   long solver_steps = 0;      // iterations of ConjGrad
   long plain_solves = 0;      // solves that had no preconditioner
-  long correction_steps = 0;  // Newton steps: of the length correction, or of newton_euler
-  long halvings = 0;          // of newton_euler's steps: each evaluates the forces once more
+  long correction_steps = 0;  // Newton steps of the length correction
   long solves = 0;            // solves and corrections
   long unconverged = 0;       // those that ended above their tolerance
   long unmended = 0;          // collisions after which obstacles and lengths did not agree (H6)
@@ -22,7 +21,6 @@ struct Work {
     solver_steps += other.solver_steps;
     plain_solves += other.plain_solves;
     correction_steps += other.correction_steps;
-    halvings += other.halvings;
     solves += other.solves;
     unconverged += other.unconverged;
     unmended += other.unmended;

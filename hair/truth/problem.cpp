@@ -84,7 +84,7 @@ void add_strand(const Scene& scene, const ProblemSettings& settings, Description
     throw BadInput(scene.name + ": studies know no " + model.id +
                    "; study a scene whose hair is of another model");
   for (const MethodRow& row : methods())
-    if (model.moves_by(row)) hair.method = row.method;
+    if (model.moves_by(row)) hair.method = row.method();
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ testing::AssertionResult is_near(const char* words, const char* expected_words, 
   note(hint_of_one(actual, expected, current().test_suite_name() == std::string("Energy")));
   return testing::AssertionFailure() << words << "\nexpected = " << expected << " = " << expected_words
                                      << "\nactual   = " << actual << "\nerror    = " << error
-                                     << "\nbound    = " << bound << " = " << bound_words;
+                                     << ", bound = " << bound << " = " << bound_words;
 }
 
 testing::AssertionResult counts(const char* words, const char* expected_words, long actual, long expected) {

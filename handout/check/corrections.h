@@ -7,25 +7,20 @@
 
 #include "derivative.h"
 #include "hair/length_correction.h"
+#include "ordinary.h"
 
 namespace checks {
 
-inline hair::Strand strand_of(int count, double heaviest = 1) {
-  hair::Strand strand;
-  strand.mass = Eigen::VectorXd::LinSpaced(count, 1, heaviest);
-  strand.rest_length = Eigen::VectorXd::LinSpaced(count - 1, 1, 1.5);
-  return strand;
+inline hair::Strand strand_of(int count) {
+  Scatter source(count);
+  return ordinary_strand(source, count);
 }
 
 // At rest lengths, bent, each particle but the root then off by up to `size`.
 inline Eigen::VectorXd bent(const hair::Strand& strand, double size, double bend = 0.5) {
-  const Eigen::VectorXd numbers = scattered_vector(6 * strand.count(), strand.count());
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(3 * strand.count());
-  for (int i = 0; i < strand.segments(); ++i) {
-    const Eigen::Vector3d u = (Eigen::Vector3d(0, 0, -1) + bend * numbers.segment<3>(3 * i)).normalized();
-    x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * u;
-  }
-  x.tail(x.size() - 3) += size * numbers.tail(x.size() - 3);
+  Scatter source(strand.count());
+  Eigen::VectorXd x = ordinary_positions(source, strand, 1, 1, bend);
+  x.tail(x.size() - 3) += size * scattered_vector(3 * strand.segments(), strand.count());
   return x;
 }
 

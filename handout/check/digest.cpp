@@ -9,7 +9,7 @@ namespace checks {
 namespace {
 
 constexpr std::size_t kMostLetters = 160;  // of a line
-constexpr int kMostLines = 5;              // of the first failure's message
+constexpr int kMostLines = 6;              // of the first failure's message
 constexpr std::size_t kMostNames = 300;    // letters of the names of all others
 
 bool is_wrong(const Finding& one) {
@@ -48,12 +48,13 @@ std::string hint_of_place(const std::string& text) {
   return "";
 }
 
+// The input stands first, then what came.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> all;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     if (line.find("check.cpp:") != std::string::npos && line.find(": ") != std::string::npos)
-      all.push_back("for " + line.substr(line.find(": ") + 2));  // a SCOPED_TRACE
+      all.insert(all.begin(), "for " + line.substr(line.find(": ") + 2));  // a SCOPED_TRACE
     else if (!line.empty() && line != "Failed" && line != "Google Test trace:")
       all.push_back(line);
   }
@@ -147,13 +148,6 @@ void tell_categories(std::ostream& out, const Asked& asked, const std::vector<Fi
 
 }  // namespace
 
-const Category* category_of(const std::vector<Category>& categories, const std::string& suite) {
-  const std::size_t stroke = suite.rfind('/');
-  const auto found = std::ranges::find(categories, suite.substr(stroke + 1), &Category::id);  // npos + 1 is 0
-  if (found != categories.end()) return &*found;
-  return stroke == std::string::npos ? nullptr : category_of(categories, suite.substr(0, stroke));
-}
-
 const Row* row_of(const Category& category, const std::string& row) {
   if (category.rows.empty() || row == "-") return nullptr;
   const auto found = std::ranges::find(category.rows, row, &Row::id);
@@ -182,7 +176,7 @@ std::string digest(const Asked& asked, const std::vector<Finding>& findings, boo
       << count_in_words(findings.size(), "check") << " pass";
   if (!wrong.empty()) out << ", " << wrong.size() << " fail";
   if (waiting > 0) out << ", " << waiting << " wait";
-  out << "\n\n";
+  out << "\n";
   for (const Finding* one : wrong) {
     tell_failure(out, asked, *one, full);
     if (!full) break;

@@ -15,10 +15,6 @@ struct Asked {
   std::vector<Category> categories;
 };
 
-// The category of a test suite: it has its id, or, of a suite with parameters, "Midpoint/Integrator", one of its parts has it. Null:
-// there is none.
-const Category* category_of(const std::vector<Category>& categories, const std::string& suite);
-
 // The row of its category that a check points to, or "-"; null: there is none.
 const Row* row_of(const Category& category, const std::string& row);
 

@@ -10,25 +10,33 @@
 #include <vector>
 
 #include "derivative.h"
+#include "ordinary.h"
 #include "particles/implicit_euler.h"
 #include "particles/springs.h"
 
 namespace checks {
 
-// Particles of 1e-7 kg, 1 cm apart along x, the first one pinned; springs between them, of 1e-3 N/m if nothing else is said, the
-// first one stretched by 1 mm. With h = 1/60 s, h^2 k/m is 2.8.
+// A strand of about 1e-7 kg a particle and 1 cm a segment, its first particle pinned and at rest; springs between neighbours, of about
+// `stiffness` N/m, stretched by up to a tenth. With 1e-3 N/m and h = 1/60 s, h^2 k/m is 1 to 10.
 struct Chain {
+  hair::Strand strand;
   particles::Particles particles;
   particles::State state;
   std::vector<particles::Spring> springs;
 
-  explicit Chain(double stiffness = 1e-3, int count = 60)
-      : particles{Eigen::VectorXd::Constant(count, 1e-7), std::vector<char>(count, 0)},
-        state{Eigen::VectorXd::Zero(3 * count), Eigen::VectorXd::Zero(3 * count)} {
+  Chain(double stiffness, int count) {
+    Scatter scatter(count);
+    strand = ordinary_strand(scatter, count);
+    state.x = 0.01 * ordinary_positions(scatter, strand, 1, 1.1, 0.3);
+    state.v = 0.1 * ordinary_numbers(scatter, 3 * count, -1, 1);
+    state.v.head<3>().setZero();
+    strand.mass *= 1e-7;
+    strand.rest_length *= 0.01;
+    particles = {strand.mass, std::vector<char>(static_cast<std::size_t>(count), 0)};
     particles.pinned[0] = 1;
-    for (int i = 1; i < count; ++i) {
-      state.x[3 * i] = 0.01 * i + 0.001;
-      springs.push_back({i - 1, i, stiffness, 0.01});
+    for (int i = 0; i < count - 1; ++i) {
+      const double k = stiffness * ordinary_number(scatter, 0.7, 1.5);
+      springs.push_back({i, i + 1, k, strand.rest_length[i]});
     }
   }
 };

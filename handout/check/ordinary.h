@@ -9,8 +9,11 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "hair/strand.h"
+#include "particles/state.h"
 
 namespace checks {
 
@@ -55,6 +58,18 @@ Eigen::Vector3d ordinary_direction(Source& source) {
     const double nearest = (size - Eigen::Array3d(size[1], size[2], size[0])).abs().minCoeff();
     if (size.minCoeff() > 0.1 && nearest > 0.1) return u.normalized();
   }
+}
+
+// Free ones.
+template <class Source>
+particles::Particles ordinary_particles(Source& source, int count) {
+  return {ordinary_numbers(source, count, 0.4, 3), std::vector<char>(static_cast<std::size_t>(count), 0)};
+}
+
+template <class Source>
+particles::State ordinary_state(Source& source, int count) {
+  Eigen::VectorXd x = ordinary_numbers(source, 3 * count, -2, 2);
+  return {std::move(x), ordinary_numbers(source, 3 * count, -2, 2)};
 }
 
 // Masses, rest lengths and rigidities; clamped or not, its tangent at the root is a direction of no axis.

@@ -85,7 +85,7 @@ inline Revolution revolve(const char* method, hair::GeometricTerm term, const St
   }
   const Eigen::Vector3d x = state.x.tail<3>(), v = state.v.tail<3>();
   result.momentum = x.cross(v)[2] / (l0 * l0 * turn);
-  std::printf("  %-46s L/L0 %.4f   length %.1e   radial %.1e m/s\n", method, result.momentum, result.length,
+  std::printf(" %s: L/L0 %.4f, length %.1e, radial %.1e m/s;", method, result.momentum, result.length,
               result.radial);
   return result;
 }

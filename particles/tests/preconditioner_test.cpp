@@ -12,6 +12,7 @@
 #include "particles/springs.h"
 #include "solver/dense_solve.h"
 #include "solver/tests/allocations.h"
+#include "solver/tests/numbers.h"
 
 namespace particles {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using reference_tests::allocations;
 
-constexpr double kUnit = 0x1p-53;
+using reference_tests::kUnit;
 
 // f = -K x, with a positive definite K that is 0 beyond `reach` particles.
 class Banded : public Force {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "particles/constraints.h"
+#include "particles/gravity.h"
 #include "particles/springs.h"
 #include "particles/state.h"
 
@@ -18,9 +19,9 @@ struct Toy {
   std::vector<Spring> springs;
   Constraints constraints;  // if empty, P2 is not called. Not with implicit_euler
   ToyMethod method = ToyMethod::runge_kutta_4;
-  Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, -9.81);  // m/s^2
-  double drag = 0;                                         // kg/s, of each particle
-  Eigen::Vector3d wind = Eigen::Vector3d::Zero();          // m/s
+  Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, -kEarthGravity);  // m/s^2
+  double drag = 0;                                                  // kg/s, of each particle
+  Eigen::Vector3d wind = Eigen::Vector3d::Zero();                   // m/s
 
   // Only for a patch of cloth: the layout of its particles, for drawing. 0: no cloth.
   int rows = 0, columns = 0;

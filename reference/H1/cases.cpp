@@ -65,15 +65,4 @@ void extremes(Trial& trial) {
   long_strand(trial);
 }
 
-Cases cases() {
-  return {{"Energy", energy},
-          {"Forces", forces},
-          {"ExactProduct", exact_product},
-          {"FilteredProduct", filtered_product},
-          {"Sampling", sampling},
-          {"Added", added},
-          {"NoDirection", no_direction},
-          {"Extremes", extremes}};
-}
-
 }  // namespace grader::h1

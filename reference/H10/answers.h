@@ -1,22 +1,41 @@
-// STAFF ONLY. A student's functions of H10, requested through the pipe.
+// STAFF ONLY. What a student's functions of H10 answer.
 #pragma once
 
-#include "grader/judge/trial.h"
+#include "grader/judge/case_asker.h"
+#include "reference/H10/calls.h"
 #include "reference/H10/hair.h"
 
 namespace grader::h10 {
 
 using Weights = std::array<double, 3>;
 
+inline constexpr auto ask_weights = answer_of<Calls, hair::root_weights>;
+
+inline VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, const Weights& weights,
+                                 const RootFrame& root) {
+  const std::array<hair::GuideHair, 3> seen{guides[0].view(), guides[1].view(), guides[2].view()};
+  return answer_of<Calls, hair::interpolate>(trial, seen, weights, root, unset(guides[0].points.size()));
+}
+inline GuideFrames ask_frames(Trial& trial, const VectorXd& guide) {
+  const Matrix3d none = Matrix3d::Constant(kUnset);
+  return answer_of<Calls, hair::carry_along>(
+      trial, guide, GuideFrames{unset(guide.size() / 3), std::vector(guide.size() / 3, none)});
+}
+inline VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames& frames,
+                                 const Vector3d& root, double spread) {
+  return answer_of<Calls, hair::extrapolate>(trial, guide, frames, root, spread, unset(guide.size()));
+}
+
 // Where a blend's child goes: into memory of its own, or over one of the strands that it is made of.
 enum class Place { own, at_root, at_tip };
 
-Weights ask_weights(Trial& trial, const Corners& corners, const Vector3d& root);
-VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, const Weights& weights,
-                          const RootFrame& root);
-GuideFrames ask_frames(Trial& trial, const VectorXd& guide);
-VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames& frames,
-                          const Vector3d& root, double spread);
-VectorXd ask_blended(Trial& trial, const VectorXd& arc, VectorXd at_root, VectorXd at_tip, Place place);
+inline VectorXd ask_blended(Trial& trial, const VectorXd& arc, VectorXd at_root, VectorXd at_tip,
+                            Place place) {
+  VectorXd own = unset(at_root.size());
+  VectorXd& child = place == Place::own ? own : place == Place::at_root ? at_root : at_tip;
+  CaseAsker asker(trial);
+  ask<Calls, hair::blend>(asker, arc, at_root, at_tip, child);
+  return child;
+}
 
 }  // namespace grader::h10

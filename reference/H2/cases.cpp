@@ -5,7 +5,6 @@
 
 #include "hair/angular_springs.h"
 #include "reference/H2/joints.h"
-#include "reference/H2/limits.h"
 
 namespace grader::h2 {
 namespace {
@@ -22,6 +21,8 @@ void expect_product_of(Trial& trial, const Posed& posed, int function) {
   expect_product(trial, force, force.products[function - kProduct], posed,
                  random_vector(trial.random, posed.x.size()));
 }
+
+}  // namespace
 
 void energy(Trial& trial) {
   Random& random = trial.random;
@@ -56,7 +57,11 @@ void spd_product(Trial& trial) {
   }
 }
 
+namespace {
+
 // The cases below ask for properties of the student's own answers: a mistake elsewhere does not count again.
+
+}  // namespace
 
 void sampling(Trial& trial) {
   Random& random = trial.random;
@@ -127,6 +132,8 @@ void sampling(Trial& trial) {
   }
 }
 
+namespace {
+
 // One joint whose segments have now the lengths a and b, with the middle particle at 0.
 Posed with_lengths(const Posed& joint, double a, double b) {
   const Vector3d middle = joint.x.segment<3>(3);
@@ -135,6 +142,8 @@ Posed with_lengths(const Posed& joint, double a, double b) {
   posed.name = "one joint, lengths " + std::to_string(a) + " and " + std::to_string(b);
   return posed;
 }
+
+}  // namespace
 
 // The energy depends on directions alone. So its derivatives by the two ends fall with the lengths that lead to them.
 void current_lengths(Trial& trial) {
@@ -178,24 +187,6 @@ void current_lengths(Trial& trial) {
 
 void added(Trial& trial) {
   expect_added(trial, strand_force(), some_pose(trial.random, 9, {0.2, 2}), 16);
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Energy", energy},
-          {"Forces", forces},
-          {"ExactProduct", exact_product},
-          {"SpdProduct", spd_product},
-          {"CurrentLengths", current_lengths},
-          {"Sampling", sampling},
-          {"ClampedRoot", clamped_root},
-          {"NearlyStraight", nearly_straight},
-          {"StraightProducts", straight_products},
-          {"Fold", fold},
-          {"NoDirection", no_direction},
-          {"Added", added},
-          {"Extremes", extremes}};
 }
 
 }  // namespace grader::h2

@@ -1,7 +1,6 @@
 // STAFF ONLY. H2: hidden cases at the ends of a joint's life: clamped, nearly straight, folded, without a
 // direction, tiny, huge. Most compare the student's answers with each other, so that a mistake elsewhere does not count
 // again.
-#include "reference/H2/limits.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -104,15 +104,4 @@ void no_direction(Trial& trial) {
   springs_without_direction(trial, springs());
 }
 
-Cases cases() {
-  return {{"Energy", energy},
-          {"Forces", forces},
-          {"ExactProduct", exact_product},
-          {"FilteredProduct", filtered_product},
-          {"EverySpring", every_spring},
-          {"Lengths", lengths},
-          {"Added", added},
-          {"NoDirection", no_direction}};
-}
-
 }  // namespace grader::h3

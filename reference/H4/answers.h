@@ -7,6 +7,9 @@
 
 namespace grader::h4 {
 
+// More than anybody takes who gets an answer: counts are asked for by a category of their own.
+inline constexpr int kMostQuestions = 100'000;
+
 // Counts of what the force was asked for.
 struct Asked {
   int forces, dfdx, dfdv;
@@ -32,23 +35,5 @@ struct Step {
   Asked asked;
 };
 Step step(Trial& trial, const Cloud& cloud, double h, double tolerance = particles::kSolveTolerance);
-
-// A system of ours for solve_plain.
-struct System {
-  std::string name;
-  Eigen::MatrixXd A;
-  Eigen::VectorXd rhs;
-
-  double residual(const Eigen::VectorXd& dv) const { return (rhs - A * dv).norm(); }
-  // The allowance for ConjGrad's residual (solver/linearSolver.h), as in implicit_system.h.
-  double rounding(const Eigen::VectorXd& dv) const;
-};
-
-struct Solution {
-  Eigen::VectorXd dv, rhs;  // rhs as it is afterwards
-  particles::SolveReport report;
-  int products;  // the suite's own count
-};
-Solution solve(Trial& trial, const System& system, double tolerance, int most_steps, double junk = 1e3);
 
 }  // namespace grader::h4

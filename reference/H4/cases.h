@@ -1,14 +1,10 @@
-// STAFF ONLY. Cases of H4 that stand in files of their own: those of solve_plain, which gets a matrix of ours.
+// STAFF ONLY. What solve_plain adds to H4's cases in other units.
 #pragma once
 
 #include "grader/judge/trial.h"
 
 namespace grader::h4 {
 
-void plain_solve(Trial& trial);
-void tolerance(Trial& trial);
-void report(Trial& trial);
-void nothing_to_solve(Trial& trial);
 void expect_same_solve_in_other_units(Trial& trial);
 
 }  // namespace grader::h4

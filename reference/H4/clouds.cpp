@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "grader/judge/other_force.h"
+#include "handout/check/ordinary.h"
 
 namespace grader::h4 {
 namespace {
@@ -34,7 +35,8 @@ Cloud with(Cloud cloud, Parts parts) {
 }
 
 Cloud mixed_cloud(Random& random, int n, Parts parts) {
-  Cloud cloud = random_cloud(random, "particles of 1 kg", n, 1, 1, 3, 4);
+  Cloud cloud = random_cloud(random, "particles of 0.4 to 3 kg", n, 1, 1, 3, 4);
+  cloud.particles = checks::ordinary_particles(random, n);
   cloud.force = std::make_shared<MixedForce>(random, n, 3, 4);
   return with(cloud, parts);
 }

@@ -8,7 +8,7 @@ namespace grader::h4 {
 // The derivatives that a force has; it is a force in all cases.
 enum class Parts { none, dfdx, dfdv, all };
 
-// n particles of 1 kg whose df/dx and df/dv depend on places and velocities.
+// n particles of 0.4 to 3 kg whose df/dx and df/dv depend on places and velocities.
 Cloud mixed_cloud(Random& random, int n, Parts parts);
 Cloud with(Cloud cloud, Parts parts);
 

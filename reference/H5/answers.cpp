@@ -15,7 +15,6 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double kFar = 5;  // see expect_near
-constexpr Filling kScratch{hair::kCorrectionScratch};
 
 // J W J^T, J = d(length)/dx with the root fixed.
 MatrixXd multiplier_matrix(const Strand& strand, const VectorXd& x) {
@@ -37,22 +36,20 @@ std::string name_of(int function) {
 
 Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
                   int most) {
-  Corrected corrected{x, {}, x};
-  corrected.report = function == kRelax ? ask_student_for<Calls, hair::relax_lengths>(
-                                              trial, strand, tolerance, most, corrected.result)
-                                        : ask_student_for<Calls, hair::correct_lengths>(
-                                              trial, strand, tolerance, most, corrected.result, kScratch);
-  return corrected;
+  const auto [report, result] =
+      function == kRelax
+          ? answer_of<Calls, hair::relax_lengths>(trial, strand, tolerance, most, x)
+          : answer_of<Calls, hair::correct_lengths>(trial, strand, tolerance, most, x, Filling{});
+  return {result, report, x};
 }
 
 Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                              double tolerance, int most) {
-  Corrected corrected{v, {}, v};
   CaseAsker asker(trial);
-  corrected.report =
-      ask<Calls, hair::correct_velocities>(asker, strand, x, tolerance, most, corrected.result, kScratch);
+  const auto [report, result] =
+      answers<Calls, hair::correct_velocities>(asker, strand, x, tolerance, most, v, Filling{});
   trial.expect(!asker.changed_input(), "correct_velocities changes x");
-  return corrected;
+  return {result, report, v};
 }
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x) {

@@ -5,15 +5,14 @@
 #include <limits>
 
 #include "reference/H5/answers.h"
-#include "reference/H5/cases.h"
 
 namespace grader::h5 {
 namespace {
 
-// The root weighs what the others do.
+// The root weighs as little as the others.
 Strand with_light_root(Random& random, int n) {
   Strand strand = random_strand(random, n, 3);
-  strand.mass[0] = strand.mass[1];
+  strand.mass[0] = random.uniform(0.4, 0.9) * strand.mass[1];
   return strand;
 }
 
@@ -88,13 +87,14 @@ void expect_left_alone(Trial& trial, const std::string& name, const VectorXd& be
                name + " works on what is within its tolerance");
 }
 
-// An error that is the tolerance is not above it. A segment of 1.25 m in place of 1 m has the error 0.25, and one at 0.25 m/s is
+// An error that is the tolerance is not above it. A segment of 0.625 m in place of 0.5 m has the error 0.25, and one at 0.25 m/s is
 // stretched at that velocity: without any rounding.
 void expect_tolerance_inclusive(Trial& trial) {
-  Strand strand = unit_strand(trial.random, 2);
+  Strand strand = random_strand(trial.random, 2, 1);
+  strand.rest_length[0] = 0.5;
   strand.root_tangent = Vector3d::UnitX();
   VectorXd x = VectorXd::Zero(6), v = VectorXd::Zero(6);
-  x[3] = 1.25;
+  x[3] = 0.625;
   v[3] = 0.25;
   trial.describe("an error that is the tolerance");
   for (int function : {kRelax, kCorrect}) {
@@ -107,7 +107,7 @@ void expect_tolerance_inclusive(Trial& trial) {
 void expect_numbers(Trial& trial) {
   Random& random = trial.random;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Strand strand = unit_strand(random, 7);
+  const Strand strand = random_strand(random, 7, 3);
   const VectorXd right = placed(random, strand, 0.3);
   const Eigen::Index entry = 3 + random.integer(0, 17);
   VectorXd broken = right, v = VectorXd::Zero(right.size());
@@ -123,17 +123,17 @@ void expect_numbers(Trial& trial) {
 
 }  // namespace
 
-// Of segments of 1 m, whose errors in metres are the relative ones.
 void report(Trial& trial) {
   Random& random = trial.random;
-  const Strand strand = unit_strand(random, 12);
+  const Strand strand = random_strand(random, 12, 3);
+  const double shortest = strand.rest_length.minCoeff();
   const VectorXd right = placed(random, strand, 0.3), x = disturbed(random, right, 0.05);
   for (int function : {kRelax, kCorrect}) {
     const std::string name = name_of(function);
     trial.describe(name + ", reports");
     expect_true_reports(trial, x, 1e-9, [&](int most) {
       const Corrected corrected = correct(trial, function, strand, x, 1e-9, most);
-      const double round = rounding(corrected.result, 1);
+      const double round = rounding(corrected.result, shortest);
       return Reported{name.c_str(), corrected, largest_error(strand, corrected.result), round};
     });
     expect_left_alone(trial, name, right, correct(trial, function, strand, right, 1e-9, 100));
@@ -142,7 +142,7 @@ void report(Trial& trial) {
                       correct(trial, function, strand, nearly, 2 * largest_error(strand, nearly), 100));
     for (double size : {4e-12, 1e-10, 1e-8}) {
       const VectorXd wrong = disturbed(random, right, size);
-      if (largest_error(strand, wrong) < 2 * (1e-12 + rounding(wrong, 1))) continue;
+      if (largest_error(strand, wrong) < 2 * (1e-12 + rounding(wrong, shortest))) continue;
       trial.expect(!correct(trial, function, strand, wrong, 1e-12, 0).report.converged,
                    name + " takes a larger error than its tolerance for converged");
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "reference/H5/answers.h"
-#include "reference/H5/cases.h"
 
 namespace grader::h5 {
 namespace {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "reference/H5/answers.h"
-#include "reference/H5/cases.h"
 
 namespace grader::h5 {
 namespace {

@@ -4,22 +4,17 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "handout/check/ordinary.h"
+
 namespace grader::h5 {
 
-Strand random_strand(Random& random, int n, double ratio, double length) {
+Strand random_strand(Random& random, int n, double ratio) {
   Strand strand;
   strand.mass.resize(n);
-  strand.rest_length.resize(n - 1);
   const double unit = random.log_uniform(1e-7, 1e-3);
   for (double& mass : strand.mass) mass = unit * (ratio > 1 ? random.log_uniform(1, ratio) : 1);
   strand.mass[0] = 1e15 * unit;
-  for (double& rest : strand.rest_length) rest = length * random.uniform(0.7, 1.4);
-  return strand;
-}
-
-Strand unit_strand(Random& random, int n) {
-  Strand strand = random_strand(random, n, 1);
-  strand.rest_length.setOnes();
+  strand.rest_length = checks::ordinary_numbers(random, n - 1, 0.7, 1.4);
   return strand;
 }
 
@@ -34,8 +29,8 @@ VectorXd placed(Random& random, const Strand& strand, double bend) {
   return x;
 }
 
-VectorXd disturbed(Random& random, VectorXd x, double size, double length) {
-  x.tail(x.size() - 3) += random_vector(random, x.size() - 3, length * size);
+VectorXd disturbed(Random& random, VectorXd x, double size) {
+  x.tail(x.size() - 3) += random_vector(random, x.size() - 3, size);
   return x;
 }
 

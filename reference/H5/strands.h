@@ -13,18 +13,16 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using hair::Strand;
 
-// n particles with masses within a factor of `ratio`, and segments of about `length`, 1 m: there an error in metres is nearly the
-// relative one. The root is so heavy that impulses do not move it, whatever a program thinks of it. Mistakes with either show in a
-// category of their own.
-Strand random_strand(Random& random, int n, double ratio, double length = 1);
-// The same with segments of 1 m exactly.
-Strand unit_strand(Random& random, int n);
+// n particles with masses within a factor of `ratio`, and segments of about 1 m, none of just that: where a tolerance is to be met an
+// error in metres does nearly as well as the relative one. The root is so heavy that impulses do not move it, whatever a program thinks
+// of it. Mistakes with either show in categories of their own.
+Strand random_strand(Random& random, int n, double ratio);
 
 // Positions with the rest lengths; each segment is turned from the previous one by about `bend`.
 VectorXd placed(Random& random, const Strand& strand, double bend);
 
-// The same positions; each particle except the root is moved by about `size` of a segment.
-VectorXd disturbed(Random& random, VectorXd x, double size, double length = 1);
+// The same positions; each particle except the root is moved by about `size`, m.
+VectorXd disturbed(Random& random, VectorXd x, double size);
 
 // The maximum over the segments, NaN if one value is NaN: of | |x_i+1 - x_i| - l0 | / l0, and of the velocity
 // that stretches a segment.

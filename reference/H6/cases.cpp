@@ -10,6 +10,7 @@
 #include "grader/judge/case_asker.h"
 #include "grader/judge/implicit_system.h"
 #include "grader/judge/other_force.h"
+#include "grader/judge/rounding.h"
 #include "grader/judge/trial.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"
@@ -42,12 +43,10 @@ Step step(Trial& trial, const Hair& hair, double tolerance = kTolerance) {
   const int n = hair.cloud.count(), most = std::max(100, 60 * n);
   trial.describe(hair.cloud.name);
   Step step{{}, {}, {}, ForceServer(*hair.cloud.force, n, 6 * (most + most / 64) + 40)};
-  particles::State state = hair.cloud.state;
-  step.report = ask_student_for<Calls, hair::predictor_corrector>(
-      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, tolerance, state,
-      Filling{hair::kPredictorCorrectorScratch});
-  step.x = state.x;
-  step.v = state.v;
+  const auto [report, state] = answer_of<Calls, hair::predictor_corrector>(
+      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, tolerance, hair.cloud.state,
+      Filling{});
+  step.report = report, step.x = state.x, step.v = state.v;
   trial.expect(step.x.allFinite() && step.v.allFinite(), "a step is not finite");
   return step;
 }
@@ -98,9 +97,22 @@ Hair moving_hair(Random& random, int n, double mass, double stiff, double h, dou
   force->emplace<particles::DampedSprings>(std::move(springs), particles::Products::definite);
   force->emplace<particles::Gravity>(hair.strand.mass, gravity * Vector3d(0, 0, -1));
   hair.cloud.force = force;
-  // The root moves too, as a head does.
-  hair.cloud.state.v.head<3>() = random_vector(random, 3, 0.1);
   return hair;
+}
+
+// The root moves too, as a head does. A category asks what follows of it; in the others it rests.
+void move_root(Random& random, Hair& hair) {
+  hair.cloud.state.v.head<3>() = random_vector(random, 3, 0.1);
+  hair.cloud.name += ", its root moves";
+}
+
+void expect_root_moved(Trial& trial, const Hair& hair, const Step& after) {
+  const Vector3d v = hair.cloud.state.v.head<3>(), x = hair.cloud.state.x.head<3>() + hair.h * v;
+  trial.expect_at_most((after.x.head<3>() - x).norm(), 4 * kUnit * (x.norm() + hair.h * v.norm()),
+                       "how far the root is from where its velocity leads");
+  // A velocity may come out of a difference of positions over h.
+  trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (x.norm() / hair.h + v.norm()),
+                       "how much the root changes its velocity");
 }
 
 // A hair whose lengths are right where it will be: nothing is corrected, and no impulse follows.
@@ -113,6 +125,8 @@ Hair right_after_step(Random& random, int n, double stiff) {
     hair.strand.rest_length[i] = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).norm();
   return hair;
 }
+
+}  // namespace
 
 void prediction(Trial& trial) {
   Random& random = trial.random;
@@ -128,6 +142,8 @@ void prediction(Trial& trial) {
   }
 }
 
+namespace {
+
 // Without any force both solves do nothing.
 Hair force_free(Random& random, int n) {
   Hair hair = moving_hair(random, n, 1e-6, 0, 1.0 / random.integer(60, 240), 0);
@@ -135,27 +151,29 @@ Hair force_free(Random& random, int n) {
   return hair;
 }
 
+}  // namespace
+
 void lengths(Trial& trial) {
   Random& random = trial.random;
   for (int n : {1, 2, 5, 12}) {
-    const Hair hair = force_free(random, n);
+    Hair hair = force_free(random, n);
+    move_root(random, hair);
     const VectorXd x = corrected(hair, hair.cloud.state.x + hair.h * hair.cloud.state.v);
-    const Vector3d v = hair.cloud.state.v.head<3>(), root = x.head<3>();
     const Step after = step(trial, hair);
     const double bound = correction_error(x);
     const Compared numbers{after.x, x, 3, hair.cloud.state.x, bound};
     trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length", numbers);
     trial.expect_close(numbers, bound, "the error of the positions, where no force acts");
-    // A velocity may come out of a difference of positions over h.
-    trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (root.norm() / hair.h + v.norm()),
-                         "how much the root changes its velocity");
+    expect_root_moved(trial, hair, after);
   }
   // With forces, over several steps.
   const double stiff = random.log_uniform(1, 1e3);
   Hair hair = moving_hair(random, 12, 1e-6, stiff, 1.0 / random.integer(60, 240));
+  move_root(random, hair);
   for (int i = 0; i < 3; ++i) {
     const Step after = step(trial, hair);
     trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length");
+    expect_root_moved(trial, hair, after);
     hair.cloud.state = {after.x, after.v};
   }
 }
@@ -253,9 +271,9 @@ void other_limits(Trial& trial) {
                            "the error of a length of a strand that is flung about");
     trial.expect(after.report.correction.converged != is_hopeless,
                  "the report of a correction is not what correct_lengths said");
-    const double rounding = 0x1p-48 * (after.x.norm() / flung.h + v.norm());
-    trial.expect_close({after.v, (after.x - flung.cloud.state.x) / flung.h, 3, v}, rounding,
-                       "the error of the impulse after a correction that is hard");
+    const VectorXd way = (after.x - flung.cloud.state.x) / flung.h;
+    trial.expect((after.v - v).tail(33).norm() >= 0.1 * (way - v).tail(33).norm(),
+                 "a correction that is hard leaves the velocities as they are");
   }
 }
 
@@ -286,18 +304,6 @@ void units(Trial& trial) {
     trial.expect_close({after.v / length, before.v}, 2 * of_v,
                        "how much velocities change in another unit of length");
   }
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Prediction", prediction},
-          {"Lengths", lengths},
-          {"Impulse", impulse},
-          {"SecondSolve", second_solve},
-          {"Cost", cost},
-          {"OtherLimits", other_limits},
-          {"Units", units}};
 }
 
 }  // namespace grader::h6

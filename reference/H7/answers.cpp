@@ -10,13 +10,8 @@
 namespace grader::h7 {
 namespace {
 
-// The larger one; NaN if either is.
-double larger(double a, double b) {
-  return a >= b || std::isnan(a) ? a : b;
-}
-
 // `numbers_of` each link from `first` on.
-VectorXd all_numbers(const Of& passes, std::size_t first, const auto& numbers_of) {
+VectorXd of_all(const Of& passes, std::size_t first, const auto& numbers_of) {
   VectorXd all(0);
   for (std::size_t i = first; i < passes.size(); ++i) {
     const VectorXd numbers = numbers_of(passes[i]);
@@ -24,6 +19,26 @@ VectorXd all_numbers(const Of& passes, std::size_t first, const auto& numbers_of
     all.tail(numbers.size()) = numbers;
   }
   return all;
+}
+
+VectorXd all_motions(const Of& passes, hair::SpatialMotion LinkPass::*member, double length) {
+  return of_all(passes, 1, [&](const LinkPass& pass) {
+    VectorXd motion(6);
+    motion << length * (pass.*member).angular, (pass.*member).linear;
+    return motion;
+  });
+}
+VectorXd all_forces(const Of& passes, double length, std::size_t first) {
+  return of_all(passes, first, [&](const LinkPass& pass) { return bias_of(pass, length); });
+}
+VectorXd all_inertias(const Of& passes, double length) {
+  return of_all(passes, 0, [&](const LinkPass& pass) { return inertia_of(pass, length); });
+}
+
+// The largest norm of `block` numbers; NaN if one is none.
+double largest(const VectorXd& numbers, int block) {
+  const auto blocks = numbers.reshaped(block, numbers.size() / block).colwise().norm();
+  return numbers.size() == 0 ? 0 : blocks.maxCoeff<Eigen::PropagateNaN>();
 }
 
 }  // namespace
@@ -43,17 +58,12 @@ VectorXd inertia_of(const LinkPass& pass, double length) {
 
 Answered ask(Trial& trial, int pass, const Tree& tree) {
   trial.describe(in_words(tree));
-  Answered answered{tree.passes, {}};
-  if (pass == 1) {
-    ask_student_for<Calls, hair::outward_velocities>(trial, tree.links, tree.rates, answered.passes);
-  } else if (pass == 2) {
-    ask_student_for<Calls, hair::inward_inertias>(trial, tree.links, tree.Q, answered.passes);
-  } else {
-    answered.accelerations = unset(tree.rates.size());
-    ask_student_for<Calls, hair::outward_accelerations>(trial, tree.links, tree.Q, answered.passes,
-                                                        answered.accelerations);
-  }
-  return answered;
+  if (pass == 1)
+    return {answer_of<Calls, hair::outward_velocities>(trial, tree.links, tree.rates, tree.passes), {}};
+  if (pass == 2) return {answer_of<Calls, hair::inward_inertias>(trial, tree.links, tree.Q, tree.passes), {}};
+  const auto [passes, accelerations] = answer_of<Calls, hair::outward_accelerations>(
+      trial, tree.links, tree.Q, tree.passes, unset(tree.rates.size()));
+  return {passes, accelerations};
 }
 
 Answered part_of(const Tree& tree, const Answered& answered, const std::vector<int>& chosen) {
@@ -63,63 +73,33 @@ Answered part_of(const Tree& tree, const Answered& answered, const std::vector<i
 }
 
 double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length) {
-  double largest = 0;
-  for (std::size_t i = 1; i < a.size(); ++i) {
-    const hair::SpatialMotion &one = a[i].*member, &other = b[i].*member;
-    largest = larger(largest, length * (one.angular - other.angular).norm());
-    largest = larger(largest, (one.linear - other.linear).norm());
-  }
-  return largest;
+  return largest(all_motions(a, member, length) - all_motions(b, member, length), 3);
 }
 
 double force_error(const Of& a, const Of& b, double length, std::size_t first) {
-  double largest = 0;
-  for (std::size_t i = first; i < a.size(); ++i) {
-    largest = larger(largest, (a[i].bias.force - b[i].bias.force).norm());
-    largest = larger(largest, (a[i].bias.torque - b[i].bias.torque).norm() / length);
-  }
-  return largest;
+  return largest(all_forces(a, length, first) - all_forces(b, length, first), 3);
 }
 
 double inertia_error(const Of& a, const Of& b, double length) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    largest = larger(largest, (a[i].inertia.M - b[i].inertia.M).norm());
-    largest = larger(largest, (a[i].inertia.H - b[i].inertia.H).norm() / length);
-    largest = larger(largest, (a[i].inertia.J - b[i].inertia.J).norm() / (length * length));
-  }
-  return largest;
+  return largest(all_inertias(a, length) - all_inertias(b, length), 9);
 }
 
 void expect_motions(Trial& trial, const Of& actual, const Of& expected, hair::SpatialMotion LinkPass::*member,
                     double length, double bound, const std::string& what) {
-  const auto numbers = [&](const Of& passes) {
-    return all_numbers(passes, 1, [&](const LinkPass& pass) {
-      VectorXd motion(6);
-      motion << length * (pass.*member).angular, (pass.*member).linear;
-      return motion;
-    });
-  };
   trial.expect_at_most(motion_error(actual, expected, member, length), bound, what,
-                       {numbers(actual), numbers(expected), 6});
+                       {all_motions(actual, member, length), all_motions(expected, member, length), 6});
 }
 
 void expect_forces(Trial& trial, const Of& actual, const Of& expected, double length, std::size_t first,
                    double bound, const std::string& what) {
-  const auto numbers = [&](const Of& passes) {
-    return all_numbers(passes, first, [&](const LinkPass& pass) { return bias_of(pass, length); });
-  };
   trial.expect_at_most(force_error(actual, expected, length, first), bound, what,
-                       {numbers(actual), numbers(expected), 6});
+                       {all_forces(actual, length, first), all_forces(expected, length, first), 6});
 }
 
 void expect_inertias(Trial& trial, const Of& actual, const Of& expected, double length, double bound,
                      const std::string& what) {
-  const auto numbers = [&](const Of& passes) {
-    return all_numbers(passes, 0, [&](const LinkPass& pass) { return inertia_of(pass, length); });
-  };
   trial.expect_at_most(inertia_error(actual, expected, length), bound, what,
-                       {numbers(actual), numbers(expected), 9});
+                       {all_inertias(actual, length), all_inertias(expected, length), 9});
 }
 
 bool comparable(double own, double ours) {

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "reference/H7/answers.h"
-#include "reference/H7/cases.h"
 
 namespace grader::h7 {
 namespace {
@@ -43,7 +42,7 @@ std::pair<double, double> sizes_in(const std::vector<LinkPass>& passes) {
 void expect_gain_taken(Trial& trial, Tree tree) {
   std::array<double, 2> own, ours;
   for (int k = 0; k < 2; ++k) {
-    tree.links[1].stiffening(0, 0) = k;
+    tree.links[1].stiffening(0, 0) = 0.7 * k;
     Tree after = tree;
     reference_passes(after, 2);
     const double gain = after.passes[1].gain(0, 0);
@@ -93,23 +92,27 @@ void biases(Trial& trial) {
     }
 }
 
-// What implicit steps add: to the last link's inertia, and to one joint. Of a joint that is stiffened by b, 1 / gain is
-// larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
+// What implicit steps add: to the last link's inertia, which leaves Euler's term alone, and to one joint. Of a joint that is stiffened
+// by b, 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
 void added_by_steps(Trial& trial) {
   const std::vector<JointType> slider = {JointType::prismatic};
   for (const auto& [links, stiffened] : {std::pair{1, 1}, {3, 1}, {3, 3}})
     for (const auto* types : {&kRevolute, &slider}) {
       Tree tree = random_tree(trial.random, {.links = links, .types = *types});
+      const std::vector<LinkPass> plain = ask(trial, 1, tree).passes;
       hair::SpatialInertia& added_to = tree.links.back().inertia;
       added_to.M += Vector3d(0.1, 0.5, 0.3).asDiagonal();
       added_to.H(0, 1) += 0.05;
       added_to.J += Vector3d(0.2, 0.1, 0.4).asDiagonal();
-      expect_gain_taken(trial, tree);
       const Sizes sizes = sizes_of(tree);
+      expect_forces(trial, ask(trial, 1, tree).passes, plain, 1, 1,
+                    roundings(tree) * (100 + sizes.turn * sizes.turn),
+                    "Z^ of a link, to whose inertia a step added, beside that without");
+      expect_gain_taken(trial, tree);
       reference_passes(tree, 1);
       const double force = force_size(tree);
       std::array<std::vector<LinkPass>, 3> own, ours;
-      const std::array<double, 3> added = {0, 0.3, 1};
+      const std::array<double, 3> added = {0, 0.3, 1.7};
       for (int k = 0; k < 3; ++k) {
         tree.links[stiffened].stiffening(0, 0) = added[k];
         own[k] = ask(trial, 2, tree).passes;
@@ -122,6 +125,9 @@ void added_by_steps(Trial& trial) {
       const auto gain = [at = stiffened](const std::vector<LinkPass>& passes) {
         return passes[at].gain(0, 0);
       };
+      if (links == 1)
+        trial.expect_near(compared(gain(own[0]), gain(ours[0])), 100 * kRoundings * gain(ours[0]),
+                          "the gain of a lone joint, to whose link's inertia a step added");
       for (int k = 1; k < 3; ++k)
         trial.expect_at_most(std::abs(1 / gain(own[k]) - 1 / gain(own[0]) - added[k]),
                              100 * kRoundings * (1 / gain(ours[0]) + added[k]),

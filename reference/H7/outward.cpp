@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "reference/H7/answers.h"
-#include "reference/H7/cases.h"
 
 namespace grader::h7 {
 namespace {

@@ -3,7 +3,6 @@
 //
 // Bounds: those of each pass's own cases. The answers must not be 0 beside the reference's; their exact size is asked there.
 #include "reference/H7/answers.h"
-#include "reference/H7/cases.h"
 
 namespace grader::h7 {
 namespace {

@@ -5,7 +5,6 @@
 // is shifted and no order matters; then chains and trees, whose mistakes are excused if hinges in place of their spherical joints
 // show them, too. Bounds: those of each pass's own cases.
 #include "reference/H7/answers.h"
-#include "reference/H7/cases.h"
 
 namespace grader::h7 {
 namespace {

@@ -1,22 +1,34 @@
-// STAFF ONLY. A student's functions of H8, requested through the pipe.
+// STAFF ONLY. What a student's functions of H8 answer.
 #pragma once
 
-#include "grader/judge/trial.h"
+#include "grader/judge/case_asker.h"
+#include "reference/H8/calls.h"
 #include "reference/H8/hair.h"
 
 namespace grader::h8 {
 
-std::array<double, 8> ask_stumpff(Trial& trial, double x);
-MaterialFrame ask_frame(Trial& trial, const MaterialFrame& start, const Vector3d& curvature, double s);
-hair::HelixJacobian ask_jacobian(Trial& trial, const MaterialFrame& start, const Vector3d& curvature,
-                                 double s);
-std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& root,
-                                            std::vector<hair::HelixElement> elements);
-VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand);
-VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q);
-VectorXd ask_force(Trial& trial, const Hair& hair);
-MatrixXd ask_mass(Trial& trial, const Hair& hair);
-VectorXd ask_step(Trial& trial, const Hair& hair, double h);
+inline constexpr auto ask_stumpff = answer_of<Calls, hair::stumpff>;
+inline constexpr auto ask_frame = answer_of<Calls, hair::frame_at>;
+inline constexpr auto ask_jacobian = answer_of<Calls, hair::jacobian_at>;
+inline constexpr auto ask_carried = answer_of<Calls, hair::carry_frames>;
+
+inline VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand) {
+  return answer_of<Calls, hair::helix_stiffness>(trial, strand, unset(strand.natural.size()));
+}
+inline VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q) {
+  return answer_of<Calls, hair::elastic_force>(trial, strand, q, unset(q.size()));
+}
+inline VectorXd ask_force(Trial& trial, const Hair& hair) {
+  return answer_of<Calls, hair::generalised_force>(trial, hair.elements, hair.points, unset(hair.q.size()));
+}
+inline MatrixXd ask_mass(Trial& trial, const Hair& hair) {
+  return answer_of<Calls, hair::mass_matrix>(trial, hair.elements, hair.points,
+                                             MatrixXd::Constant(hair.q.size(), hair.q.size(), kUnset));
+}
+inline VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
+  return answer_of<Calls, hair::helix_step>(trial, hair.strand, hair.elements, hair.points, hair.q,
+                                            hair.rates, h, Filling{}, unset(hair.q.size()));
+}
 
 // Whether a student's own number may stand for ours. That of a strand of 40 elements that lacks what arms do is 1e-7 of what it
 // should be.

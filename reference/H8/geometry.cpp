@@ -8,7 +8,6 @@
 
 #include "hair/super_helix.h"
 #include "reference/H8/answers.h"
-#include "reference/H8/cases.h"
 
 namespace grader::h8 {
 namespace {

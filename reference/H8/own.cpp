@@ -5,7 +5,6 @@
 // the stiffness outweighs the masses, and each of two has a residual of 1e-10 of two parts: 4e-6, say 1e-5. The answers must not be 0 beside the reference's; their exact size is asked elsewhere.
 #include "hair/super_helix.h"
 #include "reference/H8/answers.h"
-#include "reference/H8/cases.h"
 
 namespace grader::h8 {
 namespace {

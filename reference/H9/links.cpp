@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "grader/judge/random_vector.h"
+#include "handout/check/ordinary.h"
 #include "reference/H9/answers.h"
-#include "reference/H9/cases.h"
 
 namespace grader::h9 {
 namespace {
@@ -70,7 +70,8 @@ void strengths(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 8; ++repeat) {
     StaticLink link;
-    link.length = link.stiffness = 1;
+    link.length = checks::ordinary_number(random, 0.3, 3);
+    link.stiffness = checks::ordinary_number(random, 0.3, 3, link.length);
     link.yields = repeat == 0 ? 0 : random.uniform(0.1, 1);
     link.breaks = repeat < 3 ? link.yields : link.yields + random.uniform(0.1, 2);
     const double width = link.breaks - link.yields;

@@ -5,7 +5,6 @@
 
 #include "grader/judge/random_vector.h"
 #include "reference/H9/answers.h"
-#include "reference/H9/cases.h"
 
 namespace grader::h9 {
 namespace {

@@ -154,6 +154,8 @@ void expect_energy_stays(Trial& trial) {
   }
 }
 
+}  // namespace
+
 void forward_euler(Trial& trial) {
   expect_method(trial, kMethods[0]);
 }
@@ -170,6 +172,8 @@ void midpoint(Trial& trial) {
 void runge_kutta_4(Trial& trial) {
   expect_method(trial, kMethods[3]);
 }
+
+namespace {
 
 // The methods that can be asked for more than their values: a step moves the particles, and the same step does the same once more. A
 // wrong one loses its own category, and not those of all four; more than one, and there is little to ask.
@@ -192,6 +196,8 @@ std::vector<const Method*> usable_methods(Trial& trial) {
                 "call");
   return usable;
 }
+
+}  // namespace
 
 void evaluations(Trial& trial) {
   for (const Method* method : usable_methods(trial))
@@ -252,7 +258,7 @@ void sizes_and_units(Trial& trial) {
 }
 
 // Nothing that scratch holds, and no call before, makes a difference. (In the other categories scratch holds zeros.)
-void scratch(Trial& trial) {
+void scratch_memory(Trial& trial) {
   int moving = 0;
   for (const Method& method : kMethods) {
     Pendulums pendulums(trial.random);
@@ -261,11 +267,8 @@ void scratch(Trial& trial) {
     run(trial, method, pendulums, random_state(trial.random, 1), {h});
     const State moved = run(trial, method, pendulums, one, {h}).end();
     moving += moved.x != one.x && moved.v != one.v;
-    for (const auto& [columns, junk] : {std::pair{particles::kIntegratorScratch, 0.0},
-                                        {particles::kIntegratorScratch, 1e300},
-                                        {particles::kIntegratorScratch, kInfinity},
-                                        {particles::kIntegratorScratch + 3, kNaN}}) {
-      const State again = run(trial, method, pendulums, one, {h, 1, columns, junk}).end();
+    for (const Filling& filling : {Filling{0, 0}, {0, 1e300}, {0, kInfinity}, {3, kUnset}}) {
+      const State again = run(trial, method, pendulums, one, {h, 1, filling}).end();
       trial.expect(same_vectors(again.x, moved.x) && same_vectors(again.v, moved.v),
                    std::string(method.name) + " depends on what scratch holds, or on the call before");
     }
@@ -286,20 +289,6 @@ void blow_up(Trial& trial) {
     trial.expect(!(student.end().x.allFinite() && student.end().v.allFinite()),
                  std::string(method->name) + " hides that the values have overflowed");
   }
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"ForwardEuler", forward_euler},
-          {"SymplecticEuler", symplectic_euler},
-          {"Midpoint", midpoint},
-          {"RungeKutta4", runge_kutta_4},
-          {"Evaluations", evaluations},
-          {"EitherSign", either_sign},
-          {"SizesAndUnits", sizes_and_units},
-          {"ScratchMemory", scratch},
-          {"BlowUp", blow_up}};
 }
 
 }  // namespace grader::p1

@@ -2,19 +2,13 @@
 #include "reference/P1/runs.h"
 
 #include <functional>
-#include <sstream>
 
 #include "reference/P1/calls.h"
 
 namespace grader::p1 {
 namespace {
 
-using Eigen::Map;
 using Eigen::VectorXd;
-
-VectorXd vector_of(const std::vector<double>& values) {
-  return Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 template <auto function>
 Method method(const char* name, int evaluations, int order) {
@@ -30,25 +24,18 @@ const Method kMethods[4] = {method<particles::forward_euler>("forward_euler", 1,
                             method<particles::midpoint>("midpoint", 2, 2),
                             method<particles::runge_kutta_4>("runge_kutta_4", 4, 4)};
 
-State random_state(Random& random, int n) {
-  return {vector_of(random.normals(3 * n)), vector_of(random.normals(3 * n))};
-}
-
 Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const State& start,
         const Setting& setting) {
   const int n = static_cast<int>(start.x.size()) / 3;
-  std::ostringstream text;
-  text << method.name << ", n = " << n << ", h = " << setting.h << ", " << setting.steps
-       << " steps, scratch of " << setting.columns << " columns with " << setting.junk;
-  trial.describe(text.str());
-
+  trial.describe(std::to_string(setting.steps) + " steps, scratch with " +
+                 std::to_string(setting.scratch.number));
   // Ten times what is needed, so that it is a category of its own that counts.
   DynamicsServer server(dynamics, n, 10 * method.evaluations * setting.steps);
   CaseAsker asker(trial, "evaluates the acceleration far more often than it should");
   Run result;
   State state = start;
   for (int step = 0; step < setting.steps; ++step) {
-    method.ask(asker, server, setting.h, state.x, state.v, {setting.columns, setting.junk});
+    method.ask(asker, server, setting.h, state.x, state.v, setting.scratch);
     result.states.push_back(state);
   }
   result.evaluations = server.evaluations;

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <vector>
 
 #include "grader/calls/dynamics_server.h"
 #include "grader/judge/case_asker.h"
+#include "grader/judge/random_vector.h"
 #include "particles/explicit_integrators.h"
 
 namespace grader::p1 {
-
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct Method {
   const char* name;
@@ -28,7 +26,9 @@ struct State {
   Eigen::VectorXd x, v;
 };
 
-State random_state(Random& random, int n);
+inline State random_state(Random& random, int n) {
+  return {random_vector(random, 3 * n), random_vector(random, 3 * n)};
+}
 
 struct Run {
   std::vector<State> states;  // after each step
@@ -40,8 +40,7 @@ struct Run {
 struct Setting {
   double h;
   int steps = 1;
-  int columns = particles::kIntegratorScratch;
-  double junk = 0;  // the contents of scratch on entry
+  Filling scratch = {0, 0};
 };
 
 // Runs the student's steps.

@@ -10,43 +10,32 @@
 #include "reference/P2/calls.h"
 
 namespace grader::p2 {
-namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void describe(Trial& trial, const ConstrainedSystem& system) {
-  trial.describe(system.name + ", " + std::to_string(system.constraints.rods.size()) + " rods and " +
-                 std::to_string(system.constraints.wires.size()) + " wires");
-}
-
-}  // namespace
-
 VectorXd values(Trial& trial, const ConstrainedSystem& system, double junk) {
-  describe(trial, system);
-  VectorXd C = VectorXd::Constant(system.rows(), junk);
-  ask_student_for<Calls, particles::constraint_values>(trial, system.constraints, system.state.x, C);
-  return C;
+  trial.describe(system.name);
+  return answer_of<Calls, particles::constraint_values>(trial, system.constraints, system.state.x,
+                                                        VectorXd::Constant(system.rows(), junk));
 }
 
 VectorXd rates(Trial& trial, const ConstrainedSystem& system, double junk) {
-  describe(trial, system);
-  VectorXd rates = VectorXd::Constant(system.rows(), junk);
-  ask_student_for<Calls, particles::constraint_rates>(trial, system.constraints, system.state.x,
-                                                      system.state.v, rates);
-  return rates;
+  trial.describe(system.name);
+  return answer_of<Calls, particles::constraint_rates>(
+      trial, system.constraints, system.state.x, system.state.v, VectorXd::Constant(system.rows(), junk));
 }
 
-VectorXd with_forces(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, VectorXd f) {
-  describe(trial, system);
-  ask_student_for<Calls, particles::add_constraint_forces>(trial, system.constraints, system.state.x, lambda,
-                                                           f);
-  return f;
+VectorXd with_forces(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda,
+                     const VectorXd& f) {
+  trial.describe(system.name);
+  return answer_of<Calls, particles::add_constraint_forces>(trial, system.constraints, system.state.x, lambda,
+                                                            f);
 }
 
 VectorXd product(Trial& trial, const ConstrainedSystem& system, const VectorXd& multiplier, double junk,
                  bool changes) {
-  describe(trial, system);
+  trial.describe(system.name);
   ConstrainedSystem before = system;
   std::reverse(before.constraints.rods.begin(), before.constraints.rods.end());
   before.particles.mass *= 2;
@@ -66,14 +55,11 @@ VectorXd product(Trial& trial, const ConstrainedSystem& system, const VectorXd& 
 }
 
 Solved solve(Trial& trial, const ConstrainedSystem& system, double before) {
-  describe(trial, system);
-  Solved solved;
-  solved.lambda = VectorXd::Constant(system.rows(), before);
-  const particles::ConstraintReport report = ask_student_for<Calls, particles::solve_constraints>(
-      trial, system.constraints, system.particles, system.state, system.f, solved.lambda);
-  solved.steps = report.steps;
-  solved.residual = report.residual;
-  return solved;
+  trial.describe(system.name);
+  const auto [report, lambda] = answer_of<Calls, particles::solve_constraints>(
+      trial, system.constraints, system.particles, system.state, system.f,
+      VectorXd::Constant(system.rows(), before));
+  return {report.steps, report.residual, lambda};
 }
 
 namespace {

@@ -23,7 +23,7 @@ inline constexpr double kTolerance = 1e-3;
 Eigen::VectorXd values(Trial& trial, const ConstrainedSystem& system, double junk);
 Eigen::VectorXd rates(Trial& trial, const ConstrainedSystem& system, double junk);
 Eigen::VectorXd with_forces(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
-                            Eigen::VectorXd f);
+                            const Eigen::VectorXd& f);
 
 // A product with the matrix, computed twice into buffers with junk. With `changes`, the matrix was made when rods, masses
 // and positions had other values.

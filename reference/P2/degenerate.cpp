@@ -1,9 +1,8 @@
-// STAFF ONLY. P2: hidden cases of pinned particles, and of constraints that hold nothing. Rods share no particle and masses are 1, so that
-// other categories' mistakes don't show here.
+// STAFF ONLY. P2: hidden cases of pinned particles, and of constraints that hold nothing. Rods share no particle and masses are equal,
+// so that other categories' mistakes don't show here.
 #include <cmath>
 
 #include "reference/P2/answers.h"
-#include "reference/P2/cases.h"
 
 namespace grader::p2 {
 
@@ -11,7 +10,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Pinned particles have no inverse mass, whatever their mass and whatever pulls at them, and move with the velocity that they have.
-void pinned_particles(Trial& trial) {
+void pinned(Trial& trial) {
   Random& random = trial.random;
   for (int rods : {1, 2, 4}) {
     ConstrainedSystem system = at_rest(held(separate_rods(random, rods)));
@@ -38,7 +37,7 @@ void pinned_particles(Trial& trial) {
 }
 
 // A rod of length 0, and one between pinned particles, hold nothing: the others' lambda is as if they were not there.
-void nothing_to_hold(Trial& trial) {
+void nothing(Trial& trial) {
   Random& random = trial.random;
   const ConstrainedSystem held_rods = at_rest(held(separate_rods(random, 3)));
   ConstrainedSystem without = held_rods, zero = held_rods, pinned = held_rods;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "reference/P2/answers.h"
-#include "reference/P2/cases.h"
 
 namespace grader::p2 {
 namespace {
@@ -23,7 +22,7 @@ void move_rigidly(Random& random, ConstrainedSystem& system) {
 }  // namespace
 
 // Without feedback: J W f and J' v.
-void constraint_forces(Trial& trial) {
+void solve(Trial& trial) {
   Random& random = trial.random;
   const auto solves = [&](const ConstrainedSystem& system) {
     expect_solved(trial, system, solve(trial, system, 1e3).lambda);  // lambda is overwritten
@@ -98,7 +97,7 @@ void feedback(Trial& trial) {
 
 // Rods and wires of different particles know nothing of each other: each part of the answers is that of its own constraints alone, the
 // rods' part first.
-void rods_and_wires(Trial& trial) {
+void rows(Trial& trial) {
   Random& random = trial.random;
   ConstrainedSystem mixed = separate_rods(random, 4);
   mixed.name = "rods, and wires of other particles";
@@ -131,7 +130,7 @@ void rods_and_wires(Trial& trial) {
 }
 
 // The same rods in a unit of length that is 2^40 times as large: numbers of 1e-12. Powers of two round nothing.
-void small_unit(Trial& trial) {
+void units(Trial& trial) {
   Random& random = trial.random;
   const double unit = 0x1p-40;
   ConstrainedSystem plain = separate_rods(random, 3);

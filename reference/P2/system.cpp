@@ -174,7 +174,7 @@ std::vector<ConstrainedSystem> chains(Random& random) {
 ConstrainedSystem separate_rods(Random& random, int rods) {
   ConstrainedSystem system = random_chain(random, 2 * rods);
   system.name = "separate rods";
-  system.particles.mass.setOnes();
+  system.particles.mass.setConstant(random.uniform(2, 5));
   for (int i = rods - 1; i-- > 0;) system.constraints.rods.erase(system.constraints.rods.begin() + 2 * i + 1);
   return system;
 }

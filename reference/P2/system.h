@@ -57,8 +57,8 @@ ConstrainedSystem at_rest(ConstrainedSystem system);
 // Chains of rods, long and short.
 std::vector<ConstrainedSystem> chains(Random& random);
 
-// Rods that share no particle, of lengths from 0.7 to 1.3, and masses of 1. Each row of J W J' has one entry: a mistake in how constraints
-// meet, or in the masses, does not show.
+// Rods that share no particle, of lengths from 0.7 to 1.3, and equal masses, which are not 1. Each row of J W J' has one entry: a mistake in
+// how constraints meet does not show, and one in W is a factor of the whole matrix.
 ConstrainedSystem separate_rods(Random& random, int rods);
 
 // Beads with no other constraints; the wires are not in the beads' order.

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "reference/P2/answers.h"
-#include "reference/P2/cases.h"
 
 namespace grader::p2 {
 namespace {

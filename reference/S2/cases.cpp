@@ -110,12 +110,11 @@ NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix
   Counted counted(matrix);
   const int limit = steps == 0 ? std::max(100, 2 * matrix.cols) : std::max(0, steps);
   counted.most = 2 * calls * (limit + limit / 64 + 4);  // of either kind
-  const VectorXd junk = vector_of(trial.random.normals(matrix.cols, 1e3));
-  VectorXd x, right_side = vector_of(b);  // what one call does to b, the next one meets
+  VectorXd x, right_side = vector_of(b);                // what one call does to b, the next one meets
   NormalSolution solution;
   CaseAsker asker(trial);
   for (int call = 0; call < calls; ++call) {
-    x = junk;
+    x = VectorXd::Constant(matrix.cols, kNaN);
     solution.steps = steps;
     solution.value = ask<Calls, solve_normal>(asker, counted.served(), counted.served_transposed(), x,
                                               right_side, epsilon, solution.steps);
@@ -143,12 +142,15 @@ double normal_residual(const Matrix& table, const std::vector<double>& x, std::v
 
 // x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says;
 // `smallest` is a lower bound of A's smallest singular value.
-void expect_solves(Trial& trial, const std::string& name, const Matrix& table, const std::vector<double>& b,
-                   const std::vector<double>& expected, double smallest) {
+void expect_solves(Trial& trial, const std::string& name, const Matrix& table, std::vector<double> b,
+                   std::vector<double> expected, double smallest) {
+  // ||A'b|| = 1: there a relative epsilon is the same. What is made of epsilon is a question for steps_and_products.
+  const double length = norm(table.transposed().times(b));
+  for (std::vector<double>* vector : {&b, &expected})
+    for (double& value : *vector) value /= length;
   const std::vector<double> Atb = table.transposed().times(b);
-  const double epsilon = std::pow(1e-9 * norm(Atb), 2);
-  const NormalSolution solution = solve(trial, name, table, b, epsilon, 0);
-  const Bound allowed{std::sqrt(epsilon), drift(table, expected, Atb)},
+  const NormalSolution solution = solve(trial, name, table, b, 1e-18, 0);
+  const Bound allowed{1e-9, drift(table, expected, Atb)},
       bound{allowed.promised / (smallest * smallest), allowed.rest / (smallest * smallest)};
   const Compared numbers{vector_of(solution.x), vector_of(expected), 1, vector_of(Atb), bound.most()};
   trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)", numbers);
@@ -171,6 +173,8 @@ Matrix symmetric(Matrix A) {
     for (int j = 0; j < i; ++j) A.entries[i * A.cols + j] = A.entries[j * A.cols + i];
   return A;
 }
+
+}  // namespace
 
 void table(Trial& trial) {
   Random& random = trial.random;
@@ -256,6 +260,8 @@ void units(Trial& trial) {
   }
 }
 
+namespace {
+
 void expect_solves_non_symmetric(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 3, 10, 40}) {
@@ -322,13 +328,16 @@ void expect_least_squares(Trial& trial) {
   // Fewer rows than columns: A'A is singular, and any x that solves will do. The first guess, A'b, is in its range.
   for (auto [rows, cols] : {std::pair{2, 5}, {3, 40}}) {
     const Matrix A = random_table(random, rows, cols);
-    const std::vector<double> b = random.normals(rows), Atb = A.transposed().times(b);
-    const double epsilon = std::pow(1e-6 * norm(Atb), 2);
-    const NormalSolution solution = solve(trial, "fewer rows than columns", A, b, epsilon, 0);
-    trial.expect_at_most(normal_residual(A, solution.x, b), std::sqrt(epsilon) + drift(A, solution.x, Atb),
-                         "the norm of A'(b - Ax)");
+    std::vector<double> b = random.normals(rows);
+    const double length = norm(A.transposed().times(b));
+    for (double& value : b) value /= length;
+    const NormalSolution solution = solve(trial, "fewer rows than columns", A, b, 1e-12, 0);
+    trial.expect_at_most(normal_residual(A, solution.x, b),
+                         1e-6 + drift(A, solution.x, A.transposed().times(b)), "the norm of A'(b - Ax)");
   }
 }
+
+}  // namespace
 
 void systems(Trial& trial) {
   expect_solves_non_symmetric(trial);
@@ -345,6 +354,14 @@ void steps_and_products(Trial& trial) {
   const Matrix A = symmetric(dominant(random, diagonal));
   const std::vector<double> x = random.normals(n), b = A.times(x), Atb = A.transposed().times(b);
   expect_solves(trial, "ordinary", A, b, x, 1);
+  // epsilon decides, in a unit in which nothing is 1: a little more than three steps leave.
+  std::vector<double> large = b;
+  for (double& value : large) value *= 0x1p20;
+  const double left = normal_residual(A, solve(trial, "three steps", A, large, 0, 3).x, large);
+  const NormalSolution ended =
+      solve(trial, "what three steps reach", A, large, std::pow(1.001 * left, 2), 50);
+  trial.expect(ended.steps <= 3 && normal_residual(A, ended.x, large) <= 1.01 * left,
+               "ConjGrad gets another epsilon", std::to_string(ended.steps) + " steps");
   // The second call finds b as it was.
   const NormalSolution once = solve(trial, "one call", A, b, 0, 5),
                        twice = solve(trial, "two calls", A, b, 0, 5, 2);
@@ -371,13 +388,6 @@ void steps_and_products(Trial& trial) {
                          drift(A, x, Atb) + kUnit * (n + 2) * std::sqrt(solution.value),
                          "the difference between the return value and the squared norm of A'(b - Ax)");
   }
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Table", table},     {"NormalOperator", normal_operator},     {"Nested", nested}, {"Units", units},
-          {"Systems", systems}, {"StepsAndProducts", steps_and_products}};
 }
 
 }  // namespace grader::s2

@@ -1,5 +1,4 @@
-// The reference's ConjGrad against Eigen's, and products that know their matrix against those with a table of
-// it.
+// The reference's ConjGrad against Eigen's.
 //
 // A round times both solvers and a triad over as much memory, one right after the other, so that what else
 // the machine does meets all three. `ratio` is the median of the rounds' ratios; times and rates are those of
@@ -8,19 +7,18 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
 #include "solver/bench/operators.h"
-#include "solver/normal_equations.h"
 #include "solver/study/eigen_conj_grad.h"
+#include "solver/study/systems.h"
 #include "solver/timing.h"
 
 namespace solver_bench {
 namespace {
 
-using Vector = std::vector<double>;
+using solver::study::Vector;
 
 // Vectors that a sweep reads or writes, each counted once a sweep, summed over an iteration's sweeps.
 //   ConjGrad  Ad 2, d'Ad 2, r and r'r 3, x and d 5
@@ -29,22 +27,15 @@ constexpr double kPasses = 12, kEigenPasses = 18;
 constexpr double kTolerance = 1e-10;
 constexpr int kMostSteps = 500;
 
-Vector scattered(int n) {
-  Vector values(n);
-  unsigned state = 1;
-  for (double& value : values) value = static_cast<int>(state = 1664525 * state + 1013904223) * 0x1p-31;
-  return values;
-}
-
 template <class Work>
 double seconds(Work work) {
-  const auto start = std::chrono::steady_clock::now();
+  const timing::Stopwatch watch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return watch.seconds();
 }
 
 void compare(benchmark::State& state, implicitMatrix& A, int n) {
-  Vector b = scattered(n), x(n), product(n);
+  Vector b = solver::study::scattered(n, 1), x(n), product(n);
   double squared = 0;
   for (double v : b) squared += v * v;
   const double epsilon = kTolerance * kTolerance * squared;
@@ -103,37 +94,6 @@ void poisson(benchmark::State& state) {
   compare(state, A, side * side);
 }
 BENCHMARK(poisson)->Arg(512)->Iterations(25)->UseManualTime()->Unit(benchmark::kMillisecond);
-
-// "Why implicitMatrix?": one product with the strand's matrix, by its formula and by the table of its
-// entries.
-void product_by_formula(benchmark::State& state) {
-  const int n = static_cast<int>(state.range(0));
-  StrandOperator A(n / 3, 1e4);
-  Vector x = scattered(n), b(n);
-  for (auto _ : state) {
-    A.matVecMult(x.data(), b.data());
-    benchmark::DoNotOptimize(b.data());
-  }
-}
-BENCHMARK(product_by_formula)->Arg(90)->Arg(900)->Arg(3000);
-
-void product_by_table(benchmark::State& state) {
-  const int n = static_cast<int>(state.range(0));
-  StrandOperator A(n / 3, 1e4);
-  Vector table(static_cast<std::size_t>(n) * n), unit(n, 0.0);
-  for (int i = 0; i < n; ++i) {  // A is symmetric: its columns are its rows
-    unit[i] = 1;
-    A.matVecMult(unit.data(), &table[static_cast<std::size_t>(i) * n]);
-    unit[i] = 0;
-  }
-  auto dense = dense_matrix(n, n, table.data());
-  Vector x = scattered(n), b(n);
-  for (auto _ : state) {
-    dense->matVecMult(x.data(), b.data());
-    benchmark::DoNotOptimize(b.data());
-  }
-}
-BENCHMARK(product_by_table)->Arg(90)->Arg(900)->Arg(3000);
 
 }  // namespace
 }  // namespace solver_bench

@@ -17,7 +17,7 @@ using NormalEquationsFunction =
     std::function<double(int rows, int cols, implicitMatrix* A, implicitMatrix* A_transposed, double x[],
                          double b[], double epsilon, int* steps)>;
 
-inline constexpr double kRounding = 1.1102230246251565e-16;  // u = 2^-53
+inline constexpr double kRounding = 0x1p-53;  // u
 
 // Relative errors ||x - x*|| / ||x*||; NaN if a method found no solution.
 struct DigitsLost {

@@ -7,12 +7,14 @@
 #include <limits>
 #include <random>
 
+#include "solver/tests/numbers.h"
+
 namespace solver {
 namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kUnit = 0x1p-53;
+using reference_tests::kUnit;
 
 // n blocks; B B' of a band B, so that it is positive definite, plus `shift` on the diagonal.
 MatrixXd banded(int n, double shift, unsigned seed) {

@@ -7,10 +7,12 @@
 #include <random>
 #include <stdexcept>
 
+#include "solver/tests/numbers.h"
+
 namespace solver {
 namespace {
 
-constexpr double kU = 0x1p-53;
+using reference_tests::kUnit;
 constexpr double kPi = std::numbers::pi;
 
 using Vector = std::vector<double>;
@@ -46,7 +48,7 @@ void expect_eigenpair(SparseMatrix A, const Vector& v, double lambda) {
   const Vector Av = product(A, v, A.rows());
   double squared = 0;
   for (int i = 0; i < A.rows(); ++i) squared += (Av[i] - lambda * v[i]) * (Av[i] - lambda * v[i]);
-  EXPECT_LE(std::sqrt(squared), (A.longest_row() + 8) * kU * A.norm_bound() * norm(v))
+  EXPECT_LE(std::sqrt(squared), (A.longest_row() + 8) * kUnit * A.norm_bound() * norm(v))
       << "lambda = " << lambda;
 }
 
@@ -118,7 +120,7 @@ TEST(SparseMatrix, TransposeMovesToTheOtherSideOfAProduct) {  // y'(A x) = (A'y)
   ASSERT_EQ(At.cols(), 7);
   const Vector x = random_vector(11, 2), y = random_vector(7, 3);
   // 7 * 11 terms, each rounded at most 7 + 11 times
-  EXPECT_NEAR(dot(y, product(A, x, 7)), dot(product(At, y, 11), x), 77 * 18 * kU * A.norm_bound());
+  EXPECT_NEAR(dot(y, product(A, x, 7)), dot(product(At, y, 11), x), 77 * 18 * kUnit * A.norm_bound());
 }
 
 TEST(SparseMatrix, NormBoundIsAboveTheNorm) {
@@ -127,7 +129,7 @@ TEST(SparseMatrix, NormBoundIsAboveTheNorm) {
     Vector x = random_vector(A.rows(), 4);
     for (int k = 0; k < 100; ++k) {  // the power method: from below
       const Vector y = product(A, x, A.rows());
-      EXPECT_LE(norm(y), A.norm_bound() * norm(x) * (1 + 50 * kU));
+      EXPECT_LE(norm(y), A.norm_bound() * norm(x) * (1 + 50 * kUnit));
       if (norm(y) == 0) break;
       x = y;
       const double length = norm(x);
@@ -171,7 +173,7 @@ TEST(Hilbert, IsSymmetricAndHasTheDeterminantOfTheFormula) {
   // The product of Cholesky's pivots is det H(n) = c(n)^4 / c(2n), c(n) = 1! 2! ... (n-1)!: 1/6048000 for n =
   // 4; the last pivot is 1 / (H^-1)_nn, which is ((2n-2)!)^2 (2n-1) / (n-1)!^4 = 2800 for n = 4 (Choi, Amer.
   // Math. Monthly 90, 1983). cond(H(4)) = 1.6e4 magnifies rounding.
-  EXPECT_NEAR(smallest_pivot(hilbert(4)), 1.0 / 2800, 1.6e4 * 16 * kU / 2800);
+  EXPECT_NEAR(smallest_pivot(hilbert(4)), 1.0 / 2800, 1.6e4 * 16 * kUnit / 2800);
 }
 
 TEST(StrandImplicitEuler, IsSymmetricPositiveDefiniteFromLightToHeavy) {
@@ -209,10 +211,11 @@ TEST(SpectralMatrix, HasTheSpectrumWantedAndIsSymmetric) {
     }
     const Vector Av = product(A, v, n);
     // 7 reflections of n terms each round; ||A|| = 1
-    for (int i = 0; i < n; ++i) EXPECT_NEAR(Av[i], spectrum[k] * v[i], 7 * 4 * n * kU) << "eigenvalue " << k;
+    for (int i = 0; i < n; ++i)
+      EXPECT_NEAR(Av[i], spectrum[k] * v[i], 7 * 4 * n * kUnit) << "eigenvalue " << k;
   }
   const Vector x = random_vector(n, 8), y = random_vector(n, 9);
-  EXPECT_NEAR(dot(y, product(A, x, n)), dot(x, product(A, y, n)), 2 * 7 * 4 * n * kU * norm(x) * norm(y));
+  EXPECT_NEAR(dot(y, product(A, x, n)), dot(x, product(A, y, n)), 2 * 7 * 4 * n * kUnit * norm(x) * norm(y));
 }
 
 TEST(SpectralMatrix, RefusesReflectorsWithoutSizeOrDirection) {

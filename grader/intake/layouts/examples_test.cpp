@@ -24,7 +24,7 @@ Division divided(const Lines& paths, std::vector<Entry>& list, const char* said 
   return divide(list, container, said ? system_called(said) : nullptr).value_or(Division{});
 }
 
-// A row of the table in MEASURED.md.
+// A row of the table that HAIR_LAYOUTS=1 prints.
 void print_row(const Division& division, const std::vector<Entry>& list) {
   std::string hand_ins;
   std::map<Accounted::As, int> aside;

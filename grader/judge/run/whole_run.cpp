@@ -40,11 +40,8 @@ WholeRun::WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene
       kept_pictures_(std::move(kept_pictures)),
       cases_(cases) {}
 
-std::vector<Category> WholeRun::categories(const std::string& exercise) {
-  std::vector<Category> all = {category_of(exercise, "WholeRun", [this](Trial& trial) { judge_run(trial); })};
-  if (kept_pictures_)
-    all.push_back(category_of(exercise, "Pictures", [this](Trial& trial) { judge_pictures(trial); }));
-  return all;
+Category WholeRun::category(const std::string& exercise) {
+  return category_of(exercise, "WholeRun", [this](Trial& trial) { judge(trial); });
 }
 
 Played WholeRun::play(Trial& trial) {
@@ -61,42 +58,45 @@ Played WholeRun::play(Trial& trial) {
 Played WholeRun::play_unless_given_up(Trial& trial) {
   // What it took is charged, before another worker takes of the same allowance.
   cases_.finish();
-  try {
-    // A code that never answers would cost its limits once more.
-    if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
-    return play(trial);
-  } catch (const CaseFailed& failure) {
-    unplayed_ = failure;
-    throw;
-  }
+  // A code that never answers would cost its limits once more.
+  if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
+  return play(trial);
 }
 
-void WholeRun::judge_run(Trial& trial) {
+// A person wants to see a run that is wrong, too: it is drawn before it is judged.
+void WholeRun::judge(Trial& trial) {
   trial.describe(hidden_.scene.name);
   const Played theirs = play_unless_given_up(trial);
-  run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
-  trial.require(run_->finite, "numbers that are not finite", "", where_it_breaks_off(*run_, "not a number"));
-  trial.require(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
-                "the run breaks off", theirs.trouble, where_it_breaks_off(*run_, theirs.trouble));
-  trial.expect(run_->moments.front().apart == 0, "the run does not start where the scene does");
-  for (const Moment& moment : run_->moments) {
-    trial.expect_at_most(moment.held_apart, kHeld * run_->size,
+  const RunComparison run = compare_runs(hidden_.scene, hidden_.pictures, theirs);
+  if (kept_pictures_) draw(run);
+  judge_run(trial, run, theirs.trouble);
+  if (kept_pictures_) judge_pictures(trial);
+}
+
+void WholeRun::draw(const RunComparison& run) {
+  const double start = timing::process_cpu_seconds();
+  pictures_ = draw_shots(run.shots, run.camera, *kept_pictures_);
+  picture_seconds_ = timing::process_cpu_seconds() - start;
+}
+
+void WholeRun::judge_run(Trial& trial, const RunComparison& run, const std::string& trouble) const {
+  trial.require(run.finite, "numbers that are not finite", "", where_it_breaks_off(run, "not a number"));
+  trial.require(trouble.empty() && run.moments.size() == hidden_.scene.frames + std::size_t{1},
+                "the run breaks off", trouble, where_it_breaks_off(run, trouble));
+  trial.expect(run.moments.front().apart == 0, "the run does not start where the scene does");
+  for (const Moment& moment : run.moments) {
+    trial.expect_at_most(moment.held_apart, kHeld * run.size,
                          "the distance of what is held from where it is held", at(moment));
-    trial.expect_at_most(std::abs(moment.theirs.energy() - moment.ours.energy()), kEnergy * run_->kinetic,
+    trial.expect_at_most(std::abs(moment.theirs.energy() - moment.ours.energy()), kEnergy * run.kinetic,
                          "the difference of the energy from ours", at(moment));
     trial.expect_at_most(moment.theirs.stretch, std::max(kStretch * moment.ours.stretch, kLeastStretch),
                          "the stretch", at(moment));
-    trial.expect_at_most(moment.dense_apart, kDense * run_->size, "the distance of dense hair from ours",
+    trial.expect_at_most(moment.dense_apart, kDense * run.size, "the distance of dense hair from ours",
                          at(moment));
   }
 }
 
-void WholeRun::judge_pictures(Trial& trial) {
-  trial.describe(hidden_.scene.name);
-  if (unplayed_) trial.fail(unplayed_->status, "there is no run to draw", unplayed_->feedback);
-  const double start = timing::process_cpu_seconds();
-  pictures_ = draw_shots(run_->shots, run_->camera, *kept_pictures_);
-  picture_seconds_ = timing::process_cpu_seconds() - start;
+void WholeRun::judge_pictures(Trial& trial) const {
   for (const PictureResult& picture : pictures_) {
     std::ostringstream scores;
     scores << "at " << picture.name << ": blurred RMSE " << picture.blurred_rmse << ", FLIP " << picture.flip;

@@ -1,12 +1,12 @@
 // STAFF ONLY. The whole run of an exercise: the suite plays a hidden scene from start to end, with the submission's
 // functions for this exercise and the reference's for all others. Each call of the submission's goes to a worker of
-// its own, which holds the submission's object, provided prerequisites (provided.h), and nothing else. Two categories
-// judge the result.
+// its own, which holds the submission's object, provided prerequisites (provided.h), and nothing else. One category
+// judges the run and its pictures.
 //
 // The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
 // where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
 // within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
-// scene can amplify. How much, and what these bounds detect, was measured (README.md, "Whole runs"). Dense hair
+// scene can amplify. How much, and what these bounds detect, was measured (grader/MEASURED.md). Dense hair
 // (H10) is made anew in each frame, from guides that are the reference's: nothing amplifies its rounding, and its points
 // are compared.
 //
@@ -46,8 +46,6 @@ inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 // a slow one, whichever limit it meets first.
 inline constexpr double kManyMessages = 100'000;
 
-inline constexpr const char* kRunTitle = "The whole run";
-
 class WholeRun {
  public:
   // `worker` answers for the exercise as in its cases, and `player` plays the scene with it (grader/judge/run/play.h).
@@ -57,26 +55,25 @@ class WholeRun {
   WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
            std::optional<std::filesystem::path> kept_pictures, Student& cases);
 
-  // The categories, in the order of running.
-  std::vector<Category> categories(const std::string& exercise);
+  Category category(const std::string& exercise);
 
   Student& student() { return student_; }
   const std::vector<PictureResult>& pictures() const { return pictures_; }
   double picture_seconds() const { return picture_seconds_; }  // of CPU time
 
  private:
-  void judge_run(Trial& trial);
+  void judge(Trial& trial);
   Played play(Trial& trial);
   Played play_unless_given_up(Trial& trial);
-  void judge_pictures(Trial& trial);
+  void draw(const RunComparison& run);
+  void judge_run(Trial& trial, const RunComparison& run, const std::string& trouble) const;
+  void judge_pictures(Trial& trial) const;
 
   Student student_;
   std::filesystem::path player_;
   HiddenScene hidden_;
   std::optional<std::filesystem::path> kept_pictures_;
   Student& cases_;
-  std::optional<RunComparison> run_;    // set once it was played
-  std::optional<CaseFailed> unplayed_;  // why it could not be
   std::vector<PictureResult> pictures_;
   double picture_seconds_ = 0;
 };

@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <string>
 
 #include "grader/wire/channel.h"
@@ -39,19 +38,6 @@ void answer(Channel& channel, const std::string& way, std::uint64_t nonce) {
     for (;;) {
       product();
       channel.receive(kMost);
-    }
-  } else if (way == "boasts") {
-    for (const int often : {7, -1, std::numeric_limits<int>::max(), 3}) {
-      MessageWriter message;
-      channel.send(Kind::allocated, nonce, message.put(often).bytes());
-    }
-    channel.send(Kind::done, nonce);
-  } else if (way == "naps-and-boasts") {
-    MessageWriter message;
-    message.put(1);
-    for (;;) {
-      usleep(1);
-      channel.send(Kind::allocated, nonce, message.bytes());
     }
   } else if (way == "leaves-late") {
     channel.send(Kind::done, nonce);

@@ -28,9 +28,6 @@ constexpr int kMostCalls = 4;
 constexpr const char* kLoading = "while the code was loaded";
 constexpr const char* kAsking = "during the request";
 
-// More than honest code makes in a call.
-constexpr int kMostAllocations = 1'000'000;
-
 // The worker's object threw when it was asked: its exception has left the call already.
 struct CallbackThrew {};
 
@@ -278,9 +275,6 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
         break;
       case Kind::call:
         serve_call(conversation, std::move(body));
-        break;
-      case Kind::allocated:
-        allocations_ = std::clamp(body.get<int>(), allocations_, kMostAllocations);
         break;
       case Kind::callback_threw:
         if (conversation.depth > 0) throw CallbackThrew();

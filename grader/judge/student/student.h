@@ -77,10 +77,6 @@ class Student {
   std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
 
-  // How often a function that promises to allocate nothing did so in one call, as the workers say of themselves: a hint, and
-  // nothing to give or take points for.
-  int allocations() const { return allocations_; }
-
   // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code solves by itself.
   const std::vector<ProvidedSolve>& provided_solves() const { return provided_solves_; }
   const Budget& spent() const { return setup_.allowance->spent; }
@@ -115,7 +111,7 @@ class Student {
   Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;
   std::vector<ProvidedSolve> provided_solves_;
-  int starts_ = 0, timeouts_ = 0, allocations_ = 0;
+  int starts_ = 0, timeouts_ = 0;
 };
 
 }  // namespace grader

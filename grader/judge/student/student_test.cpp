@@ -120,16 +120,6 @@ TEST_F(StudentTest, IsEndedTwiceWhenItSleeps) {
   EXPECT_LT(spent_.idle_seconds, 1.8);
 }
 
-// Each of its messages comes after a short nap, and answers nothing.
-TEST_F(StudentTest, PaysForNapsBetweenMessagesThatNobodyAskedFor) {
-  Student student = this->student("naps-and-boasts");
-  allowance_->limit.idle_seconds = 0.5;
-  allowance_->limit.messages = allowance_->limit.worker_cpu_seconds = 1e9;
-  EXPECT_EQ(ask(student, 5).outcome, Outcome::timed_out);
-  EXPECT_GT(spent_.idle_seconds, 0.2);
-  EXPECT_LE(allowance_->wakeup_seconds, 50e-6 * student.starts()) << "it was asked once in each start";
-}
-
 TEST_F(StudentTest, IsEndedByTheClockWhateverItDoes) {
   for (const char* way : {"sleeps", "floods"}) {
     *allowance_ = {share_of(Budget(), 10)};
@@ -149,12 +139,6 @@ TEST_F(StudentTest, PaysForItsSlowEnd) {
   EXPECT_EQ(ask(student).outcome, Outcome::done);
   student.finish();
   EXPECT_GT(spent_.idle_seconds, 0.3);
-}
-
-TEST_F(StudentTest, BelievesNoWorkerThatItAllocatesWithoutEnd) {
-  Student student = this->student("boasts");
-  EXPECT_EQ(ask(student).outcome, Outcome::done);
-  EXPECT_EQ(student.allocations(), 1'000'000);
 }
 
 TEST_F(StudentTest, KeepsToTheProtocol) {

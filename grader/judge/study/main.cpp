@@ -1,5 +1,5 @@
-// STAFF ONLY. Error against time of a submission's code, as a program that takes the job of the end-to-end runs with the reference's
-// objects beside it: links the reference, and never a student's code.
+// STAFF ONLY. Error against time of a submission's code, as a program that takes a job with all of its
+// objects and all of the reference's: links the reference, and never a student's code.
 #include <limits>
 
 #include "grader/judge/study/submission_study.h"

@@ -1,11 +1,11 @@
-// STAFF ONLY. The parts of a study: each end-to-end scene, or each of its toys, with fewer and with more
+// STAFF ONLY. The parts of a study: each of its scenes, or each of its toys, with fewer and with more
 // steps.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "grader/judge/run/end_to_end_scenes.h"
+#include "grader/judge/study/scenes.h"
 #include "hair/scene/scene.h"
 
 namespace grader {

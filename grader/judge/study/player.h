@@ -1,5 +1,5 @@
-// STAFF ONLY. Plays motions for a study and measures the time: a worker, with the same requests as for
-// end-to-end scenes.
+// STAFF ONLY. Plays motions for a study and measures the time, in a worker that has all of a submission's
+// objects.
 //
 // The clock is the kernel's CPU time of all threads of the worker, which we read after each answer. A play is
 // charged with all CPU time since the previous answer. So code can shift its work to an earlier or later
@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "grader/judge/run/end_to_end_scenes.h"
 #include "grader/judge/run/played.h"
 #include "grader/judge/student/student.h"
+#include "grader/judge/study/scenes.h"
 
 namespace grader {
 

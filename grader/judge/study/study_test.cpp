@@ -19,7 +19,7 @@ namespace grader {
 namespace {
 
 StudiedPart pendulum(const std::string& method) {
-  for (const SceneText& text : end_to_end_scenes())
+  for (const SceneText& text : studied_scenes())
     if (text.name == "pendulums")
       for (const StudiedPart& part : parts_of(text))
         if (part.name == "pendulums, " + method) return part;
@@ -350,7 +350,7 @@ TEST(Study, IsNoneWithoutTheReference) {
 }
 
 TEST(Parts, PlayTheSameMotionInOtherSteps) {
-  for (const SceneText& text : end_to_end_scenes())
+  for (const SceneText& text : studied_scenes())
     for (const StudiedPart& part : parts_of(text)) {
       const std::vector<Division> all = divisions_of(part.scene);
       EXPECT_GE(all.size(), 6U) << part.name;

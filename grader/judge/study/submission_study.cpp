@@ -1,12 +1,33 @@
 // STAFF ONLY.
 #include "grader/judge/study/submission_study.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "grader/judge/study/scenes.h"
+
 namespace grader {
+namespace {
+
+bool is_left_out(const hair::Scene& scene, const AvailableExercises& exercises) {
+  return std::ranges::any_of(hair::exercises_of(scene),
+                             [&](const std::string& id) { return exercises.left_out.contains(id); });
+}
+
+// "H4 does not compile.", or empty.
+std::string why_not_run(const hair::Scene& scene, const AvailableExercises& exercises) {
+  std::string all;
+  for (const std::string& id : hair::exercises_of(scene))
+    if (const auto why = exercises.unavailable.find(id); why != exercises.unavailable.end())
+      all += (all.empty() ? "" : ", ") + id + " " + why->second;
+  return all.empty() ? all : all + ".";
+}
+
+}  // namespace
+
 int study_cpu_seconds(const StudySettings& settings) {
   std::size_t parts = 0;
-  for (const SceneText& text : end_to_end_scenes()) parts += parts_of(text).size();
+  for (const SceneText& text : studied_scenes()) parts += parts_of(text).size();
   return static_cast<int>(std::ceil(2 * settings.most_seconds * static_cast<double>(parts)));
 }
 
@@ -16,7 +37,7 @@ SubmissionStudy study_submission(Student& student, Student& reference, const Ava
   WorkerPlayer their_worker(student), ours(reference);
   UntilItGivesUp theirs(their_worker, settings.most_wall_seconds);
   SubmissionStudy study;
-  for (const SceneText& text : end_to_end_scenes()) {
+  for (const SceneText& text : studied_scenes()) {
     const hair::Scene scene = hair::parse_scene(text.json, text.name);
     if (is_left_out(scene, exercises)) continue;
     SceneStudy& one = study.scenes.emplace_back(SceneStudy{text.name, scene.shows});

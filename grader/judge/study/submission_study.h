@@ -1,14 +1,21 @@
-// STAFF ONLY. The study of a submission: all of its end-to-end scenes, one after the other.
+// STAFF ONLY. The study of a submission: all scenes, one after the other.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
 
-#include "grader/judge/run/end_to_end.h"
 #include "grader/judge/study/study.h"
 #include "grader/result/study.h"
 
 namespace grader {
+
+struct AvailableExercises {
+  std::set<std::string> left_out;                  // by the course; also leaves out scenes that need one
+  std::map<std::string, std::string> unavailable;  // exercise -> reason: "does not compile"
+};
 
 // The CPU time limit of a worker. Each part may take most_seconds, plus the play that starts before they are
 // used up: with twice the steps of the previous play, it takes about as long as all plays before it together.

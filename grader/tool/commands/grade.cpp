@@ -263,8 +263,8 @@ Command add_grade(CLI::App& hairgrade) {
       "--unsafe-no-sandbox", [options] { options->settings.isolation = Isolation::none; },
       "Run student code unprotected; every report says so");
   command->add_flag("--no-images", options->settings.no_images,
-                    "Draw nothing, where there is no OpenGL: the pictures' points go to the other "
-                    "categories, and every report says so");
+                    "Draw nothing, where there is no OpenGL: whole runs are judged without pictures, and "
+                    "every report says so");
   command->add_flag("--study", options->settings.study,
                     "Show error against run time beside the reference's, in study.html; gives no points and "
                     "takes none, but some seconds of CPU time for each submission");

@@ -84,10 +84,9 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .source li { min-height: 1.45em; margin: 0; } .source li::marker { color: var(--quiet); } .source .shared { background: var(--part-soft); } .source .given { opacity: .5; }
 @media (max-width: 40rem) {
 .overview th, .overview td { padding-right: .5rem; }
-.wide .cases, .wide .runs { min-width: 0; } .cases thead, .runs thead { display: none; } .cases, .cases tbody, .runs, .runs tbody { display: block; }
+.wide .cases { min-width: 0; } .cases thead { display: none; } .cases, .cases tbody { display: block; }
 .cases tr { display: grid; grid-template: "no name points" "no badge badge" "no saw saw" / 3.25rem 1fr auto; gap: .2rem .5rem; padding: .5rem 0; }
-.runs tr { display: grid; grid-template-columns: 1fr auto; gap: .2rem .5rem; padding: .5rem 0; } .runs td:nth-child(3) { grid-column: 1 / -1; min-width: 0; }
-.cases tr > *, .runs tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
+.cases tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
 .cases td:nth-child(4) { grid-area: points; } .cases td:nth-child(5) { grid-area: saw; } .cases pre { white-space: pre-wrap; }
 }
 /* A row is a card: it fits a telephone and a sheet of paper. */

@@ -19,11 +19,6 @@ namespace hair {
 
 namespace {
 
-// The command line refuses all but what is not a number.
-void check_number(const std::string& option, double number) {
-  if (!(number > 0)) throw BadInput(option + ": is not a number from 1e-09 to 1e+09");
-}
-
 void print_list(const std::string& name, const std::vector<std::string>& all) {
   for (const std::string& one : all) std::cout << (&one == all.data() ? name + ": " : ", ") << printable(one);
   if (!all.empty()) std::cout << "\n";
@@ -32,17 +27,13 @@ void print_list(const std::string& name, const std::vector<std::string>& all) {
 }  // namespace
 
 int convert_groom(const ConvertOptions& options) {
-  check_number("--scale", options.scale);
-  check_number("--unit", options.unit);
-  const bool bald_roots = can_write_bald_roots(options.out);
+  // The command line lets pass what is not a number.
+  if (!(options.scale > 0)) throw BadInput("--scale: is not a number from 1e-09 to 1e+09");
+  check_groom_name(options.out);
   check_folder_of(options.out);
   Groom groom = read_groom(options.in);
   keep_every(groom, options.every);
   const std::vector<std::string> lost = lost_in(options.out, groom);
-  const long dropped = bald_roots ? 0 : drop_bald_roots(groom);
-  if (groom.strands.empty())
-    throw BadInput(printable(options.in.string(), 4096) +
-                   ": has bald roots only among the strands that are taken; .usda files hold none");
   if (options.points > 0) {
     const auto strands = static_cast<long>(groom.strands.size());
     if (strands > kMostGroomPoints / options.points)
@@ -52,12 +43,8 @@ int convert_groom(const ConvertOptions& options) {
     resample(groom, options.points);
   }
   if (options.scale != 1) scale(groom, options.scale);
-  write_groom(groom, options.out,
-              {.ascii = options.ascii,
-               .usda = {.cubic = options.cubic, .unit = options.unit, .z_is_up = !options.y_is_up}});
+  write_groom(groom, options.out, options.ascii);
   std::cout << printable(options.out.string(), 4096) << ": " << counts_of(groom) << "\n";
-  if (dropped > 0)
-    std::cout << "left out: " << counted_with_groups(dropped, "bald root") << "; .usda files have none\n";
   print_list("left out", lost);
   print_list("not known", unknown_in(options.out, groom));
   return 0;
@@ -78,7 +65,7 @@ int write_grown_groom(const GrowOptions& options) {
     for (const HairStyle& one : hair_styles()) known += (known.empty() ? "" : ", ") + std::string(one.name);
     throw BadInput("there is no style \"" + printable(options.style) + "\"; there are " + known);
   }
-  can_write_bald_roots(options.out);  // refuses the name before there is work
+  check_groom_name(options.out);  // refuses the name before there is work
   check_folder_of(options.out);
   Groom groom;
   try {

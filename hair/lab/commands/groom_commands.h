@@ -11,10 +11,8 @@ struct ConvertOptions {
   std::filesystem::path in, out;
   double scale = 1;
   long every = 1;
-  int points = 0;  // of each strand; 0: those that it has
-  bool ascii = false;
-  bool cubic = false, y_is_up = false;  // of .usda, as is the unit, in metres
-  double unit = 1;
+  int points = 0;      // of each strand; 0: those that it has
+  bool ascii = false;  // of .ply
 };
 
 struct InfoOptions {

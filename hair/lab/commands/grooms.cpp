@@ -11,8 +11,8 @@ namespace hair {
 Command add_convert_command(CLI::App& program) {
   const auto options = std::make_shared<ConvertOptions>();
   CLI::App* app = program.add_subcommand(kConvert.name, kConvert.what);
-  app->add_option("IN", options->in, "A groom: .hair, .data or .ply")->required();
-  app->add_option("OUT", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
+  app->add_option("IN", options->in, "A groom: .hair or .ply")->required();
+  app->add_option("OUT", options->out, "The file to write: .hair or .ply")->required();
   app->add_option("--scale", options->scale, "Makes all points and thicknesses so many times as large")
       ->check(CLI::Range(1e-9, 1e9));
   app->add_option("--every", options->every, "Keeps the first of every so many strands")
@@ -20,17 +20,13 @@ Command add_convert_command(CLI::App& program) {
   app->add_option("--points", options->points, "So many points for each strand, at equal distances along it")
       ->check(CLI::Range(2, 1'000'000));
   app->add_flag("--ascii", options->ascii, ".ply: text; without it, binary");
-  app->add_flag("--cubic", options->cubic, ".usda: smooth curves; without it, straight pieces");
-  app->add_option("--unit", options->unit, ".usda: what OUT's unit is, in metres (default: 1)")
-      ->check(CLI::Range(1e-9, 1e9));
-  app->add_flag("--y-up", options->y_is_up, ".usda: y is up; without it, z");
   return {app, [options](const Course&) { return convert_groom(*options); }};
 }
 
 Command add_draw_command(CLI::App& program) {
   const auto options = std::make_shared<DrawOptions>();
   CLI::App* app = program.add_subcommand(kDraw.name, kDraw.what);
-  app->add_option("FILE", options->file, "A groom: .hair, .data or .ply")->required();
+  app->add_option("FILE", options->file, "A groom: .hair or .ply")->required();
   app->add_option("--picture", options->picture, "The PNG file to write")->required();
   app->add_option("--colour", options->colour, "black, brown (default), chestnut, red, blond, grey or white");
   app->add_option("--on", options->on, "What is under it: bust (default), ellipsoid or none")
@@ -55,7 +51,7 @@ Command add_draw_command(CLI::App& program) {
 Command add_info_command(CLI::App& program) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* app = program.add_subcommand(kInfo.name, kInfo.what);
-  app->add_option("FILE", options->file, "A groom: .hair, .data or .ply")->required();
+  app->add_option("FILE", options->file, "A groom: .hair or .ply")->required();
   app->add_flag("--json", options->json, "As JSON");
   return {app, [options](const Course&) { return show_groom(*options); }};
 }
@@ -67,7 +63,7 @@ Command add_groom_command(CLI::App& program) {
   const auto options = std::make_shared<GrowOptions>();
   CLI::App* app = program.add_subcommand(kGroom.name, kGroom.what);
   app->add_option("STYLE", options->style, "long-smooth, short-curly, wavy or ponytail")->required();
-  app->add_option("--out", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
+  app->add_option("--out", options->out, "The file to write: .hair or .ply")->required();
   app->add_option("--head", options->head, "What it grows on: bust (default) or ellipsoid")
       ->check(CLI::IsMember({"bust", "ellipsoid"}));
   app->add_option("--strands", options->strands, "How many (default: 10000)")

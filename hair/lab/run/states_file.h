@@ -19,7 +19,6 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "hair/lab/run/output_file.h"
@@ -29,27 +28,15 @@
 
 namespace hair {
 
-struct StateFrame {
-  double time;  // s
-  particles::State state;
-};
-
 struct LinksFile {
   std::vector<std::array<int, 2>> particles;  // of each link
   std::vector<BrokenLink> broken;
 };
 
-struct StatesFile {
-  std::vector<int> strands;                // the threes of coordinates of each strand
-  int particles = 0;                       // of strands and toys together
-  std::uint32_t coordinates = kPositions;  // ModelRow::coordinates
-  std::vector<StateFrame> frames;
-  std::optional<LinksFile> links;  // none without a control mesh
-};
-
 class StatesWriter {
  public:
-  // All functions throw BadInput if the file can't be written.
+  // All functions throw BadInput if the file can't be written. `strands` has the threes of coordinates of each strand,
+  // `particles` those of strands and toys together; `coordinates` is ModelRow's.
   StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
                const std::vector<int>& strands, int particles, std::uint32_t coordinates = kPositions);
   void add(double time, const particles::State& state);  // 3n each
@@ -60,9 +47,5 @@ class StatesWriter {
   OutputFile file_;
   std::uint32_t frames_ = 0;
 };
-
-// Throws BadInput for a file of another format or with unknown coordinates, one that is cut off, or one that
-// is longer than its header says.
-StatesFile read_states(const std::filesystem::path& file);
 
 }  // namespace hair

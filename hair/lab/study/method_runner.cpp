@@ -125,9 +125,7 @@ void MethodRunner::count(MethodRun& run) const {
   counts.steps = playback_->steps();
   counts.iterations = work.solver_steps;
   counts.corrections = work.correction_steps;
-  counts.evaluations = counts.steps * row_of(method_.method).evaluations + work.halvings;
-  // Each of its Newton steps looks where it led to.
-  if (method_.method == Method::newton_euler) counts.evaluations += counts.corrections;
+  counts.evaluations = counts.steps * row_of(method_.method).evaluations;
   counts.unconverged = work.unconverged;
 }
 

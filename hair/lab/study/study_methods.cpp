@@ -27,9 +27,6 @@ const std::vector<StudyMethod>& methods_of_springs() {
       {"h4-dropped", "H4, dropped", Method::implicit_euler, dropped, definite},
       {"h4-dropped-plain", "H4, dropped, plain", Method::implicit_euler, dropped, definite, false},
       {"h4-dropped-exact", "H4, dropped, exact bending", Method::implicit_euler, dropped, Products::exact},
-      {"newton-euler", "implicit Euler to convergence", Method::newton_euler, full, Products::exact},
-      {"newton-euler-plain", "implicit Euler to convergence, plain", Method::newton_euler, full,
-       Products::exact, false},
       {"h6", "H6", Method::predictor_corrector, dropped, definite},
       {"h6-plain", "H6, plain", Method::predictor_corrector, dropped, definite, false},
   };
@@ -54,8 +51,7 @@ bool fits(const StudyMethod& method, const Problem& problem) {
   }
   // Without bending there is no choice of its product.
   const bool bends = problem.scene.hair.strands[0].strand.bend_rigidity > 0;
-  return bends || method.is_explicit() || method.method == Method::newton_euler ||
-         method.bend_product == Products::definite;
+  return bends || method.is_explicit() || method.bend_product == Products::definite;
 }
 
 }  // namespace

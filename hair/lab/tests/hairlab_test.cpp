@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "hair/lab/run/states_csv.h"
-#include "hair/lab/run/states_file.h"
+#include "hair/lab/tests/read_states.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {
@@ -86,8 +86,8 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
             (std::vector<std::string>{"motion.json", "run.json", "states.bin", "states.csv"}));
 
   const StatesFile states = read_states(out_ / "states.bin");
-  EXPECT_EQ(states.strands, std::vector<int>{7});
-  EXPECT_EQ(states.particles, 7);
+  EXPECT_EQ(states.strands, std::vector<std::uint32_t>{7});
+  EXPECT_EQ(states.particles, 7U);
   ASSERT_EQ(states.frames.size(), 5u);
   std::istringstream csv(bytes_of(out_ / "states.csv"));
   std::string line;

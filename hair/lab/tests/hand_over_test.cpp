@@ -67,9 +67,9 @@ TEST_F(HandOver, PassesArgumentsOutputAndExitCodeThrough) {
 TEST_F(HandOver, NamesWhatReadsTheGroomOfAScene) {
   const std::string scene = folder_.write(
       "own.json",
-      R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a.data", "scale": 1}}]})");
+      R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a.hair", "scale": 1}}]})");
   const std::string asks =
-      "hairlab: the reader of " + (folder_ / "a.data").string() +
+      "hairlab: the reader of " + (folder_ / "a.hair").string() +
       " is in a program of its own, which is not built yet; build it with: cmake --build '" + HAIR_BUILD_DIR +
       "' --target hairlab_grooms --parallel 4\n";
   const ProgramRun missing = run_hairlab({"run", scene, "--explain"}, {.program = hairlab_.string()});

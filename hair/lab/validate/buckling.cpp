@@ -49,7 +49,8 @@ ValidationResult find_heights(const ValidationSettings& settings) {
     settings.go_on();
     const double gamma = critical_gamma(hair, segments), error = gamma / exact - 1;
     const double expected = -greenhill_error() / (segments * segments);
-    const double stretch = hair.line_density() * kEarth * length_of(hair, exact) / hair.stretch_rigidity();
+    const double stretch =
+        hair.line_density() * kEarthGravity * length_of(hair, exact) / hair.stretch_rigidity();
     const std::string n = std::to_string(segments);
     const double shorter = 3 * stretch;
     result.checks.push_back({"n" + n + "-error", n + " segments: relative error of the critical Gamma",

@@ -8,11 +8,12 @@
 namespace hair {
 
 double weight_over_stiffness(const Material& material, double length) {
-  return material.line_density() * kEarth * std::pow(length, 3) / material.bend_rigidity();
+  return material.line_density() * kEarthGravity * std::pow(length, 3) / material.bend_rigidity();
 }
 
 double length_of(const Material& material, double weight_over_stiffness) {
-  return std::cbrt(weight_over_stiffness * material.bend_rigidity() / (material.line_density() * kEarth));
+  return std::cbrt(weight_over_stiffness * material.bend_rigidity() /
+                   (material.line_density() * kEarthGravity));
 }
 
 StrandStart clamped_hair(const Material& material, int segments, double length, const Vector3d& direction) {
@@ -29,7 +30,7 @@ StrandStart clamped_hair(const Material& material, int segments, double length, 
 std::unique_ptr<MovingStrand> under_gravity(const StrandStart& start, const Vector3d& gravity) {
   const ForceOptions options{GeometricTerm::full, Products::exact, gravity};
   auto moving = std::make_unique<MovingStrand>(start.strand, start.state);
-  add_forces(options, start, false, *moving);
+  add_forces(options, start, *moving);
   return moving;
 }
 

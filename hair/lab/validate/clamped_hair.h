@@ -5,10 +5,12 @@
 
 #include "hair/mass_spring/moving_strand.h"
 #include "hair/simulation/simulation.h"
+#include "particles/gravity.h"
 
 namespace hair {
 
-inline constexpr double kEarth = 9.81;       // m/s^2
+using particles::kEarthGravity;
+
 inline constexpr double kBeamLength = 0.05;  // m, the length of hair that swings or bends as a beam
 
 // Gamma = rho g A L^3 / EI, weight over stiffness: 6.8 for human hair of 10 cm.

@@ -30,7 +30,7 @@ RestingMethod resting_method(Method method) {
 }
 
 double stretch_of(const Material& material, double length) {
-  return material.line_density() * kEarth * length / material.stretch_rigidity();
+  return material.line_density() * kEarthGravity * length / material.stretch_rigidity();
 }
 
 // Where the strand balances, found from x on, and how slowly it swings there. NaN, if it does not.
@@ -41,7 +41,7 @@ struct Balanced {
 };
 
 Balanced find_balance(const StrandStart& start, const Eigen::VectorXd& x) {
-  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarth));
+  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarthGravity));
   const Balance balance = planar_balance(strand->strand, strand->force, x);
   const double length = start.strand.rest_length.sum();
   const double slowest = slowest_frequency(strand->strand, strand->force, balance.x);
@@ -50,7 +50,7 @@ Balanced find_balance(const StrandStart& start, const Eigen::VectorXd& x) {
 }
 
 double seconds_of_balance(const StrandStart& start) {
-  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarth));
+  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarthGravity));
   return solver::study::median_seconds({},
                                        [&] { planar_balance(strand->strand, strand->force, start.state.x); });
 }

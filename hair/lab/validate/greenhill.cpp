@@ -50,9 +50,9 @@ double strand_greenhill(int segments) {
 StrandStart standing_hair(const Material& material, int segments, double length) {
   StrandStart start = clamped_hair(material, segments, length, Vector3d::UnitZ());
   const Strand& strand = start.strand;
-  double weight = kEarth * strand.mass.sum();
+  double weight = kEarthGravity * strand.mass.sum();
   for (int i = 0; i < segments; ++i) {
-    weight -= kEarth * strand.mass[i];
+    weight -= kEarthGravity * strand.mass[i];
     start.state.x[3 * i + 5] =
         start.state.x[3 * i + 2] + strand.rest_length[i] * (1 - weight / strand.stretch_rigidity);
   }
@@ -60,7 +60,7 @@ StrandStart standing_hair(const Material& material, int segments, double length)
 }
 
 double softest_stiffness(const StrandStart& standing) {
-  const auto strand = under_gravity(standing, Vector3d(0, 0, -kEarth));
+  const auto strand = under_gravity(standing, Vector3d(0, 0, -kEarthGravity));
   const Eigen::MatrixXd K = planar_stiffness(strand->force, standing.state.x);
   const int n = standing.strand.segments();
   // Of a particle's two unknowns, the one that is level.

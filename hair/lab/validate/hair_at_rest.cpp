@@ -34,7 +34,7 @@ struct SegmentSweep {
 
 Rest find_rest(const Material& material, const SegmentSweep& sweep, int segments) {
   const StrandStart start = clamped_hair(material, segments, sweep.length, Vector3d::UnitX());
-  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarth));
+  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarthGravity));
   const auto find = [&] { return planar_balance(strand->strand, strand->force, start.state.x); };
   const Eigen::Vector2d tip = tip_of(find()) / sweep.length;
   const double seconds = solver::study::median_seconds({}, find);
@@ -50,7 +50,7 @@ Rest find_rest(const Material& material, const SegmentSweep& sweep, int segments
 
 SegmentSweep sweep_segments(const Material& material, double gamma, const ValidationSettings& settings) {
   SegmentSweep sweep{gamma, length_of(material, gamma), 0, {}};
-  sweep.stretch = material.line_density() * kEarth * sweep.length / material.stretch_rigidity();
+  sweep.stretch = material.line_density() * kEarthGravity * sweep.length / material.stretch_rigidity();
   for (int segments : {10, 20, 40, 80}) {
     settings.go_on();
     if (settings.quick && segments > 40) break;

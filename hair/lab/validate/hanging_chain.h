@@ -18,13 +18,15 @@
 
 #include <Eigen/Core>
 
+#include "particles/gravity.h"
+
 namespace hair {
 
 struct HangingChain {
-  Eigen::VectorXd mass;   // n, kg, from the top
-  double link = 0.01;     // m
-  double gravity = 9.81;  // m/s^2
-  double stretch = 1e-9;  // T_0/EA, if the links are springs: as small as rounding allows
+  Eigen::VectorXd mass;                       // n, kg, from the top
+  double link = 0.01;                         // m
+  double gravity = particles::kEarthGravity;  // m/s^2
+  double stretch = 1e-9;                      // T_0/EA, if the links are springs: as small as rounding allows
 
   int count() const { return static_cast<int>(mass.size()); }
   double tension(int i) const { return gravity * mass.tail(count() - i).sum(); }  // N, of link i

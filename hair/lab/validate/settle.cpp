@@ -16,7 +16,7 @@ Settled settle(const StrandStart& start, const Material& material, Method method
   description.strands = {start};
   description.method = method;
   description.step = step;
-  description.gravity = Vector3d(0, 0, -kEarth);
+  description.gravity = Vector3d(0, 0, -kEarthGravity);
   description.drag = 2 * slowest * material.line_density();
   Simulation simulation(std::move(description));
   const particles::State& state = simulation.state(0);

@@ -30,8 +30,8 @@ struct FileText {
 
 void keys_of(Keys& keys, FileText& groom) {
   keys.about(
-      "Reads `.hair` files (www.cemyuksel.com/research/hairmodels), `.data` files (USC-HairSalon) and "
-      "`.ply` files with strands. Bald roots, which are strands of a single point, are left out; `hairlab "
+      "Reads `.hair` files (www.cemyuksel.com/research/hairmodels) and `.ply` files with strands. Bald "
+      "roots, which are strands of a single point, are left out; `hairlab "
       "run --explain` says how many. `hairlab info` shows what is in a file "
       "([lab/README.md](../lab/README.md#hairlab-info-convert-groom)).");
   keys.any({.name = "file", .needed = true, .what = "its path counts from the scene's folder"}, groom.file);

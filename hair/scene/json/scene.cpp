@@ -27,8 +27,7 @@ void keys_of_hair(Keys& keys, Description& hair) {
   for (const MethodRow& row : methods()) names.emplace_back(row.id);
   keys.word({.name = "method",
              .otherwise = "predictor_corrector; of rigid links, super-helices and linked hair implicit_euler",
-             .what = "how hair moves: P1's, H4's or H6's; newton_euler: H4's equation solved to "
-                     "convergence, for studies"},
+             .what = "how hair moves"},
             names, hair.method);
   keys.number({.name = "drag",
                .unit = "N s/m²",

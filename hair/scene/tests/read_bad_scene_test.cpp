@@ -60,9 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
              "gravity: [0,-9.81] is not a list of three numbers, [x, y, z]"},
         Slip{R"("gravity": [0, 0, -9.81])", R"("gravity": [0, 0, null])",
              "gravity[2]: null is not right; give a number from -1000000 to 1000000"},
-        Slip{R"("method": "predictor_corrector")", R"("method": "leapfrog")",
-             "method: \"leapfrog\" is not right; write one of: forward_euler, symplectic_euler, midpoint, "
-             "runge_kutta_4, implicit_euler, predictor_corrector, newton_euler"},
+        Slip{R"("geometric_term": "filtered")", R"("geometric_term": "none")",
+             "geometric_term: \"none\" is not right; write one of: full, filtered, dropped"},
         Slip{R"("springs": [{"between": [0, 1], "stiffness": 10, "rest_length": 1, "damping": 0.1}])",
              R"("springs": {})", "toys[0].springs: {} is not a list; write [...]"},
         Slip{R"("wind": [0, 1, 0])", R"("wind": [0, 1e5, 1e300])",

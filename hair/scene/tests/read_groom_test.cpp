@@ -125,7 +125,7 @@ TEST(GroomScene, BadGroomsAreNamedWithTheJsonPath) {
 TEST(GroomScene, OfAllFormatsThatAreReadIsTheSame) {
   const Folder folder;
   const hair::Groom groom = hair::parse_hair_file(hair_file({0, 0, 0, 0, 0, 2, 0, 2, 2}), "a");
-  for (const std::string name : {"a.hair", "a.data", "a.ply"}) {
+  for (const std::string name : {"a.hair", "a.ply"}) {
     const std::filesystem::path file = folder.write(name, "");
     hair::write_groom(groom, file);
     const hair::Scene scene = hair::read_scene(folder.scene("\"file\": \"" + name + R"(", "scale": 0.5)"));
@@ -138,12 +138,12 @@ TEST(GroomScene, BaldRootsAreLeftOutAndCounted) {
   const Folder folder;
   const hair::Groom groom{
       {Eigen::VectorXd::Zero(3), Eigen::VectorXd::LinSpaced(6, 0, 1), Eigen::VectorXd::Ones(3)}};
-  const std::filesystem::path file = folder.write("a.data", "");
+  const std::filesystem::path file = folder.write("a.hair", "");
   hair::write_groom(groom, file);
-  const hair::Scene scene = hair::read_scene(folder.scene(R"("file": "a.data", "scale": 1)"));
+  const hair::Scene scene = hair::read_scene(folder.scene(R"("file": "a.hair", "scale": 1)"));
   EXPECT_EQ(scene.hair.strands.size(), 1U);
   EXPECT_EQ(scene.bald_roots, 2);
-  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.data", "scale": 1, "every": 2)")),
+  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.hair", "scale": 1, "every": 2)")),
             "hair[0].groom.file: all strands that are taken are bald roots, of a single point");
 }
 

@@ -11,11 +11,12 @@
 #include "hair/simulation/models.h"
 #include "hair/simulation/simulation.h"
 #include "hair/strand/tests/bodies.h"
+#include "solver/tests/numbers.h"
 
 namespace hair {
 namespace {
 
-constexpr double kG = 9.81, kLength = 0.1;
+constexpr double kG = reference_tests::kGravity, kLength = 0.1;
 constexpr double kStep = 1e-4;
 
 // Methods of order one may be off by a few h of a second's motion: what these books may be off where nothing is wrong.

@@ -6,6 +6,7 @@
 #include "hair/simulation/simulation.h"
 #include "hair/strand/make_strand.h"
 #include "hair/strand/rest_shape.h"
+#include "solver/tests/numbers.h"
 
 namespace reference_tests {
 
@@ -15,7 +16,7 @@ using hair::Method;
 using hair::Simulation;
 using hair::StrandStart;
 
-constexpr double kG = 9.81;
+constexpr double kG = kGravity;
 inline const Vector3d kDown = -Vector3d::UnitZ();
 
 inline constexpr std::array kExplicitMethods = {Method::forward_euler, Method::symplectic_euler,

@@ -5,6 +5,8 @@
 
 #include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "hair/simulation/simulation.h"
 
@@ -21,9 +23,16 @@ StrandSpec curl() {
 }
 
 TEST(Methods, EachHasItsRow) {
+  constexpr std::pair<Method, std::string_view> kNamed[] = {
+      {Method::forward_euler, "forward_euler"},
+      {Method::symplectic_euler, "symplectic_euler"},
+      {Method::midpoint, "midpoint"},
+      {Method::runge_kutta_4, "runge_kutta_4"},
+      {Method::implicit_euler, "implicit_euler"},
+      {Method::predictor_corrector, "predictor_corrector"}};
+  for (const auto& [method, id] : kNamed) EXPECT_EQ(row_of(method).id, id);
   std::set<std::string> ids;
   for (const MethodRow& row : methods()) {
-    EXPECT_EQ(&row_of(row.method), &row) << row.id << " is not where the enumeration has it";
     EXPECT_TRUE(ids.insert(row.id).second) << row.id << " comes twice";
     ASSERT_FALSE(row.exercises.empty()) << row.id;
     EXPECT_GE(row.order, 1);

@@ -14,11 +14,10 @@
 #include "hair/simulation/tests/hairs.h"
 #include "hair/strand/measures.h"
 #include "solver/tests/allocations.h"
+#include "solver/tests/numbers.h"
 
 namespace reference_tests {
 namespace {
-
-constexpr double kU = 0x1p-53;
 
 // Particles that nothing holds together fall as each method says, exactly: gravity is constant.
 TEST(Simulation, FreeParticlesFallAsTheirMethodSays) {
@@ -51,7 +50,7 @@ TEST(Simulation, TheRootGoesWhereItIsToldTo) {
     simulation.advance(100);
     simulation.set_root_velocity(0, Vector3d(0, -0.3, 0));
     EXPECT_FALSE(simulation.advance(50));
-    EXPECT_LE((particle(simulation, 0) - Vector3d(1e-5, -1.5e-5, 2e-5)).norm(), 150 * kU * 1e-5)
+    EXPECT_LE((particle(simulation, 0) - Vector3d(1e-5, -1.5e-5, 2e-5)).norm(), 150 * kUnit * 1e-5)
         << name_of(method);
   }
 }

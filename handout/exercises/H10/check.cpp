@@ -262,16 +262,27 @@ TEST(ThinTriangles, OfThinTrianglesInAnyUnit) {
 
 // ---- (2)
 
-TEST(FlatScalp, OfEqualFramesIsTheMeanOfTheShapes) {
-  const RootFrame root{Vector3d(1, 2, 3), Vector3d(0, 0, 1), Vector3d(1, 0, 0)};
+namespace {
+
+void expect_mean_in(const Matrix3d& axes, const std::string& where) {
+  const RootFrame root = root_of(Vector3d(1.5, 2, 3), axes);
+  const std::array<Vector3d, 3> tips = {Vector3d(2, 1, 3), Vector3d(-1, 0.5, 4), Vector3d(0.5, 3, -2)};
   std::array<Lock, 3> locks;
-  for (int k = 0; k < 3; ++k) {
-    RootFrame own = root;
-    own.position = Vector3d(k, -k, 5);
-    locks[k] = lock(own, line(4, Vector3d(k, 1, 3)));
-  }
-  expect_all(interpolated(locks, {0.5, 0.25, 0.25}, root), lock(root, line(4, Vector3d(0.75, 1, 3))).points,
-             "the mean of three straight guides");
+  for (int k = 0; k < 3; ++k) locks[k] = lock(root_of(Vector3d(k, -2 * k, 5), axes), line(4, tips[k]));
+  const Vector3d mean = 0.5 * tips[0] + 0.2 * tips[1] + 0.3 * tips[2];
+  expect_all(interpolated(locks, {0.5, 0.2, 0.3}, root), lock(root, line(4, mean)).points,
+             "the mean of three straight guides, weights 0.5, 0.2, 0.3, all frames equal, " + where);
+}
+
+}  // namespace
+
+TEST(FlatScalp, OfFramesAlongTheAxesIsTheMeanOfTheShapes) {
+  expect_mean_in(Matrix3d::Identity(), "along x, y, z");
+}
+
+TEST(FlatScalp, OfEqualFramesIsTheMeanOfTheShapes) {
+  look_at("frames");
+  expect_mean_in(some_turn(), "along no axes");
 }
 
 TEST(CurvedScalp, OfOneGuideIsItsShapeAtAnotherRoot) {
@@ -565,14 +576,16 @@ TEST(Units, InAnyUnitByExtrapolate) {
 // ---- (5)
 
 TEST(Blends, BeginsAsOneAndEndsAsTheOther) {
-  const VectorXd at_root = VectorXd::Constant(15, -1), at_tip = VectorXd::Constant(15, 4);
+  const VectorXd at_root = scattered_vector(15, 3), at_tip = scattered_vector(15, 4);
   const VectorXd arc = vector({0, 0.1, 0.5, 0.8, 1});
   VectorXd child = VectorXd::Constant(15, 1e3);
   hair::blend(arc, at_root, at_tip, child);
   const double weights[] = {0, 0.028, 0.5, 0.896, 1};
   for (int i = 0; i < 5; ++i)
-    expect_point(child.segment<3>(3 * i), Vector3d::Constant(-1 + 5 * weights[i]),
-                 "a blend of -1 at the root and 4 at the tip, arc parameter " + std::to_string(arc[i]));
+    expect_point(child.segment<3>(3 * i),
+                 (1 - weights[i]) * at_root.segment<3>(3 * i) + weights[i] * at_tip.segment<3>(3 * i),
+                 "point " + std::to_string(i) + " of a blend, arc parameter " + std::to_string(arc[i]) +
+                     ", at_tip's weight " + std::to_string(weights[i]));
 }
 
 TEST(Units, InAnyUnitByBlend) {

@@ -56,6 +56,24 @@ VectorXd six(double a, double b, double c, double d, double e, double f) {
   return values;
 }
 
+constexpr double kA = 0.55, kB = 0.35;
+
+// Three particles in ThickAir.
+struct Air {
+  Particles particles;
+  State state;
+  std::string text;
+
+  Air() {
+    Scatter scatter(1);
+    particles = ordinary_particles(scatter, 3);
+    state = ordinary_state(scatter, 3);
+    text = "for f = -x^2 v^3, entry by entry, a = 0.55, b = 0.35, masses " +
+           in_words({particles.mass.begin(), particles.mass.end()}) +
+           " kg, at x = " + particles_in_words(state.x) + ", v = " + particles_in_words(state.v);
+  }
+};
+
 // Reflected along (1, 2, 3, ...), so that no number of a product is 0: eigenvalues 1, 2, ... times `unit`.
 Table counted_table(int size, double unit) {
   VectorXd w = VectorXd::LinSpaced(size, 1, size).normalized(),
@@ -101,18 +119,27 @@ TEST(Damping, SubtractsDamping) {
 }
 
 TEST(Pinned, HasPinnedRowsAndColumnsOfTheIdentity) {
-  const Spring spring(4, 1, GeometricTerm::full, 0.5);
-  const State state = apart();
-  auto matrix = implicit_matrix(spring, kPinned, state, 0.5, 0.25);
-  expect_entries(times(*matrix, six(1, 2, 3, 0, 0, 0)), six(1, 2, 3, 0, 0, 0), 0,
-                 std::string("the product with (1, 2, 3, 0, 0, 0), particle 0 pinned, for ") + kText,
-                 "ones and zeros don't round");
+  Chain chain(2, 5);
+  const particles::DampedSprings springs(chain.springs);
+  Scatter scatter(1);
+  chain.particles = ordinary_particles(scatter, 5);
+  const VectorXd dx = ordinary_numbers(scatter, 15, -2, 2);
+  const auto multiplied = [&](const VectorXd& x) {
+    return times(*implicit_matrix(springs, chain.particles, chain.state, 0.5, 0.25), x);
+  };
+  VectorXd still = dx;
+  for (const int i : {1, 4}) still.segment<3>(3 * i).setZero();
+  VectorXd expected = multiplied(still);
+  for (const int i : {1, 4}) {
+    chain.particles.pinned[i] = 1;
+    expected.segment<3>(3 * i) = dx.segment<3>(3 * i);
+  }
   expect_entries(
-      times(*matrix, six(1, 2, 3, 1, 0, 0)), six(1, 2, 3, 3.75, 0, 0), 32 * kU,
-      std::string("the product with (1, 2, 3, 1, 0, 0), particle 0 pinned, which must not matter to "
-                  "particle 1, for ") +
-          kText,
-      "32 u: rounding");
+      multiplied(dx), expected, 64 * kU * 9,
+      "the product for five particles in a row on springs, 1 and 4 pinned, beside that for free ones "
+      "with 0 in their place; x = " +
+          particles_in_words(dx),
+      "64 u of numbers up to 9: rounding", dx);
 }
 
 TEST(Matrix, IsSymmetric) {
@@ -140,18 +167,15 @@ TEST(Cost, TakesOneProductOfEachKind) {
 
 TEST(Matrix, TakesDerivativesAtTheState) {
   look_at("state");
-  const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
-  const VectorXd dx = six(1, 2, -1, 3, 1, -2);
-  VectorXd expected(6);
-  for (int i = 0; i < 6; ++i) {
-    const double x = state.x[i], v = state.v[i];
-    expected[i] = (kFree.mass[i / 3] + 0.5 * 3 * x * x * v * v + 0.5 * 0.25 * 2 * x * v * v * v) * dx[i];
-  }
-  expect_entries(times(*implicit_matrix(ThickAir(), kFree, state, 0.5, 0.25), dx), expected, 1e-12,
-                 "the product with (1, 2, -1, 3, 1, -2) for f = -x^2 v^3, entry by entry, masses 2 and 3 kg, "
-                 "a = 0.5, b = 0.25, at x = " +
-                     particles_in_words(state.x) + ", v = " + particles_in_words(state.v),
-                 "rounding");
+  const Air air;
+  Scatter scatter(2);
+  const VectorXd dx = ordinary_numbers(scatter, 9, -2, 2);
+  const Eigen::ArrayXd x = air.state.x, v = air.state.v,
+                       masses = air.particles.mass.transpose().replicate(3, 1).reshaped();
+  const VectorXd expected =
+      (masses + kA * 3 * x.square() * v.square() + kA * kB * 2 * x * v.cube()) * dx.array();
+  expect_entries(times(*implicit_matrix(ThickAir(), air.particles, air.state, kA, kB), dx), expected, 1e-12,
+                 "the product with " + particles_in_words(dx) + ", " + air.text, "rounding");
 }
 
 TEST(Units, IsTheSameInEveryUnitByImplicitMatrix) {
@@ -219,17 +243,12 @@ TEST(Pinned, IsZeroWherePinned) {
 
 TEST(RightSide, IsTakenAtTheState) {
   look_at("state");
-  const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
-  VectorXd rhs = VectorXd::Constant(6, 1e3), expected(6);
-  for (int i = 0; i < 6; ++i) {
-    const double x = state.x[i], v = state.v[i];
-    expected[i] = 0.5 * (-x * x * v * v * v - 0.25 * 2 * x * v * v * v * v);
-  }
-  implicit_rhs(ThickAir(), kFree, state, 0.5, 0.25, rhs);
-  expect_entries(rhs, expected, 1e-12,
-                 "a (f + b df/dx v) for f = -x^2 v^3, entry by entry, a = 0.5, b = 0.25, at x = " +
-                     particles_in_words(state.x) + ", v = " + particles_in_words(state.v),
-                 "rounding");
+  const Air air;
+  const Eigen::ArrayXd x = air.state.x, v = air.state.v;
+  VectorXd rhs = VectorXd::Constant(9, 1e3);
+  implicit_rhs(ThickAir(), air.particles, air.state, kA, kB, rhs);
+  expect_entries(rhs, kA * (-x.square() * v.cube() - kB * 2 * x * v.cube() * v), 1e-12,
+                 "a (f + b df/dx v), " + air.text, "rounding");
 }
 
 TEST(Units, IsTheSameInEveryUnitByImplicitRhs) {
@@ -372,13 +391,20 @@ TEST(Step, TakesTheSameStepHoweverOftenItIsAsked) {
 
 TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
   look_at("velocity");
-  const Spring spring(4, 1, GeometricTerm::full, 0.5);
-  State state = apart(), before = state;
-  MatrixXd scratch(6, particles::kImplicitScratch);
-  implicit_euler(spring, kPinned, 0.5, 1e-10, state, scratch);
-  EXPECT_EQ(state.v.head<3>(), before.v.head<3>()) << "a pinned particle changed its velocity";
-  expect_entries(state.x.head<3>(), before.x.head<3>() + 0.5 * before.v.head<3>(), 64 * kU,
-                 "a pinned particle's position", "64 u: rounding");
+  Chain chain(1e-3, 5);
+  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
+  chain.particles.pinned[3] = 1;
+  chain.state.v.head<3>() = Eigen::Vector3d(0.3, -0.2, 0.7);
+  State state = chain.state;
+  MatrixXd scratch(15, particles::kImplicitScratch);
+  implicit_euler(springs, chain.particles, 0.02, 1e-10, state, scratch);
+  for (const int i : {0, 3}) {
+    SCOPED_TRACE("particle " + std::to_string(i) + " of five in a row on springs, 0 and 3 pinned");
+    const VectorXd v = chain.state.v.segment<3>(3 * i), x = chain.state.x.segment<3>(3 * i);
+    EXPECT_EQ(VectorXd(state.v.segment<3>(3 * i)), v) << "a pinned particle changed its velocity";
+    expect_entries(state.x.segment<3>(3 * i), x + 0.02 * v, 64 * kU, "a pinned particle's position",
+                   "64 u: rounding");
+  }
 }
 
 TEST(Step, SolvesForTheWholeStep) {
@@ -435,10 +461,11 @@ TEST(Step, AMassThatTurnsOnAStiffSpring) {
     MatrixXd scratch(6, particles::kImplicitScratch);
     implicit_euler(force, particles, h, particles::kSolveTolerance, state, scratch);
   };
-  std::printf("One revolution, h = 1/60 s, k/m = 1e8 / s^2: your rows of the table in the assignment\n");
-  const Revolution full = revolve("linearly implicit, full geometric term", GeometricTerm::full, step);
-  const Revolution filtered = revolve("linearly implicit, filtered", GeometricTerm::filtered, step);
-  const Revolution dropped = revolve("linearly implicit, dropped", GeometricTerm::dropped, step);
+  std::printf("Your rows of the text's table:");
+  const Revolution full = revolve("full", GeometricTerm::full, step);
+  const Revolution filtered = revolve("filtered", GeometricTerm::filtered, step);
+  const Revolution dropped = revolve("dropped", GeometricTerm::dropped, step);
+  std::puts("");
   EXPECT_NUMBER(full.momentum, 0.0049, 1e-4) << "L/L0 with the full geometric term";
   EXPECT_NUMBER(filtered.momentum, 0.0049, 1e-4) << "L/L0 with the filtered geometric term";
   EXPECT_NUMBER(dropped.momentum, 1, 1e-4) << "L/L0 without the geometric term";

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -24,31 +25,32 @@ using hair::Strand;
 namespace {
 
 const double kU = std::ldexp(1.0, -53);
+const Vector3d kAlong = Vector3d(2, -1, 2) / 3;
 
-// Takes a strand along z, its segments so long, with rest lengths of 1 and 2 m; and what an iteration makes of it, if one is made.
+// Takes a straight strand, its segments so long, with rest lengths of 0.8 and 2 m; and what an iteration makes of it, if one is made.
 void measures_the_error(Correction correction) {
-  for (const auto& [first, second] :
-       {std::pair{1.25, 2.0}, {0.75, 2.0}, {1.0, 2.5}, {0.5, 2.5}, {1.0, 1.0}}) {
+  for (const auto& [first, second] : {std::pair{1.0, 2.0}, {0.6, 2.0}, {0.8, 2.5}, {0.4, 2.5}, {0.8, 1.2}}) {
     Strand strand = strand_of(3);
-    strand.rest_length = vector({1, 2});
-    VectorXd x = vector({0, 0, 0, 0, 0, -first, 0, 0, -first - second});
+    strand.rest_length = vector({0.8, 2});
+    VectorXd x(9);
+    x << Vector3d::Zero(), first * kAlong, (first + second) * kAlong;
     const CorrectionReport report = correction(strand, 10, 0, x);
     EXPECT_NUMBER(report.error, largest_error(strand, x), 64 * kU)
         << "the error that is reported for segments of " << first << " m and " << second
-        << " m, rest lengths 1 m and 2 m, no iteration allowed: the largest |l - l0| / l0";
+        << " m, rest lengths 0.8 m and 2 m, no iteration allowed: the largest |l - l0| / l0";
   }
 }
 
-// The root at (0.5, 0, 0), and a segment along (0.6, 0.8, 0) of rest length 1 m.
+// The root at (0.5, 0, 0), and a segment along (0.6, 0.8, 0) of rest length 2 m.
 void corrects_one_segment(Correction correction) {
-  Strand strand = strand_of(2, 3);
-  strand.rest_length[0] = 1;
-  for (const double length : {1.5, 0.5}) {
+  Strand strand = strand_of(2);
+  strand.rest_length[0] = 2;
+  for (const double length : {2.5, 0.5}) {
     VectorXd x = vector({0.5, 0, 0, 0.5 + 0.6 * length, 0.8 * length, 0});
-    correction(strand, 1e-9, 2, x);
-    expect_entries(x, vector({0.5, 0, 0, 1.1, 0.8, 0}), 1e-9,
-                   "x after two iterations at most, of one segment along (0.6, 0.8, 0), rest length 1 m, " +
-                       ::testing::PrintToString(length) + " m long before; masses 1 and 3 kg",
+    correction(strand, 1e-9, 100, x);
+    expect_entries(x, vector({0.5, 0, 0, 1.7, 1.6, 0}), 1e-9,
+                   "x of one segment along (0.6, 0.8, 0), rest length 2 m, " +
+                       ::testing::PrintToString(length) + " m long before",
                    "the tolerance");
   }
 }
@@ -56,7 +58,7 @@ void corrects_one_segment(Correction correction) {
 // It is asked of strands whose lengths are right.
 void says_that_it_converged(Correction correction) {
   for (int count : {1, 2, 3, 10}) {
-    const Strand strand = strand_of(count, 3);
+    const Strand strand = strand_of(count);
     const VectorXd before = bent(strand, 0.05);
     VectorXd x = before;
     const CorrectionReport report = correction(strand, 1e-9, 100000, x);
@@ -70,7 +72,7 @@ void says_that_it_converged(Correction correction) {
 
 void makes_lengths_right(Correction correction) {
   for (int count : {1, 2, 3, 10}) {
-    const Strand strand = strand_of(count, 3);
+    const Strand strand = strand_of(count);
     const VectorXd before = bent(strand, 0.05);
     VectorXd x = before;
     correction(strand, 1e-9, 100000, x);
@@ -81,25 +83,27 @@ void makes_lengths_right(Correction correction) {
 }
 
 void moves_by_masses(Correction correction) {
-  // 2 m long at rest, 2.4 m now; the root at one end, then masses of 1 and 3 kg.
+  // 2.1 m long at rest, 2.5 m now; the root at one end, then masses of 2 and 3 kg.
   Strand strand = strand_of(3);
-  strand.mass = vector({1, 1, 3});
-  strand.rest_length = vector({1, 1});
-  VectorXd x = vector({0, 0, 0, 1, 0, 0, 2.4, 0, 0});
+  strand.mass = vector({0.7, 2, 3});
+  strand.rest_length = vector({0.8, 1.3});
+  VectorXd x(9), right(9);
+  x << Vector3d::Zero(), 0.8 * kAlong, 2.5 * kAlong;
+  right << Vector3d::Zero(), 0.8 * kAlong, 2.1 * kAlong;
   correction(strand, 1e-12, 100000, x);
-  expect_entries(x, vector({0, 0, 0, 1, 0, 0, 2, 0, 0}), 1e-11,
-                 "a straight strand of 1 and 1.4 m, corrected to 1 and 1 m", "the tolerance, 1e-12, twice");
+  expect_entries(x, right, 1e-11, "a straight strand of 0.8 and 1.7 m, corrected to 0.8 and 1.3 m",
+                 "the tolerance, 1e-12, twice");
   // Only one segment is wrong, and not at the root: its ends move against each other by 1/mass, and the first then pulls
   // its own end back. For a small error e across a right angle the first segment does not see it.
-  strand.rest_length = vector({2, 2});
+  strand.rest_length = vector({2, 1.5});
   for (const double e : {1e-6, -1e-6}) {
-    const VectorXd before = vector({0, 0, 0, 2, 0, 0, 2, 2 + e, 0});
+    const VectorXd before = vector({0, 0, 0, 2, 0, 0, 2, 1.5 + e, 0});
     VectorXd corner = before;
     const int iterations = correction(strand, 1e-13, 100000, corner).iterations;
     const bool as_one_pass = (corner - before).head(6).isZero(0) && iterations == 1;
     expect_entries(
-        corner - before, vector({0, 0, 0, 0, 0.75 * e, 0, 0, -0.25 * e, 0}), 10 * e * e + 1e-12,
-        "the correction of a right angle of two segments of 2 m, masses 1 and 3 kg; the second one is " +
+        corner - before, vector({0, 0, 0, 0, 0.6 * e, 0, 0, -0.4 * e, 0}), 10 * e * e + 1e-12,
+        "the correction of a right angle of segments of 2 and 1.5 m, masses 2 and 3 kg; the second one is " +
             std::string(e > 0 ? "1e-6 m too long" : "1e-6 m too short") + "; " + std::to_string(iterations) +
             " iterations" +
             (as_one_pass ? ". One pass from the root on moves so: was the step refused, though its sum of "
@@ -132,8 +136,7 @@ void expect_impulses_along(const Strand& strand, const VectorXd& x, const Vector
 }
 
 // For errors of 1e-6 directions change by some 1e-5. Lengths are off either way, or all too long.
-void moves_by_impulses_along_the_segments(Correction correction) {
-  const Strand strand = strand_of(10, 3);
+void moves_by_impulses_along_the_segments(Correction correction, const Strand& strand) {
   for (const bool all_too_long : {false, true}) {
     const VectorXd before = all_too_long ? VectorXd((1 + 1e-6) * bent(strand, 0)) : bent(strand, 1e-6);
     VectorXd x = before;
@@ -174,14 +177,14 @@ void reports_what_it_did(Correction correction, const VectorXd& before,
   EXPECT_EQ(right, kept) << "nothing was left to correct";
 }
 
-// An error of 0.25 or 0.25 m/s, without any rounding.
+// One segment of rest length 0.5 m. An error of 0.25 or 0.25 m/s, without any rounding.
 void leaves_an_error_that_is_the_tolerance(Correction correction, const VectorXd& before) {
   VectorXd lone = VectorXd::Zero(3);
   const CorrectionReport nothing = correction(strand_of(1), 1e-9, 100, lone);
   EXPECT_COUNT(nothing.iterations, 0) << "iterations for one particle, which has no segment";
   EXPECT_TRUE(nothing.converged) << "one particle, which has no segment";
   Strand strand = strand_of(2);
-  strand.rest_length[0] = 1;
+  strand.rest_length[0] = 0.5;
   VectorXd after = before;
   const CorrectionReport report = correction(strand, 0.25, 100, after);
   EXPECT_TRUE(report.converged) << "the error is 0.25, and the tolerance, too";
@@ -198,7 +201,7 @@ void expect_few_or_sweeps(int iterations, int few, const std::string& of) {
 const double kLittleBent = 0.05;
 
 void takes_few_iterations(Correction correction, VectorXd wrong, double tolerance, int few) {
-  const CorrectionReport report = correction(strand_of(201, 3), tolerance, 200000, wrong);
+  const CorrectionReport report = correction(strand_of(201), tolerance, 200000, wrong);
   EXPECT_TRUE(report.converged) << "a hair of 200 segments that is bent a little: it ended after "
                                 << report.iterations << " of 200,000 iterations, with the error "
                                 << report.error << ". Was it to go on?";
@@ -225,25 +228,22 @@ void works_in_every_unit(Correction correction) {
     SCOPED_TRACE("segments of some " + ::testing::PrintToString(unit) + " m, tolerance 1e-8");
     EXPECT_LE(largest_error(strand, x), 1e-8 + 64 * kU) << "the largest |l - l0| / l0 that is left";
     EXPECT_TRUE(report.converged);
-    expect_entries(x / unit, known, 1e-9, "x over that length, beside x of segments of 1 m and more",
+    expect_entries(x / unit, known, 1e-9, "x over that length, beside x of segments of some metres",
                    "powers of two don't round");
   }
 }
 
 void is_honest_where_the_root_is_far(Correction correction) {
-  for (const double far : {1e2, 1e6, 2e13, 1e18}) {
-    const Strand strand = strand_of(8);
+  for (const double far : {1e2, 1e6, 2e13, 5e13, 1e14, 1e18}) {
+    const Strand strand = strand_of(6);
     VectorXd x = bent(strand, 0);
-    x[0] += far;
+    x.head<3>() += far * kAlong;
     const CorrectionReport report = correction(strand, 1e-10, 1000, x);
-    SCOPED_TRACE("8 particles, the root " + ::testing::PrintToString(far) + " m away, tolerance 1e-10");
-    if (far > 1e10) {
-      EXPECT_FALSE(report.converged) << "rounding leaves more than a thousandth of a length";
-    } else {
-      EXPECT_TRUE(x.allFinite());
-      if (report.converged) {
-        EXPECT_LE(largest_error(strand, x), 1e-10 + 0x1p-50 * far) << "the report says that it has converged";
-      }
+    SCOPED_TRACE("6 particles, the root " + ::testing::PrintToString(far) + " m away, tolerance 1e-10");
+    EXPECT_TRUE(far == 1e18 || x.allFinite());
+    if (report.converged) {
+      EXPECT_LE(largest_error(strand, x), 1e-10 + std::min(0x1p-48 * far, 2e-3))
+          << "the report says that it has converged";
     }
   }
 }
@@ -269,7 +269,7 @@ TEST(Report, MeasuresTheErrorByRelaxLengths) {
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByRelaxLengths) {
   look_at("count");
-  leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -1.25}));
+  leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -0.625}));
 }
 
 TEST(Relaxation, CorrectsOneSegment) {
@@ -296,7 +296,9 @@ TEST(Root, LeavesTheRootAloneByRelaxLengths) {
 
 TEST(Relaxation, MovesByImpulsesAlongTheSegments) {
   look_at("shares");
-  moves_by_impulses_along_the_segments(relax);
+  Strand strand = strand_of(10);
+  strand.mass.setConstant(0.7);  // how masses count is asked elsewhere
+  moves_by_impulses_along_the_segments(relax, strand);
 }
 
 TEST(LongStrands, EndsForALongStrandByRelaxLengths) {
@@ -309,7 +311,7 @@ TEST(Report, ReportsWhatItDidByRelaxLengths) {
 }
 
 TEST(Iterations, TakesOneSweepForOneSegment) {
-  const Strand strand = strand_of(2, 3);
+  const Strand strand = strand_of(2);
   VectorXd x = bent(strand, 0.05);
   EXPECT_COUNT(relax(strand, 1e-9, 1000, x).iterations, 1)
       << "sweeps for one segment: the first one is exact";
@@ -329,7 +331,8 @@ TEST(Relaxation, TakesSweepsThatGrowWithTheSquare) {
   std::printf(
       "A straight hair that is 1 %% too long, to 1e-10: your sweeps, for the table in the assignment\n");
   for (int segments : {10, 20, 30, 60})
-    std::printf("  %3d segments  %6d\n", segments, iterations_for(relax, segments));
+    std::printf("  %d segments: %d", segments, iterations_for(relax, segments));
+  std::printf("\n");
 }
 
 TEST(Report, MeasuresTheErrorByCorrectLengths) {
@@ -338,7 +341,7 @@ TEST(Report, MeasuresTheErrorByCorrectLengths) {
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByCorrectLengths) {
   look_at("count");
-  leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -1.25}));
+  leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -0.625}));
 }
 
 TEST(Lengths, CorrectsOneSegment) {
@@ -355,10 +358,11 @@ TEST(Iterations, TakesFewIterationsByCorrectLengths) {
   std::printf("The same by correct_lengths: your iterations\n");
   for (int segments : {10, 20, 30, 60}) {
     const int iterations = iterations_for(correct, segments);
-    std::printf("  %3d segments  %6d\n", segments, iterations);
+    std::printf("  %d segments: %d", segments, iterations);
     expect_few_or_sweeps(iterations, 8, "a straight hair of " + std::to_string(segments) + " segments");
   }
-  takes_few_iterations(correct, bent(strand_of(201, 3), 0.005, kLittleBent), 1e-10, 8);
+  std::printf("\n");
+  takes_few_iterations(correct, bent(strand_of(201), 0.005, kLittleBent), 1e-10, 8);
   EXPECT_LE(iterations_for(correct, 1), 2) << "for one segment: the first step is exact. Has the root's mass "
                                               "a part in your matrix? 1/mass of it is 0";
 }
@@ -378,7 +382,7 @@ TEST(Root, LeavesTheRootAloneByCorrectLengths) {
 }
 
 TEST(Impulses, MovesByImpulsesAlongTheSegments) {
-  moves_by_impulses_along_the_segments(correct);
+  moves_by_impulses_along_the_segments(correct, strand_of(10));
 }
 
 TEST(LongStrands, EndsForALongStrandByCorrectLengths) {
@@ -405,7 +409,7 @@ TEST(FarRoot, IsHonestWhereTheRootIsFar) {
 
 TEST(Lengths, GivesTheSameHoweverOftenItIsAsked) {
   look_at("static");
-  const Strand strand = strand_of(5, 3);
+  const Strand strand = strand_of(5);
   const VectorXd before = bent(strand, 0.05);
   VectorXd first = before;
   correct(strand, 1e-9, 1000, first);
@@ -418,12 +422,12 @@ TEST(Lengths, GivesTheSameHoweverOftenItIsAsked) {
 
 TEST(Degenerate, GivesASegmentOfNoLengthADirection) {
   Strand strand = strand_of(2);
-  strand.rest_length[0] = 1;
-  strand.root_tangent = Vector3d(0, 1, 0);
+  strand.rest_length[0] = 2;
+  strand.root_tangent = Vector3d(0, 0.8, 0.6);
   VectorXd x = VectorXd::Zero(6);
   EXPECT_TRUE(correct(strand, 1e-9, 100000, x).converged);
-  expect_entries(x, vector({0, 0, 0, 0, 1, 0}), 1e-8,
-                 "two particles in one place, rest length 1 m, root_tangent (0, 1, 0)",
+  expect_entries(x, vector({0, 0, 0, 0, 1.6, 1.2}), 1e-8,
+                 "two particles in one place, rest length 2 m, root_tangent (0, 0.8, 0.6)",
                  "ten times the tolerance");
   Strand longer = strand_of(4);
   VectorXd point = VectorXd::Ones(12);
@@ -431,15 +435,19 @@ TEST(Degenerate, GivesASegmentOfNoLengthADirection) {
   EXPECT_LE(largest_error(longer, point), 1e-9 + 64 * kU) << "four particles in one place";
 }
 
-// Of one segment along z, and of one along x behind it, which open and close.
+// One segment along z, and one along x behind it, open and close.
 TEST(Report, MeasuresTheErrorByCorrectVelocities) {
   for (const auto& [first, second] : {std::pair{-0.5, 0.0}, {0.5, 0.0}, {0.25, 0.75}, {-0.75, -0.25}}) {
     VectorXd v = vector({0, 0, 0, 0, 0, first, second, 0, first});
-    const CorrectionReport report = stop_at(vector({0, 0, 0, 0, 0, -1, 1.5, 0, -1}), strand_of(3), 10, 0, v);
+    Strand strand = strand_of(3);
+    strand.rest_length = vector({0.8, 1.5});
+    const VectorXd x = vector({0, 0, 0, 0, 0, -0.8, 1.5, 0, -0.8});
+    const CorrectionReport report = stop_at(x, strand, 10, 0, v);
     const double rate = std::max(std::abs(v[5] - v[2]), std::abs(v[6] - v[3]));
     EXPECT_NUMBER(report.error, rate, 64 * kU)
-        << "the error that is reported for segments along z and x, v = " << particles_in_words(v)
-        << ", no iteration allowed: the largest |u . (v_(i+1) - v_i)|";
+        << "the error that is reported for segments of 0.8 m along -z and 1.5 m along x, v = "
+        << particles_in_words(v)
+        << ", no iteration allowed: the largest |u . (v_(i+1) - v_i)|, m/s, over no length";
   }
 }
 
@@ -453,24 +461,24 @@ TEST(Report, LeavesAnErrorThatIsTheToleranceByCorrectVelocities) {
 }
 
 TEST(Velocities, CorrectsOneSegment) {
-  const VectorXd x = vector({0, 0, 0, 0.6, 0.8, 0});
+  const Strand strand = strand_of(2);
+  const VectorXd x = strand.rest_length[0] * vector({0, 0, 0, 0.6, 0.8, 0});
   for (const double rate : {5.0, -5.0}) {
     const VectorXd before = vector({0, 0, 0, 0.6 * rate, 0.8 * rate, 1});
     VectorXd v = before;
-    stop_at(x, strand_of(2, 3), 1e-9, 2, v);
-    expect_entries(
-        v, vector({0, 0, 0, 0, 0, 1}), 1e-9,
-        "velocities after two iterations at most, of a segment along (0.6, 0.8, 0), masses 1 and 3 "
-        "kg, its outer end at (0, 0, 1) and " +
-            ::testing::PrintToString(rate) + " times (0.6, 0.8, 0) m/s",
-        "the tolerance", before);
+    stop_at(x, strand, 1e-9, 100, v);
+    expect_entries(v, vector({0, 0, 0, 0, 0, 1}), 1e-9,
+                   "velocities of a segment along (0.6, 0.8, 0), its outer end at "
+                   "(0, 0, 1) and " +
+                       ::testing::PrintToString(rate) + " times (0.6, 0.8, 0) m/s",
+                   "the tolerance", before);
   }
 }
 
 TEST(Velocities, SaysThatItConverged) {
   look_at("both-ends");
   for (int count : {1, 2, 3, 10}) {
-    const Strand strand = strand_of(count, 3);
+    const Strand strand = strand_of(count);
     VectorXd v = scattered_vector(3 * count, 7);
     const CorrectionReport report = stop(strand, 1e-9, 100000, v);
     if (!(largest_rate(strand, v) <= 1e-9)) continue;
@@ -484,7 +492,7 @@ TEST(Velocities, SaysThatItConverged) {
 TEST(Velocities, StopStretching) {
   look_at("both-ends");
   for (int count : {1, 2, 3, 10}) {
-    const Strand strand = strand_of(count, 3);
+    const Strand strand = strand_of(count);
     const VectorXd before = scattered_vector(3 * count, 7);
     VectorXd v = before;
     stop(strand, 1e-9, 100000, v);
@@ -526,7 +534,7 @@ TEST(Report, NeverConvergesWithNaNByCorrectVelocities) {
 
 TEST(Iterations, OfOneSegmentAtOnce) {
   look_at("rate");
-  const Strand strand = strand_of(2, 3);
+  const Strand strand = strand_of(2);
   VectorXd v = scattered_vector(6, 7);
   EXPECT_LE(stop(strand, 1e-9, 1000, v).iterations, 2)
       << "iterations for one segment: the first impulse is exact. 1/mass of the root is 0";
@@ -546,7 +554,7 @@ TEST(Degenerate, OfASegmentOfNoLength) {
 
 TEST(Velocities, ByImpulsesAlongTheSegments) {
   look_at("own-direction");
-  const Strand strand = strand_of(10, 3);
+  const Strand strand = strand_of(10);
   const VectorXd before = scattered_vector(30, 7);
   VectorXd v = before;
   stop(strand, 1e-12, 100000, v);
@@ -556,19 +564,19 @@ TEST(Velocities, ByImpulsesAlongTheSegments) {
 
 TEST(Masses, ByEqualAndOppositeImpulses) {
   look_at("velocities");
-  // A right angle: the first segment sees nothing of what the second needs, so that this is a collision of 1 and 3 kg.
+  // A right angle: the first segment sees nothing of what the second needs, so that this is a collision of 2 and 3 kg.
   Strand strand = strand_of(3);
-  strand.mass = vector({1, 1, 3});
-  strand.rest_length = vector({1, 1});
-  const VectorXd x = vector({0, 0, 0, 1, 0, 0, 1, 1, 0});
+  strand.mass = vector({0.7, 2, 3});
+  strand.rest_length = vector({0.8, 1.5});
+  const VectorXd x = vector({0, 0, 0, 0.8, 0, 0, 0.8, 1.5, 0});
   VectorXd v = vector({0, 0, 0, 0, 0, 0, 0.5, 4, 0.25});
   MatrixXd scratch(9, hair::kCorrectionScratch);
   correct_velocities(strand, x, 1e-12, 100000, v, scratch);
-  expect_entries(
-      v, vector({0, 0, 0, 0, 3, 0, 0.5, 3, 0.25}), 1e-11,
-      "velocities after the impulse, particles at (0, 0), (1, 0), (1, 1) of 1, 1, 3 kg, the last one at "
-      "(0.5, 4, 0.25) m/s",
-      "ten times the tolerance");
+  expect_entries(v, vector({0, 0, 0, 0, 2.4, 0, 0.5, 2.4, 0.25}), 1e-11,
+                 "velocities after the impulse, particles at (0, 0), (0.8, 0), (0.8, 1.5) of 0.7, 2, 3 kg, "
+                 "the last one at "
+                 "(0.5, 4, 0.25) m/s",
+                 "ten times the tolerance");
 }
 
 int main(int argc, char** argv) {

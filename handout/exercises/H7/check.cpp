@@ -87,16 +87,17 @@ struct Placed {
 
 const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = {
-      {JointType::revolute, kZ, Vector3d(0.1, 0, 0), Vector3d(0.3, 0.1, 0)},
-      {JointType::prismatic, Vector3d(0.6, 0, 0.8), Vector3d(0, 0.2, 0), Vector3d(0.1, 0, 0.2)},
-      {JointType::revolute, Vector3d(0, 0.6, 0.8), Vector3d(0.2, 0, 0.1), Vector3d(0, 0.3, 0)},
-      {JointType::revolute, kX, Vector3d(0, 0.1, 0.2), Vector3d(0, 0, 0.4)}};
+      {JointType::revolute, kZ, Vector3d(0.1, -0.3, 0.2), Vector3d(0.3, 0.1, -0.2)},
+      {JointType::prismatic, Vector3d(2, 3, 6) / 7, Vector3d(-0.1, 0.2, 0.3), Vector3d(0.1, -0.4, 0.2)},
+      {JointType::revolute, Vector3d(6, -2, 3) / 7, Vector3d(0.2, 0.4, 0.1), Vector3d(0.2, 0.3, -0.1)},
+      {JointType::revolute, Vector3d(-4, 4, 7) / 9, Vector3d(-0.3, 0.1, 0.2), Vector3d(0.1, -0.2, 0.4)}};
   return all;
 }
 
 Placed placed(const VectorXd& q) {
   Links links;
   Placed chain{{}, {Vector3d::Zero()}};
+  const std::vector<double> masses = {2.3, 0.7, 3.1, 1.6};
   Matrix3d turned = Matrix3d::Identity();
   for (std::size_t i = 0; i < shapes().size(); ++i) {
     const Shape& shape = shapes()[i];
@@ -106,9 +107,8 @@ Placed placed(const VectorXd& q) {
     if (!slides) turned = turned * Eigen::AngleAxisd(q[i], shape.axis).toRotationMatrix();
     const Vector3d d = turned * shape.center;
     const Vector3d r = slides ? Vector3d(to_joint + d + q[i] * u) : Vector3d(to_joint + d);
-    const Matrix3d tensor = turned * Vector3d(0.1, 0.2, 0.25).asDiagonal() * turned.transpose();
-    links.push_back(link_of(shape.joint, u, slides ? Vector3d(Vector3d::Zero()) : d, r,
-                            1.0 + static_cast<double>(i), tensor));
+    const Matrix3d tensor = masses[i] * turned * Vector3d(0.1, 0.2, 0.25).asDiagonal() * turned.transpose();
+    links.push_back(link_of(shape.joint, u, slides ? Vector3d(Vector3d::Zero()) : d, r, masses[i], tensor));
     chain.position.push_back(chain.position.back() + r);
   }
   chain.links = chain_of(links);
@@ -456,6 +456,20 @@ TEST(AddedBySteps, TakeTheInertiaThatALinkHas) {
   const Passes passes = pass_2(links, one(0), Passes(2));
   EXPECT_NUMBER(passes[1].gain(0, 0), 1 / (3 * 0.25 + 0.5), 1e-14)
       << "1 / (m l^2 + J) of a link that resists as 3 kg along x, 0.5 m below its joint";
+}
+
+// They add no mass that spins: Z^ is what it was.
+TEST(AddedBySteps, LeaveEulersTermAlone) {
+  look_at("tensor");
+  Links links = placed(kQ).links;
+  const Passes plain = pass_1(links, kRates);
+  for (Link& link : links) link.inertia.J += Vector3d(0.3, 0.1, 0.2).asDiagonal();
+  const Passes added = pass_1(links, kRates);
+  for (int i = 1; i <= 4; ++i)
+    expect_vector(added[i].bias.torque, plain[i].bias.torque, 1e-13,
+                  "the torque in Z^ of link " + std::to_string(i) +
+                      " of 4, where a step adds to its inertia.J, beside that without",
+                  "1e-13");
 }
 
 TEST(LongChains, BeginAtTheTipOfALongChain) {

@@ -93,7 +93,7 @@ Lying crooked_strand() {
   Lying lying;
   for (int i = 0; i < 4; ++i) {
     const Vector3d axis = Vector3d(1, 0.5 * i, -0.3 * i * i).normalized();
-    add_element(Eigen::AngleAxisd(0.4 + i, axis).toRotationMatrix(), 0.5 + 0.1 * i, 2, lying);
+    add_element(Eigen::AngleAxisd(0.4 + i, axis).toRotationMatrix(), 0.5 + 0.3 * (i % 3), 2, lying);
   }
   for (std::size_t j = 0; j < lying.points.size(); ++j) {
     const VectorXd numbers = scattered_vector(6, static_cast<int>(j));
@@ -352,9 +352,9 @@ TEST(CarriedFrames, GoOnWhereTheElementBeforeEnds) {
 TEST(CarriedFrames, MakeOneHelix) {
   const double radius = kCurvature.head<2>().norm() / kCurvature.squaredNorm();
   std::vector<HelixElement> elements(10);
-  for (HelixElement& element : elements) {
-    element.length = 1;
-    element.curvature = kCurvature;
+  for (int i = 0; i < 10; ++i) {
+    elements[i].length = 0.4 + 0.3 * (i % 4);
+    elements[i].curvature = kCurvature;
   }
   const MaterialFrame root = some_root();
   carry_frames(root, elements);
@@ -382,12 +382,17 @@ TEST(Stiffness, IsEIAndGJTimesTheLength) {
 TEST(Elasticity, VanishesAtTheNaturalShape) {
   const HelixStrand strand = strand_of(crooked_strand());
   EXPECT_EQ(elastic_of(strand, strand.natural).norm(), 0) << "of a strand that lies as it is by nature";
-  VectorXd q = strand.natural;
-  q[3] += 2;
-  VectorXd expected = VectorXd::Zero(q.size());
-  expected[3] = -2 * 3 * strand.lengths[1];
-  expect_numbers(elastic_of(strand, q), expected, 1e-12,
-                 "the force if kappa1 of element 1 is 2 / m too much: -EI l 2", "1e-12");
+}
+
+TEST(Elasticity, PullsBackWhereItIsBent) {
+  const HelixStrand strand = strand_of(crooked_strand());
+  const VectorXd bent = scattered_vector(12, 6);
+  VectorXd expected(12);
+  for (int i = 0; i < 4; ++i)
+    expected.segment<3>(3 * i) =
+        -strand.lengths[i] * Vector3d(3, 3, 1.5).cwiseProduct(Vector3d(bent.segment<3>(3 * i)));
+  expect_numbers(elastic_of(strand, strand.natural + bent), expected, 1e-12,
+                 "the force of four elements: -(EI, EI, GJ) l (q - q^n), EI = 3, GJ = 1.5", "1e-12");
 }
 
 // ---- (4)

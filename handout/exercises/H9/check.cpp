@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "derivative.h"
+#include "ordinary.h"
 
 using namespace checks;
 using Eigen::VectorXd;
@@ -64,14 +65,42 @@ VectorXd products(const std::vector<StaticLink>& links, const VectorXd& largest,
   return df;
 }
 
-// Five particles, three links: a new one, a worn one, and one that is broken.
+// Five particles, three links: a new one, a worn one that has 0.75 of its strength, and one that is broken.
 struct Linked {
-  std::vector<StaticLink> links = {{0, 1, Vector3d(0.2, -0.4, 0.1), 0.5, 8, 1, 2},
-                                   {3, 1, Vector3d(0.3, 0.1, 0.2), 0.4, 6, 1, 3},
-                                   {2, 4, Vector3d(-0.1, 0.5, 0.3), 0.6, 9, 1, 2}};
-  std::vector<Matrix3d> frames = std::vector<Matrix3d>(5, turned_frames()[0]);
-  VectorXd largest = Vector3d(0.5, 1.5, 2.5), x = scattered_vector(15, 1);
+  std::vector<StaticLink> links = {{0, 1, Vector3d(0.2, -0.4, 0.1), 0.5, 8, 0.8, 2.1},
+                                   {3, 1, Vector3d(0.3, 0.1, 0.2), 0.4, 6, 1.2, 3.2},
+                                   {2, 4, Vector3d(-0.1, 0.5, 0.3), 0.6, 9, 0.9, 1.9}};
+  std::vector<Matrix3d> frames;
+  VectorXd largest = Vector3d(0.5, 1.7, 2.5), x = scattered_vector(15, 1);
+  Linked() {
+    Scatter source(4);
+    for (int i = 0; i < 5; ++i) {
+      const double angle = source.uniform(0.5, 2.5);
+      frames.push_back(Eigen::AngleAxisd(angle, ordinary_direction(source)).toRotationMatrix());
+    }
+  }
+
+  // New links.
+  Linked fresh() const {
+    Linked same = *this;
+    same.largest.setZero();
+    return same;
+  }
+
+  // The same in frames that are not turned.
+  Linked straight() const {
+    Linked same = *this;
+    for (StaticLink& link : same.links) link.offset = frames[link.a] * link.offset;
+    same.frames.assign(5, Matrix3d::Identity());
+    return same;
+  }
 };
+
+VectorXd stretches_of(const Linked& s) {
+  VectorXd stretches = Vector3d::Zero();
+  remember_stretches(s.links, s.frames, s.x, stretches);
+  return stretches;
+}
 
 }  // namespace
 
@@ -99,6 +128,17 @@ TEST(Histories, KeepsTheLargest) {
         << "the largest stretch so far; the particle is at x = " << at
         << " now, was meant to be at 1, and stretches are multiples of 0.5 m";
   }
+}
+
+TEST(Histories, MeasuresEachLink) {
+  const Linked s = Linked().straight();
+  VectorXd expected(3);
+  for (int l = 0; l < 3; ++l) {
+    const StaticLink& link = s.links[l];
+    const Vector3d a = s.x.segment<3>(3 * link.a), b = s.x.segment<3>(3 * link.b);
+    expected[l] = (b - a - link.offset).norm() / link.length;
+  }
+  expect_numbers(stretches_of(s), expected, 1e-12, "the largest stretches of three new links", kRounding);
 }
 
 TEST(TurnedFrames, MeasuresFromTheFrame) {
@@ -136,6 +176,19 @@ TEST(TurnedFrames, PullsToWhereTheFrameIs) {
                  kRounding);
 }
 
+// Links are numbered, and so are particles: a frame is that of the particle a.
+TEST(TurnedFrames, TakesTheFrameOfEachLinksParticle) {
+  look_at("particle");
+  const Linked s, same = s.straight();
+  expect_numbers(
+      stretches_of(s), stretches_of(same), 1e-12,
+      "stretches of three links, beside those of links whose offsets are turned in place of frames",
+      kRounding);
+  expect_entries(
+      forces(s.links, s.frames, s.largest, s.x), forces(same.links, same.frames, s.largest, s.x), 1e-11,
+      "forces of three links, beside those of links whose offsets are turned in place of frames", kRounding);
+}
+
 TEST(Added, AddsToWhatIsThereByAddLinkForce) {
   const Linked s;
   expect_added([&](VectorXd& f) { add_link_force(s.links, s.frames, s.largest, s.x, f); }, VectorXd::Ones(15),
@@ -144,7 +197,7 @@ TEST(Added, AddsToWhatIsThereByAddLinkForce) {
 
 TEST(LinkForces, IsTheSlopeOfTheEnergy) {
   look_at("every-link");
-  const Linked s;
+  const Linked s = Linked().straight().fresh();
   expect_force(
       forces(s.links, s.frames, s.largest, s.x),
       [&](const VectorXd& x) { return link_energy(s.links, s.frames, s.largest, x); }, s.x, 1, 10);
@@ -157,8 +210,27 @@ TEST(WornLinks, OfABrokenLinkIsNothing) {
                  "the force of a link that broke", "0");
 }
 
-TEST(LinkProducts, IsTheSlopeOfTheForce) {
+TEST(WornLinks, TakeTheirOwnStrength) {
+  look_at("force");
   const Linked s;
+  Linked fresh = s.fresh();
+  fresh.links[1].stiffness *= 0.75;
+  fresh.links[2].stiffness = 0;
+  const VectorXd dx = scattered_vector(15, 2);
+  const std::string beside =
+      " of a new link, one that has 0.75 of its strength, and a broken one, beside that of "
+      "new links that are less stiff";
+  EXPECT_NUMBER(link_energy(s.links, s.frames, s.largest, s.x),
+                link_energy(fresh.links, s.frames, fresh.largest, s.x), 1e-11)
+      << "the energy" << beside;
+  expect_entries(forces(s.links, s.frames, s.largest, s.x), forces(fresh.links, s.frames, fresh.largest, s.x),
+                 1e-11, "the force" + beside, kRounding);
+  expect_entries(products(s.links, s.largest, dx), products(fresh.links, fresh.largest, dx), 1e-11,
+                 "the product" + beside, kRounding);
+}
+
+TEST(LinkProducts, IsTheSlopeOfTheForce) {
+  const Linked s = Linked().straight().fresh();
   for (const int which : {2, 3}) {
     const VectorXd dx = scattered_vector(15, which);
     expect_product(
@@ -177,15 +249,13 @@ TEST(Added, AddsToWhatIsThereByAddLinkProduct) {
 // A force is a stiffness times a length, whatever their sizes: hair is smaller than this by far.
 TEST(OtherUnits, OfLinksOfAnySize) {
   const Linked s;
-  const VectorXd expected = forces(s.links, s.frames, s.largest, s.x);
-  VectorXd none = VectorXd::Zero(3), stretches = none;
-  remember_stretches(s.links, s.frames, s.x, stretches);
+  const VectorXd expected = forces(s.links, s.frames, s.largest, s.x), stretches = stretches_of(s);
   for (const double scale : {0x1p-50, 0x1p40}) {
     std::vector<StaticLink> links = s.links;
     for (StaticLink& link : links) link.length *= scale, link.offset *= scale;
     expect_entries(forces(links, s.frames, s.largest, scale * s.x) / scale, expected, 1e-11,
                    "forces, in units of 2^-50 or 2^40 m", kRounding);
-    VectorXd again = none;
+    VectorXd again = VectorXd::Zero(3);
     remember_stretches(links, s.frames, scale * s.x, again);
     expect_entries(again, stretches, 1e-11, "stretches of links that are 2^-50 or 2^40 times as long",
                    kRounding);
@@ -228,7 +298,7 @@ StripContact some_contact(double side = 1) {
   return {3, {0, 1, 2}, {0.5, 0.25, 0.25}, Vector3d(0, 0, side), 0.5};
 }
 
-constexpr StripLaw kLaw{0.25, 40, 0.5};
+constexpr StripLaw kLaw{0.25, 40, 0.6};
 
 VectorXd strip_forces(const std::vector<StripContact>& contacts, const VectorXd& x) {
   VectorXd f = VectorXd::Zero(x.size());
@@ -289,6 +359,17 @@ TEST(Touches, SaysWhereThePointIs) {
                    Vector3d(0.5, 0.25, 0.25), 1e-12,
                    "the shares of (0.5, 0.75) in the triangle (0, 0), (2, 0), (0, 3)", kRounding);
   }
+  // No right angle, and along no axis.
+  VectorXd x = scattered_vector(12, 6);
+  const Vector3d a = x.head<3>(), b = x.segment<3>(3), c = x.segment<3>(6),
+                 normal = (b - a).cross(c - a).normalized();
+  x.tail<3>() = 0.5 * a + 0.2 * b + 0.3 * c - 0.1 * normal;
+  StripContact contact;
+  EXPECT_TRUE(touch(x, -1, contact)) << "a point 0.1 below a triangle, thickness 0.25";
+  expect_entries(contact.normal, -normal, 1e-12, "the normal of a triangle along no axis, side -1",
+                 kRounding);
+  expect_numbers(Vector3d(contact.shares[0], contact.shares[1], contact.shares[2]), Vector3d(0.5, 0.2, 0.3),
+                 1e-12, "the shares in a triangle along no axis", kRounding);
 }
 
 TEST(FlatTriangles, FindsEdgesAndNoFlatTriangle) {
@@ -433,17 +514,17 @@ TEST(StripProducts, IsTheSlopeOfTheForce) {
                  "the product of a point farther away than the thickness", "0");
 }
 
-// The pressure is 4 N, so that friction is 2 N at most.
+// The pressure is 4 N, so that friction is 2.4 N at most.
 TEST(Frictions, SlipsWithCoulombsForce) {
-  for (const double inverse : {1, 2}) {
+  for (const double inverse : {0.5, 2.0}) {
     VectorXd v = zeros(4), inverse_mass = VectorXd::Zero(4);
     v.tail<3>() = Vector3d(3, 4, 7);
     inverse_mass[3] = inverse;
     VectorXd expected = v;
-    expected.tail<3>() = Vector3d(3, 4, 0) * (5 - 0.2 * inverse) / 5 + Vector3d(0, 0, 7);
+    expected.tail<3>() = Vector3d(3, 4, 0) * (5 - 0.24 * inverse) / 5 + Vector3d(0, 0, 7);
     expect_entries(
         after_friction(above_triangle(0.05), inverse_mass, 0.1, v), expected, 1e-12,
-        "velocities after 0.1 s, (3, 4, 7) before; the corners are pinned, the point has 1 or 0.5 kg",
+        "velocities after 0.1 s, (3, 4, 7) before; the corners are pinned, the point has 2 or 0.5 kg",
         kRounding, v);
   }
 }
@@ -495,22 +576,24 @@ TEST(Frictions, StopsAndDoesNotReverse) {
 TEST(FrictionOrder, GoesContactAfterContact) {
   const VectorXd x = above_triangle(0.05);
   VectorXd v = zeros(4), inverse_mass = VectorXd::Zero(4);
-  v[9] = 3;
-  inverse_mass[3] = 1;
+  v[9] = 1.5;
+  inverse_mass[3] = 0.5;
   const std::vector<StripContact> twice(2, some_contact());
-  apply_strip_friction(twice, kLaw, inverse_mass, 1, x, v);
-  EXPECT_NUMBER(v[9], 0, 1e-12) << "m/s: 3, less 2 of the first contact; the second one stops what is left";
+  apply_strip_friction(twice, kLaw, inverse_mass, 0.8, x, v);
+  EXPECT_NUMBER(v[9], 0, 1e-12)
+      << "m/s: 1.5, less 0.96 of the first contact; the second one stops what is left";
   // A contact whose particles are all pinned leaves the others to the next one.
   VectorXd two = zeros(5), w = zeros(5);
   two.head(12) = x;
   two.tail<3>() = x.tail<3>();
   std::vector<StripContact> contacts(2, some_contact());
   contacts[1].point = 4;
-  w[12] = 3;
+  w[12] = 1.5;
   Eigen::VectorXd masses = VectorXd::Zero(5);
-  masses[4] = 1;
-  apply_strip_friction(contacts, kLaw, masses, 1, two, w);
-  EXPECT_NUMBER(w[12], 1, 1e-12) << "m/s: 3, less 2; the contact before it is between pinned particles";
+  masses[4] = 0.5;
+  apply_strip_friction(contacts, kLaw, masses, 0.8, two, w);
+  EXPECT_NUMBER(w[12], 0.54, 1e-12)
+      << "m/s: 1.5, less 0.96; the contact before it is between pinned particles";
 }
 
 TEST(OtherUnits, OfPointsOfAnySpeed) {

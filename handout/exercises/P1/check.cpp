@@ -22,23 +22,36 @@
 using namespace checks;
 using namespace particles;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
 
 const double kUnit = std::ldexp(1.0, -53), kNaN = std::numeric_limits<double>::quiet_NaN();
 
+// x and v after one step of Pendulums by each method, computed with 40 digits.
+const VectorXd kForwardSwing =
+    vector({1.38, -1.06, -0.43, -0.0849960443472, 1.36317994025797, -2.55926001743090});
+const VectorXd kSymplecticSwing = vector({0.666001582261106, -0.754728023896811, -0.573704006972358,
+                                          -0.0849960443472, 1.36317994025797, -2.55926001743090});
+const VectorXd kMidpointSwing = vector({1.02300079113055, -0.907364011948406, -0.501852003486179,
+                                        -0.0883242449451, 1.19084921921781, -1.32962660103826});
+const VectorXd kRungeKuttaSwing = vector({1.03869634646483, -0.925683137435116, -0.355821898794791,
+                                          0.0390354892976, 1.22449406747721, -1.57326780495699});
+
 struct Method {
   const char* name;
   int order, evaluations;
   void (*step)(Dynamics&, double, Output, Output, Scratch);
+  const VectorXd& swing;
   double x, v;  // one step of h = 0.5 from x = 1, v = 2 with a = -4x - v, by hand
 };
 
-const Method kForwardEuler = {"forward_euler", 1, 1, forward_euler, 2, -1};
-const Method kSymplecticEuler = {"symplectic_euler", 1, 1, symplectic_euler, 0.5, -1};
-const Method kMidpoint = {"midpoint", 2, 2, midpoint, 1.25, -1.25};
-const Method kRungeKutta4 = {"runge_kutta_4", 4, 4, runge_kutta_4, 1 + 3.3125 / 12, 2 - 33.0625 / 12};
+const Method kForwardEuler = {"forward_euler", 1, 1, forward_euler, kForwardSwing, 2, -1};
+const Method kSymplecticEuler = {"symplectic_euler", 1, 1, symplectic_euler, kSymplecticSwing, 0.5, -1};
+const Method kMidpoint = {"midpoint", 2, 2, midpoint, kMidpointSwing, 1.25, -1.25};
+const Method kRungeKutta4 = {"runge_kutta_4", 4, 4, runge_kutta_4, kRungeKuttaSwing, 1 + 3.3125 / 12,
+                             2 - 33.0625 / 12};
 
 // So that a failure says forward_euler, and not a pointer.
 void PrintTo(const Method& method, std::ostream* out) {
@@ -65,6 +78,16 @@ class Spring1 : public Dynamics {
 
  private:
   double k_, c_;
+};
+
+// Three pendulums and the air's drag, which couples them: a depends on x and v, and is linear in neither. So methods of the same order
+// differ.
+class Pendulums : public Dynamics {
+ public:
+  void acceleration(Input x, Input v, Output a) override {
+    const Eigen::Array3d strength(4.3, 2.6, 7.1);
+    a = -strength * x.array().sin() - 0.35 * v.norm() * v.array();
+  }
 };
 
 MatrixXd scratch_for(const VectorXd& x, double junk = kNaN) {
@@ -108,6 +131,19 @@ TEST_P(Integrator, TakesOneStepAsByHand) {
   const std::string source = "16 roundings of numbers that are at most 8";
   expect_entries(state.x, VectorXd::Constant(3, GetParam().x), 16 * 8 * kUnit, "x", source);
   expect_entries(state.v, VectorXd::Constant(3, GetParam().v), 16 * 8 * kUnit, "v", source);
+}
+
+TEST_P(Integrator, TakesOneStepWhereNothingIsLinear) {
+  if (GetParam().order > 1) look_at("other-method");
+  Pendulums pendulums;
+  State state{Vector3d(0.7, -1.3, 0.45), Vector3d(1.7, 0.6, -2.2)};
+  steps(GetParam(), pendulums, 0.4, 1, state);
+  SCOPED_TRACE(
+      "one step of h = 0.4 from x = (0.7, -1.3, 0.45), v = (1.7, 0.6, -2.2) with "
+      "a = -(4.3, 2.6, 7.1) sin x - 0.35 |v| v, entry by entry");
+  const std::string source = "rounding of the numbers that are written here";
+  expect_entries(state.x, GetParam().swing.head(3), 1e-13, "x", source);
+  expect_entries(state.v, GetParam().swing.tail(3), 1e-13, "v", source);
 }
 
 TEST_P(Integrator, HasItsOrder) {
@@ -157,6 +193,19 @@ TEST_P(ScratchMemory, NeverReadsWhatScratchHeld) {
   GetParam().step(spring, 0.1, second.x, second.v, junk);
   EXPECT_EQ(first.x, second.x) << "x with zeros in scratch, and with NaN";
   EXPECT_EQ(first.v, second.v) << "v with zeros in scratch, and with NaN";
+}
+
+TEST_P(ScratchMemory, TakesTheSameStepHoweverOftenItIsAsked) {
+  Pendulums pendulums;
+  const State start{scattered_vector(3, 1), scattered_vector(3, 2)};
+  State first = start;
+  steps(GetParam(), pendulums, 0.1, 1, first);
+  for (int i = 1; i <= kManyCalls; ++i) {
+    State again = start;
+    steps(GetParam(), pendulums, 0.1, 1, again);
+    ASSERT_EQ(again.x, first.x) << "x after the same step, asked again, " << i << " times so far";
+    ASSERT_EQ(again.v, first.v) << "v after the same step, asked again, " << i << " times so far";
+  }
 }
 
 TEST_P(SizesAndUnits, MovesEveryParticle) {

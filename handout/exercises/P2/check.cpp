@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "derivative.h"
+#include "ordinary.h"
 
 using namespace checks;
 using namespace particles;
@@ -55,9 +56,11 @@ Example bead() {
 // Five particles without a pattern, four rods between them and two wires; nothing holds.
 Example tangle() {
   Example system;
+  Scatter scatter(2);
+  const Vector3d first = ordinary_direction(scatter), second = ordinary_direction(scatter);
   system.constraints.rods = {{0, 1, 0.7}, {2, 1, 1.1}, {3, 2, 0.9}, {1, 4, 0.4}};
-  system.constraints.wires = {{3, Vector3d(0.2, -1, 0.5), Vector3d(0.6, 0, -0.8), 0.8},
-                              {0, Vector3d(-1, 0.3, 0.1), Vector3d(0, 1, 0), 1.5}};
+  system.constraints.wires = {{3, Vector3d(0.2, -1, 0.5), first, 0.8},
+                              {0, Vector3d(-1, 0.3, 0.1), second, 1.5}};
   system.particles = {(VectorXd(5) << 0.3, 2, 0.7, 5, 1.1).finished(), {0, 0, 0, 0, 1}};
   system.state = {scattered_vector(15, 1), scattered_vector(15, 2)};
   system.f = scattered_vector(15, 3);
@@ -119,9 +122,9 @@ Example four_rods(double unit) {
 TEST(RodValues, OfARodAreHalfTheDifferenceOfSquares) {
   Example system = pendulum();
   VectorXd x(6);
-  x << 0, 0, 0, 1, 2, 2;
+  x << 0.5, -1, 3, 1.5, 1, 5;
   expect_numbers(values(system, x), VectorXd::Constant(1, (9 - 0.25) / 2), 0,
-                 "rod of length 0.5 between (0, 0, 0) and (1, 2, 2)", "these numbers are exact");
+                 "rod of length 0.5 between (0.5, -1, 3) and (1.5, 1, 5)", "these numbers are exact");
 }
 
 TEST(WireValues, OfAWireAreItsSphereAndItsPlane) {
@@ -130,6 +133,10 @@ TEST(WireValues, OfAWireAreItsSphereAndItsPlane) {
                  "a bead on the sphere of radius 2 around (1, 0, 3), above its pole", "exact");
   expect_numbers(values(bead(), Vector3d(4, 0, 3)), Vector2d(2.5, 0), 0,
                  "a bead in the plane, 3 from the centre", "exact");
+  Example tilted = bead();
+  tilted.constraints.wires[0].normal = Vector3d(2, 3, 6) / 7;
+  expect_numbers(values(tilted, Vector3d(3, 4, 4)), Vector2d(8.5, 22.0 / 7), 16 * kUnit,
+                 "a bead (2, 4, 1) from the centre, the wire's normal is (2, 3, 6) / 7", "rounding");
 }
 
 TEST(Rows, ComeRodsFirst) {
@@ -387,7 +394,7 @@ TEST(Report, ReportsTheStepsOfConjGrad) {
   look_at("steps");
   // Two equal rods that share no particle: J W J^T is a multiple of the identity, and one step solves that.
   Example pair;
-  pair.particles = {VectorXd::Ones(4), {0, 0, 0, 0}};
+  pair.particles = {VectorXd::Constant(4, 1.7), {0, 0, 0, 0}};
   pair.state = {VectorXd::Zero(12), VectorXd::Zero(12)};
   pair.state.x[3] = pair.state.x[10] = 2;
   pair.f = scattered_vector(12, 8);
@@ -398,16 +405,15 @@ TEST(Report, ReportsTheStepsOfConjGrad) {
 
 TEST(Report, TakesTheStepsThatALongChainNeeds) {
   look_at("limit");
-  // 150 particles of 1 kg in a row, 0.1 m apart, the first one pinned: 149 rows, and as many iterations.
+  // 150 particles in a chain, the first one pinned: 149 rows, and hundreds of iterations.
   constexpr int kCount = 150;
+  Scatter scatter(3);
+  const hair::Strand strand = ordinary_strand(scatter, kCount);
   Example chain;
-  chain.particles = {VectorXd::Ones(kCount), std::vector<char>(kCount, 0)};
+  chain.particles = {strand.mass, std::vector<char>(kCount, 0)};
   chain.particles.pinned[0] = 1;
-  chain.state = {VectorXd::Zero(3 * kCount), VectorXd::Zero(3 * kCount)};
-  for (int i = 1; i < kCount; ++i) {
-    chain.state.x[3 * i] = 0.1 * i;
-    chain.constraints.rods.push_back({i - 1, i, 0.1});
-  }
+  chain.state = {ordinary_positions(scatter, strand, 1, 1, 0.5), VectorXd::Zero(3 * kCount)};
+  for (int i = 1; i < kCount; ++i) chain.constraints.rods.push_back({i - 1, i, strand.rest_length[i - 1]});
   chain.f = scattered_vector(3 * kCount, 4);
   VectorXd lambda(kCount - 1);
   const ConstraintReport report =
@@ -422,7 +428,7 @@ TEST(Report, TakesAllStepsThereMayBeWhereNoneSuffice) {
   // 40 rods of 1 to 1e8 m that share no particle: their squares are the matrix's entries, and rounding leaves more than the tolerance.
   constexpr int kRods = 40;
   Example system;
-  system.particles = {VectorXd::Ones(2 * kRods), std::vector<char>(2 * kRods, 0)};
+  system.particles = {VectorXd::Constant(2 * kRods, 1.7), std::vector<char>(2 * kRods, 0)};
   system.state = {VectorXd::Zero(6 * kRods), VectorXd::Zero(6 * kRods)};
   for (int i = 0; i < kRods; ++i) {
     const double length = std::pow(10, 8.0 * i / (kRods - 1));

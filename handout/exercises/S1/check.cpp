@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "check.h"
+#include "ordinary.h"
 
 using namespace checks;
 using solver::diagonal;
@@ -16,21 +17,24 @@ namespace {
 
 const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+// For checks that are not about them: a residual of 1e-3 ||b|| if ||b|| = 1, and more steps than it takes.
+constexpr double kEpsilon = 1e-6;
+constexpr int kEnough = 1000;
+
 // All that comes out of one call of ConjGrad.
 struct Outcome {
   Vector x;
   double returned;
   int steps, products;
+  Vector b;  // as ConjGrad left it
 };
 
 Outcome solve(implicitMatrix& A, const Vector& b, double epsilon, int most_steps, double x_on_entry = 0) {
   Counted counted(A);
-  Vector b_given = b;
-  Outcome out{Vector(b.size(), x_on_entry), kNaN, most_steps, 0};
+  Outcome out{Vector(b.size(), x_on_entry), kNaN, most_steps, 0, b};
   out.returned =
-      ConjGrad(static_cast<int>(b.size()), &counted, out.x.data(), b_given.data(), epsilon, &out.steps);
+      ConjGrad(static_cast<int>(b.size()), &counted, out.x.data(), out.b.data(), epsilon, &out.steps);
   out.products = counted.products;
-  EXPECT_EQ(b_given, b) << "ConjGrad changed b";
   return out;
 }
 
@@ -50,22 +54,64 @@ System system_with(const std::string& name, solver::SparseMatrix A, const Vector
   return {name, std::move(A), b, solution, smallest};
 }
 
-void expect_solved(const System& s, const Outcome& out, double epsilon) {
-  EXPECT_LE(out.returned, epsilon) << "it returned before ||b - Ax||^2 was <= epsilon";
-  expect_near(
-      out.x, s.solution, (std::sqrt(epsilon) + gap(s)) / s.smallest,
-      "(sqrt(epsilon) + (64 (10 + 2e) + n) u ||A|| X) / smallest eigenvalue: see solver/linearSolver.h");
+double residual(const System& s, const Vector& x) {
+  solver::SparseMatrix A = s.A;
+  return norm(difference(s.b, product(A, x)));
 }
 
-// The hair tolerance: a residual of 1e-10 ||b||.
-double relative_epsilon(const Vector& b) {
-  return std::pow(1e-10 * norm(b), 2);
+void expect_solved(const System& s, const Outcome& out, double epsilon) {
+  const double bound = std::sqrt(epsilon) + gap(s);
+  EXPECT_LE(residual(s, out.x), bound)
+      << "||b - Ax||; bound: sqrt(epsilon) and rounding, see solver/linearSolver.h";
+  expect_near(out.x, s.solution, bound / s.smallest, "that of ||b - Ax|| / smallest eigenvalue");
+}
+
+// A and b scaled so that ||b|| = ||b - Ab|| = 1, for checks that are not about epsilon.
+System even(System s) {
+  const double c = solver::even_scale(s.A, s.b), length = norm(s.b);
+  s.A = scaled(s.A, c);
+  for (double& value : s.b) value /= length;
+  for (double& value : s.solution) value /= c * length;
+  s.smallest *= c;
+  s.name += ", scaled to ||b|| = ||b - Ab|| = 1";
+  return s;
+}
+
+// epsilon = 0 and a large b: only the step limit ends this. Then ||b - Ax|| is at most `tolerance` ||b||.
+void expect_goes_on(System s, int most_steps, double tolerance) {
+  const double scale = 0x1p50 / norm(s.b);
+  for (double& value : s.b) value *= scale;
+  SCOPED_TRACE(call(s.name + ", scaled to ||b|| = 2^50", 0, most_steps));
+  const Outcome out = solve(s.A, s.b, 0, most_steps);
+  EXPECT_LE(residual(s, out.x) / 0x1p50, tolerance)
+      << "||b - Ax|| / ||b|| after " << out.steps << " steps, with " << out.products << " products";
 }
 
 // Converges too slowly to get anywhere near a residual of 0: eigenvalues from 1e-10 to 1, and no zeros in the
 // matrix.
 solver::SpectralMatrix slow_matrix(int n) {
   return {solver::log_spaced(n, 1e-10, 1), {Vector(n, 1.0), scattered(n)}};
+}
+
+// Each residual of ConjGrad is `ratios[k]` times as long as the one before; then it is 0.
+System planned(const std::string& name, const Vector& ratios) {
+  const int n = static_cast<int>(ratios.size()) + 1;
+  Scatter scatter(n);
+  const double scale = ordinary_number(scatter, 0.6, 1.9);
+  Vector curvatures(n);
+  for (double& value : curvatures) value = scale * scatter.uniform(1, 1.1);
+  const solver::PlannedSystem system = solver::planned_system(curvatures, ratios, scattered(n));
+  return {name + ", n = " + std::to_string(n), system.A, system.b, Vector(n, 0.0), 0};
+}
+
+// The residual falls by 4 to 12 percent in each of the first 135 steps.
+System falling() {
+  Vector ratios(134);
+  Scatter scatter(0);
+  for (double& ratio : ratios) ratio = scatter.uniform(0.88, 0.96);
+  System s = planned("a matrix that needs 135 steps, b of 2^50", ratios);
+  for (double& value : s.b) value *= 0x1p50;
+  return s;
 }
 
 }  // namespace
@@ -95,44 +141,50 @@ TEST(Systems, SolvesExample2OfTheLectureInTwoSteps) {
 
 TEST(Sizes, SolvesSystemsOfManySizes) {
   for (int n : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 100, 1000, 5000}) {
-    System s = system_with("the tridiagonal (-1, 3, -1), n = " + std::to_string(n),
-                           solver::tridiagonal(n, 3, -1), scattered(n), 1);
-    const double epsilon = relative_epsilon(s.b);
-    SCOPED_TRACE(call(s.name, epsilon, 0));
-    expect_solved(s, solve(s.A, s.b, epsilon, 0), epsilon);
+    System s = even(system_with("the tridiagonal (-1, 3, -1), n = " + std::to_string(n),
+                                solver::tridiagonal(n, 3, -1), scattered(n), 1));
+    SCOPED_TRACE(call(s.name, kEpsilon, kEnough));
+    expect_solved(s, solve(s.A, s.b, kEpsilon, kEnough), kEpsilon);
   }
 }
 
-TEST(Systems, SolvesAGridInMoreThan64Steps) {
+TEST(Systems, SolvesAGrid) {
   look_at("many-steps");
-  System s =
-      system_with("the 2-D Poisson matrix on a 20 x 20 grid", solver::poisson_2d(20), scattered(400), 0.04);
-  const double epsilon = relative_epsilon(s.b);
-  SCOPED_TRACE(call(s.name, epsilon, 0));
-  expect_solved(s, solve(s.A, s.b, epsilon, 0), epsilon);
+  System s = even(
+      system_with("the 2-D Poisson matrix on a 12 x 12 grid", solver::poisson_2d(12), scattered(144), 0.1));
+  SCOPED_TRACE(call(s.name, kEpsilon, 60));
+  expect_solved(s, solve(s.A, s.b, kEpsilon, 60), kEpsilon);
+}
+
+TEST(Hard, GoesOnWhereTheResidualDoesNotFall) {
+  look_at("plateau");
+  expect_goes_on(planned("a residual that stays as long in one step", {0.7, 0.5, 1, 0.6, 0.8}), 8, 1e-6);
+  expect_goes_on(planned("a residual that stays as long in 14 steps", Vector(14, 1.0)), 17, 1e-6);
+  expect_goes_on(
+      planned("a residual that grows in 4 steps, and falls then", {1.9, 1.2, 1.7, 1.4, 0.6, 0.3, 0.7}), 10,
+      1e-6);
 }
 
 TEST(Hard, SolvesAStiffStrandOfHair) {
-  const double mass = 2e-8;  // kg
-  System s =
-      system_with("M + h^2 K of a strand, 30 particles of 2e-8 kg",
-                  solver::strand_implicit_euler(Vector(30, mass), 1000, 1e-2, 1e-4), scattered(90), mass);
-  const double epsilon = relative_epsilon(s.b);
-  SCOPED_TRACE(call(s.name, epsilon, 1000));
-  expect_solved(s, solve(s.A, s.b, epsilon, 1000), epsilon);
+  Scatter scatter(1);
+  Vector masses(30);
+  for (double& mass : masses) mass = 1e-8 * ordinary_number(scatter, 0.8, 4);  // kg
+  expect_goes_on(system_with("M + h^2 K of a strand, 30 particles of 0.8e-8 to 4e-8 kg",
+                             solver::strand_implicit_euler(masses, 1000, 1e-2, 1e-4), scattered(90), 0.8e-8),
+                 1000, 1e-9);
 }
 
 TEST(Systems, EndsAfterAsManyStepsAsThereAreDistinctEigenvalues) {
   look_at("beta");
   Vector eigenvalues(99);
   for (std::size_t i = 0; i < eigenvalues.size(); ++i) eigenvalues[i] = Vector{0.5, 2, 5}[i % 3];
-  System s = system_with("a diagonal matrix of the numbers 0.5, 2 and 5, n = 99", diagonal(eigenvalues),
-                         scattered(99), 0.5);
-  const double epsilon = relative_epsilon(s.b);
-  SCOPED_TRACE(call(s.name, epsilon, 0));
-  const Outcome out = solve(s.A, s.b, epsilon, 0);
-  expect_solved(s, out, epsilon);
+  System s = even(system_with("a diagonal matrix of the numbers 0.5, 2 and 5, n = 99", diagonal(eigenvalues),
+                              scattered(99), 0.5));
+  SCOPED_TRACE(call(s.name, kEpsilon, 50));
+  const Outcome out = solve(s.A, s.b, kEpsilon, 50);
+  expect_solved(s, out, kEpsilon);
   EXPECT_COUNT(out.steps, 3);
+  expect_goes_on(s, 3, 1e-9);
 }
 
 TEST(FirstGuess, TakesNoStepWhereTheFirstGuessIsRight) {
@@ -179,37 +231,36 @@ TEST(FirstGuess, OnlyWritesX) {
   }
 }
 
+// An epsilon between the squares of what its third and its fourth step leave is met by the fourth.
+void expect_four_steps(double scale) {
+  System s = even(
+      system_with("the tridiagonal (-1, 3, -1), n = 30", solver::tridiagonal(30, 3, -1), scattered(30), 1));
+  for (double& value : s.b) value *= scale;
+  const double third = residual(s, solve(s.A, s.b, 0, 3).x), fourth = residual(s, solve(s.A, s.b, 0, 4).x);
+  EXPECT_LT(fourth, third) << "||b - Ax|| after four steps, and after three, for b times " << scale
+                           << " and epsilon = 0";
+  const double epsilon = third * fourth;
+  SCOPED_TRACE(call(s.name + ", b times " + in_words({scale}), epsilon, 50));
+  EXPECT_NUMBER(residual(s, solve(s.A, s.b, epsilon, 50).x), fourth, 0)
+      << "||b - Ax||; it is " << third
+      << " after three steps, so that the fourth one is the first that meets epsilon";
+}
+
 TEST(Tolerance, EpsilonBoundsTheSquareOfTheNorm) {
-  // From the first guess x = b the residual is b - Ab = (0, 1 - d) for b = (0, 1).
-  for (auto [d, epsilon, steps] : {std::tuple{1.1, 0.05, 0}, std::tuple{11.0, 50.0, 1}}) {
-    solver::SparseMatrix A = diagonal({1, d});
-    std::ostringstream name;
-    name << "A = [1 0; 0 " << d << "], b = (0, 1), whose first residual is r = (0, " << 1 - d << ")";
-    SCOPED_TRACE(call(name.str(), epsilon, 0));
-    EXPECT_COUNT(solve(A, {0, 1}, epsilon, 0).steps, steps) << "||r||^2 = " << (1 - d) * (1 - d);
-  }
+  expect_four_steps(1);
+}
+
+TEST(Tolerance, EpsilonIsAbsolute) {
+  look_at("absolute");
+  for (double scale : {1e6, 1e-6, 1e-30}) expect_four_steps(scale);
 }
 
 TEST(Tolerance, NeverReachesANegativeEpsilon) {
   look_at("negative");
-  solver::SpectralMatrix A = slow_matrix(40);
-  SCOPED_TRACE(call("eigenvalues from 1e-10 to 1, n = 40", -1e9, 3));
-  EXPECT_COUNT(solve(A, scattered(40), -1e9, 3).steps, 3) << "no squared norm is negative";
-}
-
-TEST(Tolerance, MeetsATinyEpsilon) {
-  look_at("tiny");
-  // Scaled to a right-hand side of 1e-30, and an epsilon that is its square, times the square of a relative 1e-3.
-  System s =
-      system_with("the tridiagonal (-1, 3, -1), n = 30", solver::tridiagonal(30, 3, -1), scattered(30), 1);
-  for (Vector* vector : {&s.b, &s.solution})
-    for (double& value : *vector) value *= 1e-30;
-  const double epsilon = std::pow(1e-3 * norm(s.b), 2);
-  SCOPED_TRACE(call(s.name + ", b of 1e-30", epsilon, 0));
-  const Outcome out = solve(s.A, s.b, epsilon, 0);
-  expect_solved(s, out, epsilon);
-  EXPECT_LE(out.steps, 12)
-      << "this matrix takes some 6 steps for three digits: it ends as soon as epsilon is met";
+  System s = falling();
+  SCOPED_TRACE(call(s.name, -1e100, 3));
+  EXPECT_EQ(solve(s.A, s.b, -1e100, 3).x, solve(s.A, s.b, 0, 3).x)
+      << "x, and x of epsilon = 0: no squared norm is below 0";
 }
 
 TEST(ReturnValue, ReturnsTheSquareOfTheResidualsNorm) {
@@ -226,12 +277,19 @@ TEST(ReturnValue, ReturnsTheSquareOfTheResidualsNorm) {
 }
 
 TEST(StepLimit, TakesAtMostTheStepsThatItMay) {
-  solver::SpectralMatrix A = slow_matrix(40);
-  const Vector b = scattered(40);
-  for (int most_steps : {1, 2, 17, 150}) {
-    SCOPED_TRACE(call("eigenvalues from 1e-10 to 1, n = 40", 0, most_steps));
-    EXPECT_COUNT(solve(A, b, 0, most_steps).steps, most_steps);
+  System s = falling();
+  for (int most_steps : {1, 2, 17, 120}) {
+    SCOPED_TRACE(call(s.name, 0, most_steps));
+    EXPECT_COUNT(solve(s.A, s.b, 0, most_steps).steps, most_steps);
   }
+}
+
+TEST(StepLimit, ReturnsTheLastXAndNotTheBest) {
+  look_at("last");
+  System s = planned("a residual that grows in the first step", {1.9, 1.6, 0.7, 0.4});
+  SCOPED_TRACE(call(s.name, 0, 1));
+  EXPECT_NUMBER(residual(s, solve(s.A, s.b, 0, 1).x) / residual(s, s.b), 1.9, 1e-9)
+      << "||b - Ax|| / ||b - Ab||, x after one step; bound: rounding, times a thousand";
 }
 
 TEST(StepLimit, TakesZeroStepsForTheDefault) {
@@ -245,20 +303,19 @@ TEST(StepLimit, TakesZeroStepsForTheDefault) {
 }
 
 TEST(StepLimit, TakesNegativeStepsForNone) {
-  look_at("negative");
+  look_at("default");
   solver::SparseMatrix A = diagonal({2, 1});
   SCOPED_TRACE(call("A = [2 0; 0 1], b = (1, 1)", 1e-5, -3));
   const Outcome out = solve(A, {1, 1}, 1e-5, -3);
   EXPECT_COUNT(out.steps, 0);
   EXPECT_EQ(out.x, (Vector{1, 1})) << "without a step x stays the first guess, b";
-  EXPECT_NUMBER(out.returned, 1, 0) << "||b - Ab||^2 with b - Ab = (-1, 0)";
 }
 
 TEST(SixtyFourth, TakesOneProductAStepAndOneMoreEvery64) {
-  solver::SpectralMatrix A = slow_matrix(40);
+  System s = falling();
   for (int steps : {1, 5, 63, 64, 65, 130}) {
-    SCOPED_TRACE(call("eigenvalues from 1e-10 to 1, n = 40", 0, steps));
-    EXPECT_COUNT(solve(A, scattered(40), 0, steps).products, 1 + steps + steps / 64)
+    SCOPED_TRACE(call(s.name, 0, steps));
+    EXPECT_COUNT(solve(s.A, s.b, 0, steps).products, 1 + steps + steps / 64)
         << "products = 1 + steps + floor(steps / 64)";
   }
   solver::SparseMatrix three = diagonal({1.5, 3, 4});
@@ -271,18 +328,16 @@ TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
   look_at("order");
   // The residual falls from r to r - A s by the step s = alpha d, and what is left is orthogonal to r. So A s is
   // at least as long as r, and s as ||r|| / ||A||. Half of that leaves room for rounding.
-  System s = system_with("the tridiagonal (-1, 2, -1), n = 220", solver::tridiagonal(220, 2, -1),
-                         scattered(220), 2e-4);
-  for (int last : {1, 63, 64, 65, 128, 192}) {
+  System s = falling();
+  for (int last : {1, 63, 64, 65, 128}) {
     SCOPED_TRACE("step " + std::to_string(last) + " of " + call(s.name, 0, last));
     const Vector before = solve(s.A, s.b, 0, last > 1 ? last - 1 : -1).x, x = solve(s.A, s.b, 0, last).x;
-    const Vector step = difference(x, before), residual = difference(s.b, product(s.A, x));
-    const double r = norm(difference(s.b, product(s.A, before)));
-    EXPECT_GE(norm(step), r / s.A.norm_bound() / 2)
+    const Vector step = difference(x, before), r = difference(s.b, product(s.A, x));
+    EXPECT_GE(norm(step), residual(s, before) / s.A.norm_bound() / 2)
         << "how far x moved; bound: ||b - Ax|| / (2 ||A||), x before";
     double along = 0;
-    for (std::size_t i = 0; i < step.size(); ++i) along += step[i] * residual[i];
-    EXPECT_LE(std::abs(along), norm(step) * 2 * gap(s))
+    for (std::size_t i = 0; i < step.size(); ++i) along += step[i] * r[i];
+    EXPECT_LE(std::abs(along), norm(step) * 2 * residual_gap(s.A.norm_bound(), s.A.longest_row(), x, s.b))
         << "step . (b - Ax), x after; bound: ||step|| times twice the rounding error of b - Ax, see "
            "solver/linearSolver.h";
   }
@@ -293,37 +348,35 @@ TEST(Hard, TakesNoMoreStepsOnALongWayThanItsDirectionsNeed) {
   // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: a beta of
   // 0 there forgets all directions so far. Rounding turns them a little; that costs no program a third more.
   const int n = 250;
-  System s = system_with("the tridiagonal (-1, 2, -1), n = 250", solver::tridiagonal(n, 2, -1), scattered(n),
-                         4 * std::pow(std::sin(std::acos(-1) / (2 * (n + 1))), 2));
-  const double epsilon = std::pow(1e-8 * norm(s.b), 2);
-  {
-    SCOPED_TRACE(call(s.name, epsilon, 20 * n));
-    const Outcome out = solve(s.A, s.b, epsilon, 20 * n);
-    expect_solved(s, out, epsilon);
-    EXPECT_LE(out.steps, 4 * n / 3) << "it has 250 different eigenvalues, so 250 steps would do";
-  }
+  expect_goes_on(
+      system_with("the tridiagonal (-1, 2, -1), n = 250, whose 250 different eigenvalues take 250 steps",
+                  solver::tridiagonal(n, 2, -1), scattered(n), 0),
+      4 * n / 3, 1e-8);
   // Far more steps than unknowns, for here rounding turns directions a lot: our programs take 224 to 249.
   solver::SpectralMatrix A(solver::log_spaced(40, 1, 1e6), {Vector(40, 1.0), scattered(40)});
-  Vector solution = scattered(40), b(40);
-  A.matVecMult(solution.data(), b.data());
-  const double tolerance = std::pow(1e-8 * norm(b), 2);
-  SCOPED_TRACE(call("eigenvalues from 1 to 1e6, n = 40", tolerance, 4000));
-  const Outcome out = solve(A, b, tolerance, 4000);
-  EXPECT_LE(out.returned, tolerance);
-  EXPECT_LE(out.steps, 4 * 240 / 3) << "some 240 steps would do";
+  std::vector<solver::SparseMatrix::Entry> entries;
+  for (int j = 0; j < 40; ++j) {
+    Vector unit(40, 0.0), column(40);
+    unit[j] = 1;
+    A.matVecMult(unit.data(), column.data());
+    for (int i = 0; i < 40; ++i) entries.push_back({i, j, column[i]});
+  }
+  expect_goes_on(system_with("eigenvalues from 1 to 1e6, n = 40, which takes some 240 steps",
+                             solver::SparseMatrix(40, 40, entries), scattered(40), 0),
+                 4 * 240 / 3, 1e-8);
 }
 
 TEST(Scaling, ScalesWithTheRightHandSide) {
   solver::SparseMatrix A = solver::poisson_2d(5);
   const Vector b = scattered(25);
-  const Outcome plain = solve(A, b, 1e-16, 0);
+  const Outcome plain = solve(A, b, kEpsilon, kEnough);
   for (int k : {-465, 465}) {
     SCOPED_TRACE(call("the 2-D Poisson matrix on a 5 x 5 grid, b times 2^" + std::to_string(k),
-                      std::ldexp(1e-16, 2 * k), 0));
+                      std::ldexp(kEpsilon, 2 * k), kEnough));
     Vector scaled_b = b, scaled_x = plain.x;
     for (double& value : scaled_b) value = std::ldexp(value, k);
     for (double& value : scaled_x) value = std::ldexp(value, k);
-    const Outcome scaled = solve(A, scaled_b, std::ldexp(1e-16, 2 * k), 0);
+    const Outcome scaled = solve(A, scaled_b, std::ldexp(kEpsilon, 2 * k), kEnough);
     EXPECT_COUNT(scaled.steps, plain.steps);
     EXPECT_EQ(scaled.x, scaled_x) << "a power of two changes no digit";
   }
@@ -331,13 +384,14 @@ TEST(Scaling, ScalesWithTheRightHandSide) {
 
 TEST(CallAfterCall, GivesTheSameAnswerWhenItIsAskedAgain) {
   solver::SparseMatrix A = solver::tridiagonal(10, 3, -1), other = solver::poisson_2d(6);
-  const Outcome first = solve(A, scattered(10), 1e-20, 0);
-  solve(other, scattered(36), 1e-20, 0);
+  const Outcome first = solve(A, scattered(10), kEpsilon, kEnough);
+  EXPECT_EQ(first.b, scattered(10)) << "ConjGrad changed b";
+  solve(other, scattered(36), kEpsilon, kEnough);
   for (int i = 1; i <= kManyCalls; ++i) {
     SCOPED_TRACE(call("the tridiagonal (-1, 3, -1), n = 10, asked again after another system, " +
                           std::to_string(i) + " times so far",
-                      1e-20, 0));
-    const Outcome again = solve(A, scattered(10), 1e-20, 0);
+                      kEpsilon, kEnough));
+    const Outcome again = solve(A, scattered(10), kEpsilon, kEnough);
     ASSERT_EQ(again.x, first.x);
     ASSERT_EQ(again.steps, first.steps);
   }
@@ -345,12 +399,10 @@ TEST(CallAfterCall, GivesTheSameAnswerWhenItIsAskedAgain) {
 
 TEST(Sizes, SolvesTenThousandEquations) {
   const int n = 10000;
-  const System s =
-      system_with("the tridiagonal (-1, 3, -1), n = 10000", solver::tridiagonal(n, 3, -1), scattered(n), 1);
-  const double epsilon = relative_epsilon(s.b);
-  SCOPED_TRACE(call(s.name, epsilon, 0));
-  solver::SparseMatrix A = s.A;
-  expect_solved(s, solve(A, s.b, epsilon, 0), epsilon);
+  System s = even(
+      system_with("the tridiagonal (-1, 3, -1), n = 10000", solver::tridiagonal(n, 3, -1), scattered(n), 1));
+  SCOPED_TRACE(call(s.name, kEpsilon, kEnough));
+  expect_solved(s, solve(s.A, s.b, kEpsilon, kEnough), kEpsilon);
 }
 
 TEST(NotPositiveDefinite, EndsAtADirectionThatIsNotUphill) {
@@ -358,19 +410,18 @@ TEST(NotPositiveDefinite, EndsAtADirectionThatIsNotUphill) {
     std::string name;
     solver::SparseMatrix A;
     Vector b;
-    double returned;
   };
   // Each first residual r = b - Ab has r'Ar <= 0.
   for (Case& c :
-       std::vector<Case>{{"indefinite: A = [1 0; 0 -1], b = (1, 1)", diagonal({1, -1}), {1, 1}, 4},
-                         {"negative definite: A = [-1 0; 0 -2], b = (1, 1)", diagonal({-1, -2}), {1, 1}, 13},
-                         {"singular: A = [1 0; 0 0], b = (1, 1)", diagonal({1, 0}), {1, 1}, 1},
-                         {"zero: A = 0, b = (3, 4)", diagonal({0, 0}), {3, 4}, 25}}) {
+       std::vector<Case>{{"indefinite: A = [1 0; 0 -1], b = (1, 1)", diagonal({1, -1}), {1, 1}},
+                         {"negative definite: A = [-1 0; 0 -2], b = (1, 1)", diagonal({-1, -2}), {1, 1}},
+                         {"singular: A = [1 0; 0 0], b = (1, 1)", diagonal({1, 0}), {1, 1}},
+                         {"zero: A = 0, b = (3, 4)", diagonal({0, 0}), {3, 4}}}) {
     SCOPED_TRACE(call(c.name, 1e-5, 0));
     const Outcome out = solve(c.A, c.b, 1e-5, 0);
     EXPECT_COUNT(out.steps, 1) << "the iteration that fails counts";
     EXPECT_EQ(out.x, c.b) << "x stays the last one, which is the first guess, b";
-    EXPECT_NUMBER(out.returned, c.returned, 0) << "||b - Ax||^2 of that x";
+    EXPECT_FALSE(out.returned <= 1e-5) << "returned " << out.returned;
   }
 }
 
@@ -495,8 +546,8 @@ TEST(NotFinite, EndsIfTheCurvatureOverflows) {
            {3e141, 1e141},
            {1e132, 1e141 / 6e9},
            3e9};
-  SCOPED_TRACE(call(s.name, 1e282, 0));
-  const Outcome out = solve(s.A, s.b, 1e282, 0);
+  SCOPED_TRACE(call(s.name, 1e-9, 0));
+  const Outcome out = solve(s.A, s.b, 1e-9, 0);
   if (out.steps > 1) {
     SCOPED_TRACE("it went on, which is right if its sums hold 4.6e311, as those of long double do");
     expect_solved(s, out, 1e282);
@@ -504,17 +555,16 @@ TEST(NotFinite, EndsIfTheCurvatureOverflows) {
   }
   EXPECT_COUNT(out.steps, 1) << "the iteration that fails counts";
   EXPECT_EQ(out.x, s.b) << "x stays the last one, which is the first guess, b";
-  EXPECT_FALSE(out.returned <= 1e282) << "returned " << out.returned;
+  EXPECT_FALSE(out.returned <= 1e-9) << "returned " << out.returned;
 }
 
 TEST(Systems, AgreesWithTheGoldenData) {
   look_at("many-steps");
   for (Golden& golden : read_golden("S1")) {
     System& s = golden.system;
-    SCOPED_TRACE(call(s.name, golden.epsilon, 0));
-    const Outcome out = solve(s.A, s.b, golden.epsilon, 0);
-    EXPECT_COUNT(out.steps, golden.steps);
-    EXPECT_LE(out.returned, golden.epsilon);
+    SCOPED_TRACE(call(s.name, golden.epsilon, kEnough));
+    const Outcome out = solve(s.A, s.b, golden.epsilon, kEnough);
+    EXPECT_LE(out.steps, 5 * golden.steps / 2 + 5) << golden.steps << " steps would do";
     expect_near(
         out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
         "2 (sqrt(epsilon) + (64 (10 + 2e) + n) u ||A|| X) / smallest eigenvalue, for either x may be off "

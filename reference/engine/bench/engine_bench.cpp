@@ -1,4 +1,4 @@
-// STAFF ONLY. What a step of the engine costs, beside given code, and what the machine can do. Prints Markdown. CPU times, so that other
+// STAFF ONLY. What a step of the engine costs, compared with given code. Prints Markdown. CPU times, so that other
 // programs on the machine matter less: the least of some steps.
 // Usage: engine_bench [STRANDS].
 #include <hwy/targets.h>
@@ -19,7 +19,6 @@
 #include "hair/predictor_corrector.h"
 #include "hair/strand/obstacles.h"
 #include "particles/implicit_euler.h"
-#include "reference/engine/bench/peaks.h"
 #include "reference/engine/head_of_strands.h"
 #include "solver/timing.h"
 
@@ -214,13 +213,6 @@ void by_set(int strands, const hair::Groom& grown) {
   }
 }
 
-void by_peaks() {
-  std::printf("\n| one core, of CPU time | at most |\n|---|--:|\n");
-  std::printf("| 1e9 operations per second | %.0f |\n| GB/s | %.1f |\n", 1e-9 * arithmetic_peak(),
-              1e-9 * bandwidth());
-  std::fflush(stdout);
-}
-
 }  // namespace
 }  // namespace hair_bench
 
@@ -236,5 +228,4 @@ int main(int count, char** arguments) {
   by_parts(strands, grown);
   by_strands(grown);
   by_set(strands, grown);
-  by_peaks();
 }

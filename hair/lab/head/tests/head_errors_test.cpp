@@ -6,13 +6,15 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solver/tests/numbers.h"
+
 namespace hair::head_study {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 constexpr int kPoints = 2, kStrands = 20;
-constexpr double kUnit = 0x1p-53;
+using reference_tests::kUnit;
 
 std::vector<double> still() {
   return std::vector<double>(3 * kPoints * kStrands, 0.25);

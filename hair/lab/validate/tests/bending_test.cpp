@@ -88,7 +88,7 @@ double order(const Change& change) {
   return std::log2(tip_error(40, change) / tip_error(80, change));
 }
 
-const Vector3d kGravity(0, 0, -kEarth);
+const Vector3d kGravity(0, 0, -kEarthGravity);
 
 // An error a/n + b/n^2 has the order 1 + (b/a) / 80 log(2) from n = 40 to 80: 0.018 b/a more than 1.
 constexpr double kAboutOne = 0.05;

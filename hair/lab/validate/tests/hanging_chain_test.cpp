@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/tests/numbers.h"
+
 namespace hair {
 namespace {
 
-constexpr double kRounding = 0x1p-53;
+using reference_tests::kUnit;
 
 // What is left of m_i x q_i = T_i (q_i - q_{i-1}) / g - T_{i+1} (q_{i+1} - q_i) / g, over the largest term of
 // all.
@@ -34,13 +36,12 @@ TEST(HangingChain, ModesSatisfyTheirEquations) {
   for (const int n : {1, 2, 10, 20}) {
     const HangingChain chain{Eigen::VectorXd::Constant(n, 1e-7)};
     for (const double x : laguerre_zeros(n))
-      EXPECT_LE(largest_residual(chain, x), 10 * n * n * kRounding) << n << " masses, x = " << x;
+      EXPECT_LE(largest_residual(chain, x), 10 * n * n * kUnit) << n << " masses, x = " << x;
   }
   for (const double ratio : {1e-4, 1.0, 1e6}) {
     const HangingChain chain{Eigen::Vector2d(1e-7, ratio * 1e-7)};
     for (const double x : double_pendulum_squares(ratio))
-      EXPECT_LE(largest_residual(chain, x), 40 * (1 + ratio) * kRounding)
-          << "ratio " << ratio << ", x = " << x;
+      EXPECT_LE(largest_residual(chain, x), 40 * (1 + ratio) * kUnit) << "ratio " << ratio << ", x = " << x;
   }
 }
 
@@ -48,16 +49,16 @@ TEST(HangingChain, ModesSatisfyTheirEquations) {
 TEST(HangingChain, LaguerreZerosHaveTheSumsThatCoefficientsGive) {
   for (const int n : {1, 2, 5, 10, 20, 40}) {
     const Eigen::VectorXd zeros = laguerre_zeros(n);
-    EXPECT_NEAR(zeros.sum(), n * n, 1e3 * n * n * kRounding) << n;
-    EXPECT_NEAR(zeros.cwiseInverse().sum(), n, 1e3 * n * n * kRounding) << n;
+    EXPECT_NEAR(zeros.sum(), n * n, 1e3 * n * n * kUnit) << n;
+    EXPECT_NEAR(zeros.cwiseInverse().sum(), n, 1e3 * n * n * kUnit) << n;
   }
 }
 
 TEST(HangingChain, TwoEqualMassesAreBothAChainAndADoublePendulum) {
   const Eigen::VectorXd zeros = laguerre_zeros(2);
   const Eigen::Vector2d squares = double_pendulum_squares(1);
-  EXPECT_NEAR(zeros[0], squares[0], 16 * kRounding);
-  EXPECT_NEAR(zeros[1], squares[1], 16 * kRounding);
+  EXPECT_NEAR(zeros[0], squares[0], 16 * kUnit);
+  EXPECT_NEAR(zeros[1], squares[1], 16 * kUnit);
 }
 
 // w^2 = (g/l) (1 + mu +- sqrt(mu (1 + mu))), the slow one without what the difference loses: their product is
@@ -65,14 +66,14 @@ TEST(HangingChain, TwoEqualMassesAreBothAChainAndADoublePendulum) {
 TEST(HangingChain, DoublePendulumsSatisfyTheirQuadraticEquation) {
   for (const double ratio : {1e-6, 1e-2, 1.0, 1e2, 1e6}) {
     const Eigen::Vector2d x = double_pendulum_squares(ratio);
-    EXPECT_NEAR(x[0] * x[1] / (1 + ratio), 1, 16 * kRounding) << ratio;
-    EXPECT_NEAR(x.sum() / (2 * (1 + ratio)), 1, 16 * kRounding) << ratio;
+    EXPECT_NEAR(x[0] * x[1] / (1 + ratio), 1, 16 * kUnit) << ratio;
+    EXPECT_NEAR(x.sum() / (2 * (1 + ratio)), 1, 16 * kUnit) << ratio;
   }
 }
 
 TEST(HangingChain, OnePendulumSlowsByASixteenthOfItsAngleSquared) {
   const HangingChain chain{Eigen::VectorXd::Constant(1, 1e-7)};
-  EXPECT_NEAR(softening(chain, 1, mode_angles(chain, 1)), -1.0 / 16, 4 * kRounding);
+  EXPECT_NEAR(softening(chain, 1, mode_angles(chain, 1)), -1.0 / 16, 4 * kUnit);
 }
 
 }  // namespace

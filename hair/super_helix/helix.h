@@ -1,4 +1,0 @@
-// The strand of H8, by the name that older files include.
-#pragma once
-
-#include "hair/helix.h"
