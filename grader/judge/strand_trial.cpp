@@ -4,15 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 namespace grader::inline judge {
-namespace {
 
 using Eigen::Vector3d;
-
-}  // namespace
 
 void describe(Trial& trial, const Posed& posed) {
   trial.describe(posed.name + ", " + std::to_string(posed.strand.count()) + " particles");
@@ -55,25 +51,22 @@ void expect_all_equal(Trial& trial, const std::vector<double>& values, double re
   trial.expect_at_most(*most - *least, relative * std::max(std::abs(*most), std::abs(*least)), what);
 }
 
-Strand toy_strand(Random& random, int count) {
-  Strand strand;
-  strand.mass.resize(count);
-  for (double& mass : strand.mass) mass = random.uniform(1.5, 4);
-  strand.rest_length = VectorXd::Ones(count - 1);
-  strand.stretch_rigidity = random.uniform(20, 90);
-  strand.bend_rigidity = random.uniform(3, 9);
-  strand.skip_rigidity = random.uniform(10, 40);
+Strand even_strand(Random& random, int count, double metres) {
+  Strand strand = checks::ordinary_strand(random, count);
+  strand.rest_length.setConstant(metres);
   return strand;
 }
 
 Posed random_pose(Random& random, const Strand& strand, Range stretch, Range bend, const std::string& name) {
   Posed posed{strand, VectorXd(3 * strand.count()), name};
-  for (int i = 0; i < 3; ++i) posed.x[i] = random.normal();
-  Vector3d direction = strand.clamped ? strand.root_tangent : random_direction(random);
+  for (int i = 0; i < 3; ++i) posed.x[i] = random.uniform(-2, 2);
+  Vector3d direction = strand.clamped ? strand.root_tangent : checks::ordinary_direction(random);
   for (int i = 0; i < strand.segments(); ++i) {
     if (i > 0 || strand.clamped) {
-      const Vector3d axis = direction.cross(random_direction(random)).normalized();
+      const Vector3d aside = checks::ordinary_direction(random), axis = direction.cross(aside).normalized();
       direction = Eigen::AngleAxisd(random.uniform(bend.low, bend.high), axis) * direction;
+      // Cosines differ by processor in their last bit.
+      direction = direction.unaryExpr(&Random::on_grid).eval().normalized();
     }
     const double length = strand.rest_length[i] * random.uniform(stretch.low, stretch.high);
     posed.x.segment<3>(3 * i + 3) = posed.x.segment<3>(3 * i) + length * direction;
@@ -95,13 +88,6 @@ Posed part_of(const Posed& posed, int first, int count) {
   part.strand.rest_length = posed.strand.rest_length.segment(first, count - 1);
   part.strand.clamped = posed.strand.clamped && first == 0;
   return part;
-}
-
-Vector3d random_direction(Random& random) {
-  const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi);
-  const double radius = std::sqrt(1 - z * z);
-  return Vector3d(radius * Random::on_grid(std::cos(angle)), radius * Random::on_grid(std::sin(angle)), z)
-      .normalized();
 }
 
 }  // namespace grader::judge

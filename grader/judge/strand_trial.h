@@ -14,6 +14,7 @@
 #include "grader/judge/trial.h"
 #include "hair/geometric_term.h"
 #include "hair/strand.h"
+#include "handout/check/ordinary.h"
 
 namespace grader::inline judge {
 
@@ -84,15 +85,15 @@ class InUnits {
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
                       const std::string& what);
 
-// Rest lengths of 1 m, random masses and rigidities, none of them 1; a hinge at the root.
-Strand toy_strand(Random& random, int count);
+// A strand of handout/check/ordinary.h whose rest lengths are `metres`: these and what a constant is made of are one category's.
+Strand even_strand(Random& random, int count, double metres = 1);
 
 struct Range {
   double low, high;
 };
 
 // A random pose: segments have `stretch` times their rest length, and each is turned from the previous one by
-// an angle in `bend` about a uniformly random axis. The root's position and the first direction are random
+// an angle in `bend` about an ordinary axis. The root's position and the first direction are random
 // (if clamped, root_tangent is random and the first segment is turned from it likewise).
 Posed random_pose(Random& random, const Strand& strand, Range stretch, Range bend, const std::string& name);
 
@@ -102,24 +103,5 @@ Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::
 
 // `count` particles from the one with number `first` on, as a strand; clamped only with its root.
 Posed part_of(const Posed& posed, int first, int count);
-
-// Checks that a strand's answer is the sum of the answers of each `count` neighbours alone, whatever its rest lengths are; if it is so where
-// these are equal: whether parts are added up is another category's. `answer` takes a pose and the number of its first particle.
-template <class Answer>
-void expect_sum_of_parts(Trial& trial, const Posed& uneven, int count, double rounding, const Answer& answer,
-                         const std::string& what) {
-  const auto left_over = [&](const Posed& posed) {
-    VectorXd rest = answer(posed, 0);
-    for (int first = 0; first + count <= posed.strand.count(); ++first)
-      rest.segment(3 * first, 3 * count) -= answer(part_of(posed, first, count), first);
-    return rest;
-  };
-  Posed even = uneven;
-  even.strand.rest_length.setConstant(uneven.strand.rest_length.mean());
-  if (largest(left_over(even)) <= rounding)
-    expect_vector(trial, left_over(uneven), VectorXd::Zero(uneven.x.size()), rounding, what);
-}
-
-Eigen::Vector3d random_direction(Random& random);
 
 }  // namespace grader::judge

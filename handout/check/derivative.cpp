@@ -134,6 +134,13 @@ void expect_numbers(const VectorXd& actual, const VectorXd& expected, double bou
   expect_named(actual, expected, bound, what, source_of_bound, as_numbers(), 1);
 }
 
+void expect_number(double actual, double expected, double bound, const std::string& what,
+                   const std::string& formula) {
+  const testing::AssertionResult result =
+      is_near(what.c_str(), formula.c_str(), "rounding", actual, expected, bound);
+  if (!result) ADD_FAILURE() << result.message();
+}
+
 void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double bound,
                    const std::string& what, const std::string& source_of_bound) {
   ASSERT_EQ(actual.rows(), expected.rows()) << what;

@@ -49,6 +49,10 @@ void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expect
 void expect_numbers(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
                     const std::string& what, const std::string& source_of_bound);
 
+// One number; the words say what it is and how it is calculated.
+void expect_number(double actual, double expected, double bound, const std::string& what,
+                   const std::string& formula);
+
 void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double bound,
                    const std::string& what, const std::string& source_of_bound);
 

@@ -1,4 +1,4 @@
-// What the checks of H1, H2 and H3 share: strands as inputs, and what the three headers promise alike.
+// What the checks of H1, H2 and H3 share: strands as inputs, and answers in other units.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,18 +9,19 @@
 #include <string>
 
 #include "derivative.h"
-#include "hair/geometric_term.h"
 #include "hair/strand.h"
+#include "ordinary.h"
 
 namespace checks {
 
 inline constexpr double kU = 0x1p-53;
 
-// Masses that are neither equal nor 1, and only one rigidity that the exercise has a use for.
+// Of these rest lengths, and only one rigidity that the exercise has a use for.
 inline hair::Strand strand_with(double hair::Strand::*rigidity, double value,
                                 const Eigen::VectorXd& rest_length) {
-  hair::Strand strand;
-  strand.mass = Eigen::VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
+  const int count = static_cast<int>(rest_length.size()) + 1;
+  Scatter numbers(count);
+  hair::Strand strand = ordinary_strand(numbers, count);
   strand.rest_length = rest_length;
   strand.stretch_rigidity = strand.bend_rigidity = strand.skip_rigidity = 1e9;
   strand.*rigidity = value;
@@ -62,27 +63,6 @@ void expect_in_proportion(const Answer& answer, const Case& c, double hair::Stra
                    what + " where " + name + " is 2^" + std::to_string(unit) + " times as large, over that",
                    "rounding of the largest entry");
   }
-}
-
-// `product(term, dx)` is symmetric with each term, and negative semi-definite where the negative one is left out.
-template <class Product>
-void expect_symmetric_terms(const Product& product, int size, double bound,
-                            const std::string& source_of_bound) {
-  for (const auto term :
-       {hair::GeometricTerm::full, hair::GeometricTerm::filtered, hair::GeometricTerm::dropped})
-    expect_symmetric([&](const Eigen::VectorXd& dx) { return product(term, dx); }, scattered_vector(size, 1),
-                     scattered_vector(size, 2), bound, source_of_bound);
-}
-
-template <class Product>
-void expect_negative_semidefinite(const Product& product, int size, double bound,
-                                  const std::string& source_of_bound) {
-  for (const auto term : {hair::GeometricTerm::filtered, hair::GeometricTerm::dropped})
-    for (int which = 0; which < 20; ++which) {
-      const Eigen::VectorXd dx = scattered_vector(size, which);
-      EXPECT_LE(dx.dot(product(term, dx)), bound)
-          << "dx . (df/dx) dx for dx = " << particles_in_words(dx) << "; bound: " << source_of_bound;
-    }
 }
 
 }  // namespace checks

@@ -13,28 +13,35 @@ using Eigen::Vector3d;
 
 // Segments of 1 m, whose rest lengths are 1 m: other lengths are other categories'.
 Posed some_pose(Random& random, int count, Range bend) {
-  return random_pose(random, toy_strand(random, count), {1, 1}, bend, "bent");
+  return random_pose(random, even_strand(random, count), {1, 1}, bend, "bent");
+}
+
+void expect_product_of(Trial& trial, const Posed& posed, int function) {
+  const StrandForce force = strand_force();
+  expect_product(trial, force, force.products[function - kProduct], posed,
+                 random_vector(trial.random, posed.x.size()));
 }
 
 }  // namespace
 
 void energy(Trial& trial) {
   Random& random = trial.random;
-  for (int count : {3, 4, 10, 50}) expect_energy(trial, some_pose(random, count, kBend));
-  expect_energy(trial, some_pose(random, 12, {0.02, 0.3}));
+  for (int count : {3, 4, 10, 50}) expect_energy(trial, strand_force(), some_pose(random, count, kBend));
+  expect_energy(trial, strand_force(), some_pose(random, 12, {0.02, 0.3}));
 }
 
 void forces(Trial& trial) {
   Random& random = trial.random;
   for (Range bend : {Range{0.1, 1}, Range{1, 1.5}, Range{1.6, 2.8}})
-    for (int repeat = 0; repeat < 2; ++repeat) expect_force(trial, some_pose(random, 3, bend));
-  for (int count : {4, 5, 20}) expect_force(trial, some_pose(random, count, kBend));
+    for (int repeat = 0; repeat < 2; ++repeat)
+      expect_force(trial, strand_force(), some_pose(random, 3, bend));
+  for (int count : {4, 5, 20}) expect_force(trial, strand_force(), some_pose(random, count, kBend));
 }
 
 void exact_product(Trial& trial) {
   Random& random = trial.random;
-  for (int count : {3, 3, 4, 20}) expect_product(trial, some_pose(random, count, kBend), kProduct);
-  expect_product(trial, some_pose(random, 10, {0.02, 0.3}), kProduct);
+  for (int count : {3, 3, 4, 20}) expect_product_of(trial, some_pose(random, count, kBend), kProduct);
+  expect_product_of(trial, some_pose(random, 10, {0.02, 0.3}), kProduct);
 }
 
 void spd_product(Trial& trial) {
@@ -42,7 +49,7 @@ void spd_product(Trial& trial) {
   for (int count : {3, 3, 4, 20}) {
     for (Range bend : {Range{0.1, 1.4}, Range{1.7, 2.8}}) {
       const Posed posed = some_pose(random, count, bend);
-      expect_product(trial, posed, kSpdProduct);
+      expect_product_of(trial, posed, kSpdProduct);
       const VectorXd dx = random_vector(random, posed.x.size());
       trial.expect_at_most(dx.dot(ask_spd(trial, posed, dx)), product_rounding(posed, dx) * dx.lpNorm<1>(),
                            "dx . df, which for a semi-definite S is never positive,");
@@ -62,7 +69,7 @@ void sampling(Trial& trial) {
   const double EI = random.uniform(2, 7), R = random.uniform(0.05, 0.4);
   std::vector<double> energies;
   for (int n : {8, 16, 32, 64}) {
-    Strand strand = toy_strand(random, n + 1);
+    Strand strand = even_strand(random, n + 1);
     strand.bend_rigidity = EI;
     strand.rest_length.setConstant(2 * std::numbers::pi * R / n);
     Posed circle{strand, VectorXd::Zero(3 * n + 3), "circle"};
@@ -97,12 +104,15 @@ void sampling(Trial& trial) {
   expect_all_equal(trial, energies, 4096 * kUnit,
                    "how a joint's energy times its segments' lengths changes with them");
 
-  expect_own_rest_lengths(trial, strand_force(), some_pose(random, 6, {0.3, 1.4}), 3, "joints");
+  expect_own_rest_lengths(
+      trial, strand_force(),
+      random_pose(random, checks::ordinary_strand(random, 6), kStretch, {0.3, 1.4}, "uneven rest lengths"),
+      3);
 
   // The same strand with rest lengths that are r times as long: all answers are an r-th.
-  Strand strand = toy_strand(random, 6);
+  Strand strand = even_strand(random, 6);
   strand.clamped = true;
-  strand.root_tangent = random_direction(random);
+  strand.root_tangent = checks::ordinary_direction(random);
   const Posed one = random_pose(random, strand, {1, 1}, {0.2, 1}, "rest lengths of 1 m");
   const VectorXd dx = random_vector(random, one.x.size()), f = ask_force(trial, one),
                  df = ask_product(trial, one, dx), spd = ask_spd(trial, one, dx);

@@ -60,11 +60,6 @@ double product_rounding(const Posed& posed, const VectorXd& dx) {
   return 512 * kUnit * std::numbers::pi * most * 4 * largest(dx);
 }
 
-void expect_energy(Trial& trial, const Posed& posed) {
-  trial.expect_near(compared(ask_energy(trial, posed), hair::bend_energy(posed.strand, posed.x)),
-                    energy_rounding(posed), "the error of the energy");
-}
-
 double ask_energy(Trial& trial, const Posed& posed) {
   return energy_of<Calls, hair::bend_energy>(trial, posed);
 }
@@ -94,10 +89,6 @@ VectorXd reference_force(const Posed& posed) {
   return f;
 }
 
-void expect_force(Trial& trial, const Posed& posed) {
-  expect_vector(trial, ask_force(trial, posed), reference_force(posed), force_rounding(posed), "the force");
-}
-
 VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx) {
   return ask_product(trial, posed, dx, kSpdProduct);
 }
@@ -108,15 +99,16 @@ VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function)
   return df;
 }
 
-void expect_product(Trial& trial, const Posed& posed, int function) {
-  const VectorXd dx = random_vector(trial.random, posed.x.size());
-  expect_vector(trial, ask_product(trial, posed, dx, function), reference_product(posed, dx, function),
-                product_rounding(posed, dx), "the product");
-}
-
 StrandForce strand_force() {
-  StrandForce all{ask_energy,      ask_force,      reference_force,  {},
-                  energy_rounding, force_rounding, product_rounding, &Strand::bend_rigidity};
+  StrandForce all{ask_energy,
+                  ask_force,
+                  [](const Posed& posed) { return hair::bend_energy(posed.strand, posed.x); },
+                  reference_force,
+                  {},
+                  energy_rounding,
+                  force_rounding,
+                  product_rounding,
+                  &Strand::bend_rigidity};
   for (const int function : {kProduct, kSpdProduct})
     all.products.push_back(
         {[=](Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before) {

@@ -46,11 +46,6 @@ VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx);
 
 StrandForce strand_force();  // for the cases that H1 to H3 share
 
-// Compares the student's answers with the reference's, up to rounding.
-void expect_energy(Trial& trial, const Posed& posed);
-void expect_force(Trial& trial, const Posed& posed);
-void expect_product(Trial& trial, const Posed& posed, int function);
-
 // Segments of 1 m that turn by `bend` to one side and back, in the plane of `direction` and `aside`.
 Posed zigzag(const Strand& strand, const Eigen::Vector3d& direction, const Eigen::Vector3d& aside,
              double bend);

@@ -21,9 +21,9 @@ struct Plane {
   Vector3d along, across;
 
   explicit Plane(Random& random)
-      : strand(toy_strand(random, 3)),
-        along(random_direction(random)),
-        across(along.cross(random_direction(random)).normalized()) {}
+      : strand(even_strand(random, 3)),
+        along(checks::ordinary_direction(random)),
+        across(along.cross(checks::ordinary_direction(random)).normalized()) {}
 
   Posed bent_by(double phi) const {
     Posed posed{strand, VectorXd::Zero(9), "one joint, bent by " + std::to_string(phi)};
@@ -45,11 +45,11 @@ double tip_share(Trial& trial, const Posed& posed) {
 // the student's own answers to both, so that a mistake elsewhere does not count again.
 void clamped_root(Trial& trial) {
   Random& random = trial.random;
-  Strand clamped = toy_strand(random, 2);
+  Strand clamped = even_strand(random, 2);
   clamped.clamped = true;
-  clamped.root_tangent = random_direction(random);
+  clamped.root_tangent = checks::ordinary_direction(random);
   const Posed root = random_pose(random, clamped, kStretch, {0.3, 1.4}, "clamped, one segment");
-  Posed free{toy_strand(random, 3), VectorXd(9), "free, two segments"};
+  Posed free{even_strand(random, 3), VectorXd(9), "free, two segments"};
   free.strand.bend_rigidity = clamped.bend_rigidity;
   free.x << root.x.head<3>() - clamped.root_tangent, root.x;
 
@@ -83,9 +83,8 @@ void clamped_root(Trial& trial) {
   }
 
   // A longer strand: what the clamp adds is the root's joint.
-  Strand strand = toy_strand(random, 6);
+  Strand strand = checks::ordinary_strand(random, 6);
   strand.clamped = true;
-  strand.root_tangent = clamped.root_tangent;
   Posed with = random_pose(random, strand, kStretch, {0.3, 1.4}, "clamped"), without = with;
   const Posed alone = part_of(with, 0, 2);
   without.strand.clamped = false;
@@ -125,8 +124,9 @@ void nearly_straight(Trial& trial) {
         "the relative error of the force at a small bend, compared with your own at a larger bend,");
   }
   // Straight: to the last bit, and as far as numbers go.
-  for (const Vector3d& direction : {Vector3d(0, 0, -1), Vector3d(0, 1, 0), random_direction(random)}) {
-    const Strand strand = toy_strand(random, 8);
+  for (const Vector3d& direction :
+       {Vector3d(0, 0, -1), Vector3d(0, 1, 0), checks::ordinary_direction(random)}) {
+    const Strand strand = even_strand(random, 8);
     const Posed posed = straight_pose(strand, strand.rest_length, direction, "straight");
     trial.expect_at_most(std::abs(ask_energy(trial, posed)), 4 * energy_rounding(posed),
                          "a straight strand's energy");
@@ -146,11 +146,11 @@ void straight_products(Trial& trial) {
   // roundings, which point anywhere: some happen to be 0.
   for (int repeat = 0; repeat < 6; ++repeat) {
     const bool exactly = repeat < 2;
-    const Strand strand = toy_strand(random, 7);
-    Vector3d direction = random_direction(random);
+    const Strand strand = even_strand(random, 7);
+    Vector3d direction = checks::ordinary_direction(random);
     if (repeat == 0) direction = Vector3d(0, -1, 0);
     if (repeat == 1) direction = Vector3d(-0x1.6a09ep-1, 0, 0x1.6a09ep-1);
-    const Vector3d aside = random_direction(random);
+    const Vector3d aside = checks::ordinary_direction(random);
     const Posed posed = straight_pose(strand, strand.rest_length, direction,
                                       exactly ? "straight" : "straight, rounded"),
                 bent = zigzag(strand, direction, aside, kLittle),
@@ -181,7 +181,7 @@ void no_direction(Trial& trial) {
   // No joint: without a segment there is nothing to clamp, and a clamped segment of length 0 has no angle.
   for (int kind : {0, 1, 2}) {
     const int count = kind == 0 ? 1 : 2;
-    Posed posed{toy_strand(random, count), random_vector(random, 3 * count), "without a joint"};
+    Posed posed{even_strand(random, count), random_vector(random, 3 * count), "without a joint"};
     posed.strand.clamped = kind != 1;
     if (kind == 2) posed.x.tail<3>() = Vector3d(posed.x.head<3>());
     const VectorXd dx = random_vector(random, 3 * count);
@@ -194,7 +194,7 @@ void no_direction(Trial& trial) {
   // One segment of length 0, and all of them. The parts beside it do what each does alone.
   for (int which : {0, 2, 5, -1}) {
     constexpr int kCount = 7;
-    Posed posed = random_pose(random, toy_strand(random, kCount), {1, 1}, kBend, "coincident particles");
+    Posed posed = random_pose(random, even_strand(random, kCount), {1, 1}, kBend, "coincident particles");
     for (int i = 0; i + 1 < kCount; ++i)
       if (i == which || which < 0) posed.x.segment<3>(3 * i + 3) = Vector3d(posed.x.segment<3>(3 * i));
     expect_parts_alone(trial, strand_force(), posed, std::max(which, 0) + 1,
@@ -205,7 +205,7 @@ void no_direction(Trial& trial) {
 
   // Beside a segment of length 0, of which some formulas make a cosine of 0, or of a rounding.
   for (int zero : {0, 1}) {
-    Posed posed{toy_strand(random, 3), VectorXd::Zero(9), "two segments, one of length 0"};
+    Posed posed{even_strand(random, 3), VectorXd::Zero(9), "two segments, one of length 0"};
     posed.x.segment<3>(6) = Vector3d(-1, -2, -2);
     if (zero == 1) posed.x.segment<3>(3) = posed.x.segment<3>(6);
     trial.expect(ask_energy(trial, posed) == 0, "a joint beside a segment of length 0 has an energy");
@@ -216,7 +216,7 @@ void no_direction(Trial& trial) {
 void fold(Trial& trial) {
   Random& random = trial.random;
   // Folded, along an axis, so that nothing rounds: four times the energy of a right angle.
-  Posed corner{toy_strand(random, 3), VectorXd(9), "a right angle"};
+  Posed corner{even_strand(random, 3), VectorXd(9), "a right angle"};
   const int axis = static_cast<int>(random.integer(0, 2));
   const Vector3d along = Vector3d::Unit(axis), across = Vector3d::Unit((axis + 1) % 3);
   corner.x << Vector3d::Zero(), along, along + across;
@@ -233,7 +233,7 @@ void fold(Trial& trial) {
   trial.expect(ask_spd(trial, folded, dx).isZero(0), "there is a product at the fold");
 
   // So is a root that is folded back onto what it is clamped to.
-  Posed back{toy_strand(random, 2), VectorXd::Zero(6), "a clamped root, folded"};
+  Posed back{even_strand(random, 2), VectorXd::Zero(6), "a clamped root, folded"};
   back.strand.clamped = true;
   back.strand.root_tangent = along;
   back.x.tail<3>() = -along;

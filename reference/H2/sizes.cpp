@@ -11,9 +11,9 @@ namespace {
 // As thin as nothing, or as long as a galaxy, of cobweb or of steel: all answers keep their proportions.
 void other_units(Trial& trial) {
   Random& random = trial.random;
-  Strand strand = toy_strand(random, 7);
+  Strand strand = even_strand(random, 7);
   strand.clamped = true;
-  strand.root_tangent = random_direction(random);
+  strand.root_tangent = checks::ordinary_direction(random);
   const Posed one = random_pose(random, strand, {1, 1}, {0.3, 1.4}, "a strand"),
               other = random_pose(random, strand, {1, 1}, {0.3, 1.4}, "another");
   // The contract's limits are 1e-100 and 1e100 m: 2^-332 and 2^332.
@@ -23,11 +23,11 @@ void other_units(Trial& trial) {
 // A zigzag of 10,001 particles, all joints alike: each end moves as that of a strand of 5 does.
 void long_strand(Trial& trial) {
   Random& random = trial.random;
-  const Vector3d direction = random_direction(random), aside = random_direction(random),
+  const Vector3d direction = checks::ordinary_direction(random), aside = checks::ordinary_direction(random),
                  push = random_vector(random, 3);
   const double bend = random.uniform(0.5, 1);
-  const Strand few = toy_strand(random, 5);
-  Strand many = toy_strand(random, 10001);
+  const Strand few = even_strand(random, 5);
+  Strand many = even_strand(random, 10001);
   many.bend_rigidity = few.bend_rigidity;
   const Posed brief = zigzag(few, direction, aside, bend), lengthy = zigzag(many, direction, aside, bend);
   // Coordinates round by u of the strand's length; products divide by the sine, of 0.47 at least, twice.

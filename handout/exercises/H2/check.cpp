@@ -8,9 +8,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "check.h"
 #include "derivative.h"
+#include "ordinary.h"
 #include "strands.h"
 
 using namespace checks;
@@ -75,33 +77,48 @@ VectorXd product_spd(const Strand& strand, const VectorXd& x, const VectorXd& dx
   return df;
 }
 
-// A clamped strand, down to the contract's 1e-100 m. `power`: of the unit of length, in the answer.
-template <class Answer>
-void expect_in_units(const Answer& answer, int power, const std::string& what) {
-  checks::expect_in_units(answer, clamped(uneven(6, 4)), {-310, -45, 310}, power, 1e-10, what);
+// All that the exercise's functions answer.
+struct Answer {
+  const char* name;
+  int power;  // of the unit of length
+  double bound;
+  const char* source_of_bound;
+  VectorXd (*of)(const Strand&, const VectorXd& x, const VectorXd& dx);
+};
+const Answer kAnswers[] = {
+    {"the energy", -1, 256 * kU * 200, "256 u of k pi^2 / 2 of each joint: rounding",
+     [](const Strand& strand, const VectorXd& x, const VectorXd&) {
+       return vector({bend_energy(strand, x)});
+     }},
+    {"the force", -2, 256 * kU * 16 * pi, "256 u of k pi / |e|: rounding",
+     [](const Strand& strand, const VectorXd& x, const VectorXd&) { return force(strand, x); }},
+    {"the product", -3, 1024 * kU * 200, "1024 u of k pi / |e|^2: rounding", product},
+    {"the semi-definite product", -3, 1024 * kU * 200, "1024 u of k pi / |e|^2: rounding", product_spd}};
+
+void expect_no_force(const Strand& strand, const VectorXd& x, const std::string& where) {
+  const VectorXd dx = scattered_vector(static_cast<int>(x.size()), 1);
+  for (const Answer& answer : std::span(kAnswers).subspan(1)) {
+    const VectorXd actual = answer.of(strand, x, dx);
+    EXPECT_EQ(actual, VectorXd::Zero(x.size()))
+        << answer.name << " " << where << ", x = " << particles_in_words(x)
+        << "; actual: " << particles_in_words(actual);
+  }
 }
 
-// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands of their own.
-template <class Answer>
-void expect_in_two_parts(const Answer& answer, const std::string& what) {
-  Case whole = clamped(uneven(7, 5));
-  whole.x.segment<3>(12) = Vector3d(whole.x.segment<3>(9));
-  Case front{whole.strand, whole.x.head(12)}, behind{whole.strand, whole.x.tail(9)};
-  front.strand.mass = whole.strand.mass.head(4);
-  front.strand.rest_length = whole.strand.rest_length.head(3);
-  behind.strand.mass = whole.strand.mass.tail(3);
-  behind.strand.rest_length = whole.strand.rest_length.tail(2);
-  behind.strand.clamped = false;
-  VectorXd expected(21);
-  expected << answer(front.strand, front.x, 0), answer(behind.strand, behind.x, 4);
-  expect_entries(answer(whole.strand, whole.x, 0), expected, 512 * kU * 200,
-                 what +
-                     " of 7 particles, where particles 3 and 4 are in the same place, beside those of "
-                     "particles 0 to 3 and of particles 4 to 6 as strands of their own",
-                 "512 u of k pi / |e|^2: rounding");
+// Straight, but for a right angle at this joint.
+VectorXd with_corner(int segments, int joint) {
+  VectorXd x = VectorXd::Zero(3 * segments + 3);
+  for (int i = 0; i < segments; ++i)
+    x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + (i < joint ? Vector3d(0, 0, -1) : Vector3d(0, 1, 0));
+  return x;
 }
 
-const VectorXd kRightAngle = vector({0, 0, 0, 0, 0, -1, 0, 1, -1});
+const VectorXd kRestLengths = vector({0.5, 2.5, 0.7, 1.9});
+double mean_at(int joint) {
+  return (kRestLengths[joint - 1] + kRestLengths[joint]) / 2;
+}
+
+const VectorXd kRightAngle = with_corner(2, 1);
 const VectorXd kBentByLess = vector({0, 0, 0, 0, 0, -1, 0, std::sin(0.8), -1 - std::cos(0.8)});
 const VectorXd kFold = vector({0, 0, 0, 0, 0, -1, 0, 0, 0});
 
@@ -134,10 +151,13 @@ TEST(NoDirection, WithoutAJointIsZero) {
          "pi";
 }
 
-TEST(Sampling, TakesTheMeanOfTwoRestLengthsByBendEnergy) {
-  EXPECT_NUMBER(bend_energy(strand_of(vector({0.5, 2.5})), kRightAngle), 4 / 1.5 * pi * pi / 8, 32 * kU * 4)
-      << "EI = 4 N m^2, rest lengths 0.5 m and 2.5 m: k = 4 / 1.5 N m, whatever the lengths are now; phi = "
-         "pi/2";
+TEST(Sampling, TakesTheMeanOfTwoRestLengths) {
+  for (const int joint : {1, 2, 3})
+    EXPECT_NUMBER(bend_energy(strand_of(kRestLengths), with_corner(4, joint)),
+                  4 / mean_at(joint) * pi * pi / 8, 32 * kU * 4)
+        << "EI = 4 N m^2, rest lengths " << in_words({kRestLengths.begin(), kRestLengths.end()})
+        << " m, whatever the lengths are now; straight, but for phi = pi/2 at joint " << joint
+        << ", whose k is 4 / " << mean_at(joint) << " N m";
 }
 
 TEST(Sampling, OfTheLecturesCircleDoesNotDependOnTheSampling) {
@@ -168,15 +188,10 @@ TEST(NearlyStraight, OfSmallAnglesKeepsItsDigits) {
 }
 
 TEST(ClampedRoot, OfAClampedRoot) {
-  const Case c = clamped({strand_of(vector({0.5})), vector({0, 0, 0, 0, 0.8, 0.6})});
+  const Case c = clamped({strand_of(vector({0.5, 2.5})), vector({0, 0, 0, 0, 0.8, 0.6, 0, 1.6, 1.2})});
   EXPECT_NUMBER(bend_energy(c.strand, c.x), 16 * pi * pi / 8, 32 * kU * 16)
-      << "one segment of rest length 0.5 m at a right angle to root_tangent: k = 2 EI / l = 16 N m; bound: "
-         "rounding";
-}
-
-TEST(Extremes, InAnyUnitByBendEnergy) {
-  expect_in_units([](const Strand& strand, const VectorXd& x) { return vector({bend_energy(strand, x)}); },
-                  -1, "the energy");
+      << "straight, at a right angle to root_tangent, the first rest length 0.5 m: k = 2 EI / l = 16 N m; "
+         "bound: rounding";
 }
 
 TEST(Forces, OfOneJoint) {
@@ -213,12 +228,13 @@ TEST(ClampedRoot, IsMinusTheEnergysGradientWithAClampedRoot) {
 
 TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
   look_at("force");
-  expect_entries(
-      force(strand_of(vector({0.5, 2.5})), kRightAngle) * 1.5, force(strand_of(vector({1, 1})), kRightAngle),
-      64 * kU * 4 * pi,
-      "1.5 times the force of a right angle with rest lengths of 0.5 m and 2.5 m, beside that with 1 m "
-      "and 1 m",
-      "64 u of k phi / |e|: rounding");
+  for (const int joint : {1, 2, 3})
+    expect_entries(force(strand_of(kRestLengths), with_corner(4, joint)) * mean_at(joint),
+                   force(strand_of(VectorXd::Ones(4)), with_corner(4, joint)), 64 * kU * 4 * pi,
+                   "the force of a right angle between rest lengths whose mean is " +
+                       std::to_string(mean_at(joint)) +
+                       " m, times that, beside the force with rest lengths of 1 m",
+                   "64 u of k phi / |e|: rounding");
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
@@ -235,31 +251,12 @@ TEST(Added, IsAddedToWhatFHolds) {
                "f");
 }
 
-// EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
-TEST(Extremes, OfAHairAsOfAWireByAddBendForce) {
-  look_at("hair");
-  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
-    Strand hair = c.strand;
-    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
-    const double energy = bend_energy(c.strand, c.x);
-    EXPECT_NUMBER(std::ldexp(bend_energy(hair, c.x), 30), energy, 256 * kU * energy)
-        << "EI = 3.7e-9 N m^2: 2^30 times the energy, beside that of EI = 4 N m^2; bound: rounding";
-    expect_entries(force(hair, c.x) * 0x1p30, force(c.strand, c.x), 256 * kU * 16 * pi,
-                   "2^30 times the force for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
-                   "256 u of k pi / |e|: rounding");
-  }
-}
-
 TEST(Extremes, IsTheSameHoweverOftenItIsAsked) {
   look_at("static");
   const Case c = clamped(uneven(5, 1));
   const VectorXd first = force(c.strand, c.x);
   for (int i = 1; i <= kManyCalls; ++i)
     ASSERT_EQ(force(c.strand, c.x), first) << "asked again for the same strand, " << i << " times so far";
-}
-
-TEST(Extremes, InAnyUnitByAddBendForce) {
-  expect_in_units(force, -2, "the force");
 }
 
 TEST(Extremes, OfALongStrand) {
@@ -277,12 +274,6 @@ TEST(Extremes, OfALongStrand) {
                  source);
 }
 
-TEST(NoDirection, BesideASegmentOfLengthZeroByAddBendForce) {
-  look_at("beside");
-  expect_in_two_parts([](const Strand& strand, const VectorXd& x, int) { return force(strand, x); },
-                      "the force");
-}
-
 // The force does not become 0 before the fold is reached: k (pi - missing) / |e|, across the segment.
 TEST(Fold, NextToTheFold) {
   look_at("next");
@@ -298,38 +289,20 @@ TEST(Fold, NextToTheFold) {
   }
 }
 
-TEST(Fold, AtTheFoldIsZeroByAddBendForce) {
-  EXPECT_EQ(force(strand_of(vector({1, 1})), kFold), VectorXd::Zero(9))
-      << "folded, x = " << particles_in_words(kFold);
-  for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
-    VectorXd x = VectorXd::Zero(9);
-    x.segment<3>(3) = along;
-    EXPECT_EQ(force(strand_of(vector({1, 1})), x), VectorXd::Zero(9))
-        << "folded, x = " << particles_in_words(x);
-    Strand back = strand_of(vector({1}));
-    back.clamped = true;
-    back.root_tangent = -along;
-    EXPECT_EQ(force(back, x.head<6>()), VectorXd::Zero(6))
-        << "a clamped root, folded back, x = " << particles_in_words(x.head<6>());
+TEST(NearlyStraight, OfASmallAngleHasAForce) {
+  look_at("skipped");
+  for (const double phi : {1e-3, 1e-5, 1e-7}) {
+    const VectorXd x = vector({0, 0, 0, 0, 0, -1, 0, phi, -2});
+    EXPECT_NUMBER(force(strand_of(vector({1, 1})), x).tail<3>().norm(),
+                  4 * std::atan(phi) / std::sqrt(1 + phi * phi), 256 * kU * 4)
+        << "the size of the force on the tip, phi = atan(" << phi
+        << "), k = 4 N m: k phi / |e|; bound: rounding";
   }
 }
 
 TEST(NearlyStraight, OfAStraightStrandIsZero) {
   look_at("straight");
   EXPECT_EQ(force(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), VectorXd::Zero(9));
-}
-
-TEST(NoDirection, WhereDirectionsAreLostIsZeroByAddBendForce) {
-  look_at("beside");
-  EXPECT_EQ(force(kLone.strand, kLone.x), VectorXd::Zero(6))
-      << "clamped, and its only segment has the length 0";
-  const Strand strand = strand_of(vector({1, 1}));
-  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({0, 0, 0, 0, 1, 0, 0, 1, 0}),
-                            vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
-    const VectorXd f = force(strand, x);
-    EXPECT_EQ(f, VectorXd::Zero(9)) << "with a segment of length 0: x = " << particles_in_words(x)
-                                    << "; actual: " << particles_in_words(f);
-  }
 }
 
 TEST(ExactProduct, IsTheForcesDerivative) {
@@ -368,22 +341,38 @@ TEST(ExactProduct, IsSymmetric) {
                    "24 entries, 1024 u of k pi / |e|^2 each: rounding");
 }
 
+// The energy is k/2 |P (de_1 / |e_1| - de_0 / |e_0|)|^2, where P takes away what lies along the strand.
+void expect_straight_product(const Vector3d& root, const Vector3d& u, double a, double b, double relative,
+                             const std::string& source_of_bound) {
+  VectorXd x(9), expected(9);
+  x << root, root + a * u, root + (a + b) * u;
+  const VectorXd dx = scattered_vector(9, 4);
+  const Vector3d turn = (dx.tail<3>() - dx.segment<3>(3)) / b - (dx.segment<3>(3) - dx.head<3>()) / a,
+                 across = 4 * (turn - u * u.dot(turn) / u.squaredNorm()) / u.squaredNorm();
+  expected << -across / a, across / a + across / b, -across / b;
+  expect_entries(product(strand_of(vector({1, 1})), x, dx), expected,
+                 relative * 4 / (std::min(a, b) * std::min(a, b) * u.squaredNorm()),
+                 "the exact product of a straight strand, x = " + particles_in_words(x) +
+                     ", k = 4 N m, dx = " + particles_in_words(dx),
+                 source_of_bound);
+}
+
 TEST(StraightProducts, OfAStraightStrand) {
-  // The energy is k/2 |P (dx_0 - 2 dx_1 + dx_2)|^2 / |e|^2, where P takes away what lies along the strand. Of these directions, whose
-  // segments are equal to the last bit, some have unit vectors with a square below 1.
-  const Strand strand = strand_of(vector({1, 1}));
+  // Their segments are equal to the last bit, and some have unit vectors with a square below 1.
   for (const Vector3d& e : {Vector3d(0, 0, -1), Vector3d(0, 0, -0.125), Vector3d(0.25, 0.75, -0.75),
-                            Vector3d(0, 0.5, 0.5), Vector3d(-0.75, 1, 0.75)}) {
-    VectorXd x(9), expected(9);
-    x << Vector3d::Zero(), e, 2 * e;
-    const VectorXd dx = scattered_vector(9, 4);
-    const Vector3d curve = dx.head<3>() - 2 * dx.segment<3>(3) + dx.tail<3>(),
-                   across = 4 / e.squaredNorm() * (curve - e * e.dot(curve) / e.squaredNorm());
-    expected << -across, 2 * across, -across;
-    expect_entries(product(strand, x, dx), expected, 1024 * kU * 4 / e.squaredNorm(),
-                   "the exact product of a straight strand, x = " + particles_in_words(x) +
-                       ", k = 4 N m, dx = " + particles_in_words(dx),
-                   "1024 u of k / |e|^2: rounding");
+                            Vector3d(0, 0.5, 0.5), Vector3d(-0.75, 1, 0.75)})
+    expect_straight_product(Vector3d::Zero(), e, 1, 1, 1024 * kU, "1024 u of k / |e|^2: rounding");
+}
+
+TEST(StraightProducts, OfABendThatIsRounding) {
+  look_at("rounding");
+  Scatter numbers(1);
+  for (int which = 0; which < 12; ++which) {
+    const Vector3d root = ordinary_direction(numbers), u = ordinary_direction(numbers);
+    const double a = ordinary_number(numbers, 0.3, 2.3), b = ordinary_number(numbers, 0.3, 2.3, a);
+    expect_straight_product(
+        root, u, a, b, 1e-5,
+        "1e-5 of k / |e|^2. A bend that is nothing but rounding has the limits of a straight joint");
   }
 }
 
@@ -467,41 +456,6 @@ TEST(StraightProducts, IsExactForAStraightStrand) {
   }
 }
 
-TEST(Extremes, OfAHairAsOfAWireByAddProductsSpd) {
-  look_at("hair");
-  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
-    Strand hair = c.strand;
-    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
-    const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
-    const std::string what = " for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
-                      source = "1024 u of k pi / |e|^2: rounding";
-    expect_entries(product(hair, c.x, dx) * 0x1p30, product(c.strand, c.x, dx), 1024 * kU * 200,
-                   "2^30 times the product" + what, source);
-    expect_entries(product_spd(hair, c.x, dx) * 0x1p30, product_spd(c.strand, c.x, dx), 1024 * kU * 200,
-                   "2^30 times the semi-definite product" + what, source);
-  }
-}
-
-TEST(Extremes, InAnyUnitByAddProductsSpd) {
-  const VectorXd dx = scattered_vector(18, 7);
-  expect_in_units([&](const Strand& strand, const VectorXd& x) { return product(strand, x, dx); }, -3,
-                  "the product");
-  expect_in_units([&](const Strand& strand, const VectorXd& x) { return product_spd(strand, x, dx); }, -3,
-                  "the semi-definite product");
-}
-
-TEST(NoDirection, BesideASegmentOfLengthZeroByAddProductsSpd) {
-  look_at("beside");
-  const VectorXd dx = scattered_vector(21, 7);
-  const auto part = [&](int first, Eigen::Index size) -> VectorXd { return dx.segment(3 * first, size); };
-  expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
-                          int first) { return product(strand, x, part(first, x.size())); },
-                      "the product");
-  expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
-                          int first) { return product_spd(strand, x, part(first, x.size())); },
-                      "the semi-definite product");
-}
-
 TEST(Added, IsAddedToWhatDfHolds) {
   const Case c = uneven(5, 6);
   const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
@@ -510,23 +464,72 @@ TEST(Added, IsAddedToWhatDfHolds) {
                "df (semi-definite)");
 }
 
-TEST(Fold, AtTheFoldIsZeroByAddProductsSpd) {
-  const Strand strand = strand_of(vector({1, 1}));
-  const VectorXd dx = scattered_vector(9, 1);
-  EXPECT_EQ(product(strand, kFold, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(kFold);
-  EXPECT_EQ(product_spd(strand, kFold, dx), VectorXd::Zero(9))
-      << "semi-definite, x = " << particles_in_words(kFold);
+TEST(Fold, AtTheFoldIsZero) {
+  for (const Vector3d& along :
+       {Vector3d(0, 0, -1), Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
+    VectorXd x = VectorXd::Zero(9);
+    x.segment<3>(3) = along;
+    expect_no_force(strand_of(vector({1, 1})), x, "at the fold");
+    Strand back = strand_of(vector({1}));
+    back.clamped = true;
+    back.root_tangent = -along;
+    expect_no_force(back, x.head<6>(), "of a clamped root that is folded back");
+  }
 }
 
-TEST(NoDirection, WhereDirectionsAreLostIsZeroByAddProductsSpd) {
+// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands of their own.
+TEST(NoDirection, BesideASegmentOfLengthZero) {
   look_at("beside");
-  const Strand strand = strand_of(vector({1, 1}));
-  const VectorXd dx = scattered_vector(9, 1);
-  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
-    EXPECT_EQ(product(strand, x, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(x);
-    EXPECT_EQ(product_spd(strand, x, dx), VectorXd::Zero(9))
-        << "semi-definite, x = " << particles_in_words(x);
+  Case whole = clamped(uneven(7, 5));
+  whole.strand.rest_length.setOnes();
+  whole.x.segment<3>(12) = Vector3d(whole.x.segment<3>(9));
+  Case front{whole.strand, whole.x.head(12)}, behind{whole.strand, whole.x.tail(9)};
+  front.strand.mass = whole.strand.mass.head(4);
+  front.strand.rest_length = whole.strand.rest_length.head(3);
+  behind.strand.mass = whole.strand.mass.tail(3);
+  behind.strand.rest_length = whole.strand.rest_length.tail(2);
+  behind.strand.clamped = false;
+  const VectorXd dx = scattered_vector(21, 7);
+  for (const Answer& answer : std::span(kAnswers).subspan(1)) {
+    VectorXd expected(21);
+    expected << answer.of(front.strand, front.x, dx.head(12)), answer.of(behind.strand, behind.x, dx.tail(9));
+    expect_entries(answer.of(whole.strand, whole.x, dx), expected, 512 * kU * 200,
+                   std::string(answer.name) +
+                       " of 7 particles, where particles 3 and 4 are in the same place, beside those of "
+                       "particles 0 to 3 and of particles 4 to 6 as strands of their own",
+                   "512 u of k pi / |e|^2: rounding");
   }
+}
+
+TEST(NoDirection, WhereDirectionsAreLostIsZero) {
+  look_at("beside");
+  expect_no_force(kLone.strand, kLone.x, "of a clamped strand whose only segment has the length 0");
+  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({0, 0, 0, 0, 1, 0, 0, 1, 0}),
+                            vector({1, 1, 1, 1, 1, 1, 1, 1, 1})})
+    expect_no_force(strand_of(vector({1, 1})), x, "beside a segment of length 0");
+}
+
+// EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
+TEST(Extremes, OfAHairAsOfAWire) {
+  look_at("hair");
+  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
+    Strand hair = c.strand;
+    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
+    const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
+    for (const Answer& answer : kAnswers)
+      expect_entries(
+          answer.of(hair, c.x, dx) * 0x1p30, answer.of(c.strand, c.x, dx), answer.bound,
+          "2^30 times " + std::string(answer.name) + " for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
+          answer.source_of_bound);
+  }
+}
+
+// A clamped strand, down to the contract's 1e-100 m.
+TEST(Extremes, InAnyUnit) {
+  const VectorXd dx = scattered_vector(18, 7);
+  for (const Answer& answer : kAnswers)
+    expect_in_units([&](const Strand& strand, const VectorXd& x) { return answer.of(strand, x, dx); },
+                    clamped(uneven(6, 4)), {-310, -45, 310}, answer.power, 1e-10, answer.name);
 }
 
 int main(int argc, char** argv) {
