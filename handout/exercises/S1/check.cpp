@@ -85,9 +85,10 @@ void expect_goes_on(System s, int most_steps, double tolerance) {
   const Outcome out = solve(s.A, s.b, 0, most_steps);
   EXPECT_LE(residual(s, out.x) / 0x1p50, tolerance)
       << "||b - Ax|| / ||b|| after " << out.steps << " steps, with " << out.products << " products";
-  if (residual(s, out.x) > residual_gap(s.A.norm_bound(), s.A.longest_row(), out.x, s.b))
+  if (residual(s, out.x) > residual_gap(s.A.norm_bound(), s.A.longest_row(), out.x, s.b)) {
     EXPECT_GE(out.products, 1 + most_steps)
         << "products: it ends before the limit, and ||b - Ax||^2 is not 0";
+  }
 }
 
 // Converges too slowly to get anywhere near a residual of 0: eigenvalues from 1e-10 to 1, and no zeros in the
