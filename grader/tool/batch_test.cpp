@@ -28,22 +28,22 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   for (Exercise& exercise : settings.course.exercises)
     if (exercise.id != "S1" && exercise.id != "S2") exercise.role = Role::absent;
   settings.course.budget.idle_seconds = 1e4;
-  settings.course.budget.wall_seconds = 24;  // a third each
+  settings.course.budget.wall_seconds = 16;  // half each
   settings.cache = HAIR_TEST_CACHE;
   settings.secret = "a secret for tests alone";
   settings.images = settings.memory_errors = false;
   settings.isolation = Isolation::none;  // it sees the pipe
 
-  const auto file = [&](const std::string& name, const std::string& before) {
-    return SourceFile{before + hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / name), ""};
+  const auto file = [&](const std::string& path, const std::string& before) {
+    return SourceFile{before + hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / path), ""};
   };
   const std::string sleeps =
       "#include <fcntl.h>\n#include <unistd.h>\nstruct Sleeps { Sleeps() { if (open(\"" + pipe.string() +
       "\", O_RDONLY) >= 0) for (;;) sleep(1); } } sleeps;\n";
   Submission slow{.name = "slow", .origin = "slow"}, quick{.name = "quick", .origin = "quick"};
-  slow.files = {{"conj_grad.cpp", file("conj_grad.cpp", sleeps)},
-                {"normal_equations.cpp", file("normal_equations.cpp", "")}};
-  quick.files = {{"normal_equations.cpp", file("normal_equations.cpp", "")}};
+  slow.files = {{"conj_grad.cpp", file("S1/conj_grad.cpp", sleeps)},
+                {"normal_equations.cpp", file("S2/normal_equations.cpp", "")}};
+  quick.files = {{"normal_equations.cpp", file("S2/normal_equations.cpp", "")}};
 
   ASSERT_EQ(mkfifo(pipe.c_str(), 0644), 0);
   share_with_sandbox(folder.path(), false);
