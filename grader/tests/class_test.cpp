@@ -135,7 +135,7 @@ TEST(SampleClass, PagesForStudentsHoldNothingOfTheStaffs) {
           }
       for (const std::string& secret :
            {std::string(HAIR_BUILD), std::string(HAIR_PROJECT), std::string("hairgrade-"),
-            std::string("/kit"), std::string("serve_")})
+            std::string("/kit/"), std::string("serve_")})
         EXPECT_EQ(page.find(secret), std::string::npos) << secret;
       EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     }

@@ -12,6 +12,7 @@
 
 #include "check.h"
 #include "derivative.h"
+#include "hair/geometric_term.h"
 #include "ordinary.h"
 #include "particles/vectors.h"
 #include "strands.h"
