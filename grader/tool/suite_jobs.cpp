@@ -107,7 +107,8 @@ bool SuiteJobs::ended_by_the_clock(const ExerciseTiming& timing) const {
 }
 
 Budget SuiteJobs::share() const {
-  const auto parts = std::ranges::count_if(settings_.course.exercises, asked_for);
+  const auto parts =
+      std::ranges::count_if(settings_.course.exercises, [](const Exercise& one) { return asked_for(one); });
   return share_of(settings_.course.budget, std::max(1, static_cast<int>(parts)));
 }
 
