@@ -26,11 +26,10 @@ namespace grader::inline calls {
 
 // What a contract promises beside its types.
 struct Contract {
-  int scratch_columns = 0;         // of its Scratch; 0: a matrix is no scratch, it goes there and back
-  bool scratch_of_size = false;    // and as many columns more as a vector of the call has numbers
-  bool allocates_nothing = false;  // the function, or the product with the matrix that it returns
-  int sweeps = -1;         // the number of the argument that bounds its work, to bound hostile callers
-  bool may_share = false;  // its Output may be one of its Inputs
+  int scratch_columns = 0;       // of its Scratch; 0: a matrix is no scratch, it goes there and back
+  bool scratch_of_size = false;  // and as many columns more as a vector of the call has numbers
+  int sweeps = -1;               // the number of the argument that bounds its work, to bound hostile callers
+  bool may_share = false;        // its Output may be one of its Inputs
 };
 
 // A matrix of the client's, of a contract that has plain pointers.

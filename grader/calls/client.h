@@ -2,7 +2,6 @@
 // the caller's objects, and puts what comes back into the arguments. Answers are untrusted: their lengths are checked, and numbers
 // may be anything. Whom a client asks is an Asker:
 //
-//   asker.ours()                  while what it returns lives, what is allocated is not the caller's
 //   asker.start<function>(request, arguments...)  writes what comes before the number of the call
 //   asker.ask(request, products)  sends it, and returns the reply; `products` answers questions
 //   asker.served(force)           `force` is the one that the other side serves already: it asks itself
@@ -53,11 +52,6 @@ class Answering {
  private:
   std::vector<Products> operators_;
   Products force_;
-};
-
-// Nothing to end, for an asker's ours().
-struct Nothing {
-  ~Nothing() {}
 };
 
 inline constexpr int kNoLimit = std::numeric_limits<int>::max();  // the submission's budget is one
@@ -204,7 +198,6 @@ class Client {
  public:
   template <class Asker, class... Given>
   static ResultOf<function> ask(Asker& asker, Given&&... given) {
-    const auto ours = asker.ours();
     MessageWriter request;
     Answering answering;
     asker.template start<function>(request, given...);
@@ -231,7 +224,6 @@ class Client {
   static Products multiply(Asker& asker, int times, const Eigen::VectorXd& x, const Eigen::VectorXd& filling,
                            const std::tuple<Made...>& made,
                            const std::tuple<After...>& after = std::tuple<>()) {
-    const auto ours = asker.ours();
     MessageWriter request;
     Answering answering;
     std::apply([&](auto&... given) { asker.template start<function>(request, given...); }, made);
@@ -292,7 +284,6 @@ class AskedMatrix<Calls, function, Asker, std::tuple<P...>> : public implicitMat
   explicit AskedMatrix(const Asker& asker, P... arguments) : asker_(asker), arguments_(arguments...) {}
 
   void matVecMult(double x[], double b[]) override {
-    [[maybe_unused]] const auto ours = asker_.ours();
     const auto [rows, cols] = std::apply(
         [](const auto&... arguments) { return Calls::template Of<function>::Check::shape(arguments...); },
         arguments_);

@@ -123,10 +123,6 @@ std::vector<std::byte> request(Source& source) {
 class Idle {
  public:
   using Vector = UnguardedVector;
-  struct Ours {
-    explicit Ours(const Idle&) {}
-    ~Ours() {}
-  };
 
   explicit Idle(Source& source) : source_(source) {}
 
@@ -137,10 +133,6 @@ class Idle {
       return std::make_unique<Nowhere>();
     else if constexpr (!std::is_void_v<typename Call::Signature::Result>)
       return any<typename Call::Signature::Result>(source_);
-  }
-  template <class Product>
-  void multiply(bool, Product&& product) {
-    product();
   }
   void bound(int&, Eigen::Index) {}
   void served(const particles::Force&) {}

@@ -31,7 +31,6 @@ struct Asker {
   Way& way;
   bool second;
 
-  Nothing ours() const { return {}; }
   template <auto function>
   void start(MessageWriter&, const auto&...) const {}
   bool served(const particles::Force&) const { return false; }
@@ -66,10 +65,6 @@ template <class Calls>
 class Host {
  public:
   using Vector = UnguardedVector;
-  struct Ours {
-    explicit Ours(const Host&) {}
-    ~Ours() {}
-  };
 
   // `products` answers for the client's objects; null: nobody does, and all answers are 0.
   Host(Way& way, bool second, Products products) : asker_{way, second}, products_(std::move(products)) {}
@@ -86,10 +81,6 @@ class Host {
       return matrix_of<Calls, Call::function>(asker_, arguments...);
     else
       return grader::ask<Calls, Call::function>(asker_, arguments...);
-  }
-  template <class Product>
-  void multiply(bool, Product&& product) {
-    product();
   }
   void bound(int&, Eigen::Index) {}
   void served(const particles::Force&) {}

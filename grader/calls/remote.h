@@ -2,7 +2,6 @@
 // the one side runs on the other. `Host` is where they live (server.h):
 //
 //   host.ask(question)  sends it, and waits for its answer
-//   Host::Ours          while it lives, what is allocated is not counted
 //
 // No contract allows an output that overlaps the input of a product: what comes out is NaN.
 #pragma once
@@ -41,7 +40,6 @@ class RemoteMatrix : public implicitMatrix {
       : host_(host), which_(which), rows_(rows), cols_(cols) {}
 
   void matVecMult(double x[], double b[]) override {
-    const typename Host::Ours ours(host_);
     const auto rows = static_cast<std::size_t>(rows_), cols = static_cast<std::size_t>(cols_);
     const std::less<const double*> before;
     const bool overlap = before(x, b + rows) && before(b, x + cols);
@@ -60,7 +58,6 @@ class RemoteDynamics : public particles::Dynamics {
   RemoteDynamics(Host& host, Eigen::Index size) : host_(host), size_(size) {}
 
   void acceleration(particles::Input x, particles::Input v, particles::Output a) override {
-    const typename Host::Ours ours(host_);
     if (x.size() != size_ || v.size() != size_ || a.size() != size_)
       throw std::invalid_argument("acceleration of " + std::to_string(size_) + " numbers asked for with " +
                                   std::to_string(x.size()) + ", " + std::to_string(v.size()) + " and " +
@@ -87,7 +84,6 @@ class RemoteForce : public particles::Force {
   RemoteForce& operator=(const RemoteForce&) = delete;
 
   double energy(particles::Input x) const override {
-    const typename Host::Ours ours(host_);
     double energy = 0;
     host_.ask({kForceEnergy, provided_, joined({&x}), {&energy, 1}});
     return energy;
@@ -107,7 +103,6 @@ class RemoteForce : public particles::Force {
   }
   bool add_band(particles::Input x, particles::Input v, double by_dfdx, double by_dfdv,
                 solver::BlockBand& band, particles::Scratch /*work*/) const override {
-    const typename Host::Ours ours(host_);
     std::vector<double> question = joined({&x, &v}), answer(size_of_band(static_cast<int>(size_)));
     question.push_back(by_dfdx);
     question.push_back(by_dfdv);
@@ -129,7 +124,6 @@ class RemoteForce : public particles::Force {
   }
 
   void add(int which, std::initializer_list<const View*> inputs, particles::Output& sum) const {
-    const typename Host::Ours ours(host_);
     expect_size(sum.size());
     std::vector<double> question = joined(inputs), answer(static_cast<std::size_t>(size_));
     question.insert(question.end(), sum.data(), sum.data() + size_);

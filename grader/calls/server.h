@@ -2,10 +2,9 @@
 //
 //   Host::Vector(numbers)     numbers in memory of the host's, with view(), a vector
 //   host.call<Call>(arguments...)  calls the call's function
-//   host.multiply(promised, f)     calls f, a product; `promised`: it allocates nothing, by its contract
 //   host.bound(sweeps, size)  bounds how much a call may compute, for a vector of `size` numbers
 //   host.served(force)        `force` is the one that the other side serves in this request
-//   host.ask, Host::Ours      see remote.h
+//   host.ask                  see remote.h
 //
 // Hosts are a worker, which calls a student's function (grader/worker/worker_host.h), and the suite, which calls the reference's
 // for a worker (grader/judge/student/providing_host.h).
@@ -314,8 +313,7 @@ class Request<Call, Host, std::tuple<P...>> {
       throw MalformedMessage("a product of another size than the matrix");
     for (int i = 0; i < times; ++i) {
       typename Host::Vector product(filling);
-      host_.multiply(Call::contract.allocates_nothing,
-                     [&] { matrix->matVecMult(x.view().data(), product.view().data()); });
+      matrix->matVecMult(x.view().data(), product.view().data());
       encode(reply, product.view());
     }
     encode(reply, x.view());

@@ -27,7 +27,6 @@ class CaseAsker {
     return std::exchange(begun_, true) ? trial_.ask_on(request, products, stopped_)
                                        : trial_.ask(request, products, stopped_);
   }
-  Nothing ours() const { return {}; }
   template <auto function>
   void start(MessageWriter&, const auto&... arguments) const {
     if (!begun_) trial_.describe_call(in_words<function>(arguments...));

@@ -16,7 +16,6 @@ namespace grader::inline worker {
 
 template <class Calls>
 struct ProvidedAsker {
-  Nothing ours() const { return {}; }
   template <auto function>
   void start(MessageWriter& request, const auto&...) const {
     request.put(std::string(Calls::id));
@@ -36,10 +35,6 @@ struct ProvidedAsker {
   }
   void changed() const {}
 };
-
-inline Nothing ours() {
-  return {};
-}
 
 template <class Calls, auto function, class... Arguments>
 ResultOf<function> asked(Arguments&&... arguments) {

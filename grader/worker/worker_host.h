@@ -24,10 +24,6 @@ class GuardedVector {
 class WorkerHost {
  public:
   using Vector = GuardedVector;
-  struct Ours {
-    explicit Ours(const WorkerHost&) {}
-    ~Ours() {}
-  };
 
   explicit WorkerHost(Session& session) : session_(session) {}
 
@@ -35,10 +31,6 @@ class WorkerHost {
   template <class Call, class... Arguments>
   decltype(auto) call(Arguments&&... arguments) {
     return Call::function(arguments...);
-  }
-  template <class Product>
-  void multiply(bool, Product&& product) {
-    product();
   }
   void bound(int&, Eigen::Index) {}
   void served(const particles::Force& force) { session_.served_force = &force; }

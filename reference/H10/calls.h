@@ -84,11 +84,11 @@ struct Blend {
 };
 
 template <auto function, class Check>
-using Lean = Call<function, Contract{.allocates_nothing = true}, Check>;
+using Lean = Call<function, Contract{}, Check>;
 
 struct Calls : CallList<Lean<hair::root_weights, SameSizes>, Lean<hair::interpolate, Lines>,
                         Lean<hair::carry_along, Frames>, Lean<hair::extrapolate, Wisp>,
-                        Call<hair::blend, Contract{.allocates_nothing = true, .may_share = true}, Blend>> {
+                        Call<hair::blend, Contract{.may_share = true}, Blend>> {
   static constexpr const char* id = "H10";
 };
 

@@ -7,8 +7,8 @@
 namespace grader::h4 {
 
 struct Calls
-    : CallList<Call<particles::implicit_matrix, Contract{.allocates_nothing = true}>,
-               Call<particles::implicit_rhs>, Call<particles::solve_plain>,
+    : CallList<Call<particles::implicit_matrix, Contract{}>, Call<particles::implicit_rhs>,
+               Call<particles::solve_plain>,
                Call<particles::implicit_euler, Contract{.scratch_columns = particles::kImplicitScratch}>> {
   static constexpr const char* id = "H4";
 };

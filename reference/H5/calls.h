@@ -9,11 +9,9 @@ namespace grader::h5 {
 struct Calls
     : CallList<
           Call<hair::relax_lengths, Contract{.sweeps = 2}>,
-          Call<hair::correct_lengths,
-               Contract{.scratch_columns = hair::kCorrectionScratch, .allocates_nothing = true, .sweeps = 2}>,
+          Call<hair::correct_lengths, Contract{.scratch_columns = hair::kCorrectionScratch, .sweeps = 2}>,
           Call<hair::correct_velocities,
-               Contract{
-                   .scratch_columns = hair::kCorrectionScratch, .allocates_nothing = true, .sweeps = 3}>> {
+               Contract{.scratch_columns = hair::kCorrectionScratch, .sweeps = 3}>> {
   static constexpr const char* id = "H5";
 };
 

@@ -17,8 +17,8 @@ struct Form<hair::StepReport> {
 namespace grader::h6 {
 
 struct Calls
-    : CallList<Call<hair::predictor_corrector, Contract{.scratch_columns = hair::kPredictorCorrectorScratch,
-                                                        .allocates_nothing = true}>> {
+    : CallList<
+          Call<hair::predictor_corrector, Contract{.scratch_columns = hair::kPredictorCorrectorScratch}>> {
   static constexpr const char* id = "H6";
 };
 

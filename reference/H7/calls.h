@@ -62,7 +62,7 @@ struct OneTree {
 };
 
 template <auto function>
-using Pass = Call<function, Contract{.allocates_nothing = true}, OneTree>;
+using Pass = Call<function, Contract{}, OneTree>;
 
 struct Calls : CallList<Pass<hair::outward_velocities>, Pass<hair::inward_inertias>,
                         Pass<hair::outward_accelerations>> {

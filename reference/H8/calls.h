@@ -83,7 +83,7 @@ struct SquareMatrix {
   }
 };
 
-inline constexpr Contract kStep = {.scratch_columns = 10, .scratch_of_size = true, .allocates_nothing = true};
+inline constexpr Contract kStep = {.scratch_columns = 10, .scratch_of_size = true};
 
 template <auto function>
 using OfOneStrand = Call<function, Contract{}, OneStrand>;

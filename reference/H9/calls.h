@@ -95,7 +95,7 @@ struct Friction {
 };
 
 template <auto function, class Check>
-using Lean = Call<function, Contract{.allocates_nothing = true}, Check>;
+using Lean = Call<function, Contract{}, Check>;
 
 struct Calls : CallList<Lean<hair::link_strength, Strength>, Lean<hair::remember_stretches, Stretches>,
                         Lean<hair::link_energy, LinkForces>, Lean<hair::add_link_force, LinkForces>,

@@ -6,8 +6,7 @@
 
 namespace grader::p1 {
 
-inline constexpr Contract kStep = {.scratch_columns = particles::kIntegratorScratch,
-                                   .allocates_nothing = true};
+inline constexpr Contract kStep = {.scratch_columns = particles::kIntegratorScratch};
 
 struct Calls : CallList<Call<particles::forward_euler, kStep>, Call<particles::symplectic_euler, kStep>,
                         Call<particles::midpoint, kStep>, Call<particles::runge_kutta_4, kStep>> {

@@ -6,7 +6,6 @@
 #include "grader/calls/remote.h"
 
 double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
-  const auto uncounted = grader::ours();
   if (n < 0) throw std::invalid_argument("ConjGrad of " + std::to_string(n) + " unknowns");
   Eigen::Map<Eigen::VectorXd> solution(x, n);
   Eigen::VectorXd right_hand_side = Eigen::Map<Eigen::VectorXd>(b, n);

@@ -70,7 +70,7 @@ struct NormalSystem {
 };
 
 struct Calls
-    : CallList<Call<dense, Contract{}, Table>, Call<normal, Contract{.allocates_nothing = true}, Transposed>,
+    : CallList<Call<dense, Contract{}, Table>, Call<normal, Contract{}, Transposed>,
                Call<solve_normal, Contract{}, NormalSystem>, Call<normal_of_normal, Contract{}, Transposed>> {
   static constexpr const char* id = "S2";
 };

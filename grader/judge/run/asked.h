@@ -11,17 +11,12 @@ struct PlayAsker {
   MessageReader ask(const MessageWriter& request, const Products& products) {
     return ask_student(request, products);
   }
-  Nothing ours() const { return {}; }
   template <auto function>
   void start(MessageWriter&, const auto&...) const {}
   bool served(const particles::Force&) const { return false; }
   void scratch(const auto&, int) {}
   void changed() {}
 };
-
-inline Nothing ours() {
-  return {};
-}
 
 template <class Calls, auto function, class... Arguments>
 ResultOf<function> asked(Arguments&&... arguments) {

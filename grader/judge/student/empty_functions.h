@@ -11,10 +11,6 @@ class NoProduct : public implicitMatrix {
   void matVecMult(double /*x*/[], double /*b*/[]) override {}
 };
 
-inline Nothing ours() {
-  return {};
-}
-
 template <class Calls, auto function, class... Arguments>
 ResultOf<function> asked(Arguments&&... /*arguments*/) {
   if constexpr (Signature<decltype(function)>::returns_matrix)

@@ -12,10 +12,6 @@ namespace grader::inline judge {
 class ProvidingHost {
  public:
   using Vector = UnguardedVector;
-  struct Ours {
-    explicit Ours(const ProvidingHost&) {}
-    ~Ours() {}
-  };
 
   ProvidingHost(const Products& served, const Products& callback, std::vector<ProvidedSolve>& solves)
       : served_(served), callback_(callback), solves_(solves) {}
@@ -35,10 +31,6 @@ class ProvidingHost {
       return solve(arguments...);
     else
       return Call::function(arguments...);
-  }
-  template <class Product>
-  void multiply(bool, Product&& product) {
-    product();
   }
   void bound(int& sweeps, Eigen::Index size) {
     sweeps = std::clamp(sweeps, 0, kMostWork / std::max(1, static_cast<int>(size / 3)));
