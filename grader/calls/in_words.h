@@ -21,7 +21,7 @@ std::string_view name_of() {
   return text.substr(text.find_last_of(": &") + 1);
 }
 
-// Of a list the first item stands for the others. Objects that are asked, and memory that is filled, say nothing.
+// The first item of a list stands for the others. Objects that are asked, and memory that is filled, say nothing.
 template <class T>
 void tell(std::ostream& out, const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {

@@ -24,7 +24,7 @@ struct Failures {
   std::string first;
 };
 
-// Of a category's requests, and of the products that the suite gave for them.
+// Takes in a category's requests, and the products that the suite gave for them.
 class Hash {
  public:
   Hash() { crypto_generichash_init(&state_, nullptr, 0, 8); }

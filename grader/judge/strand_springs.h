@@ -29,7 +29,7 @@ struct Springs : StrandForce {
                    GeometricTerm term = GeometricTerm::full) const {
     return products[static_cast<int>(term)].ask_from_zero(trial, posed, dx);
   }
-  // What the cases of H2, too, ask: of the products the exact one.
+  // The part that H2's cases ask, too: the only product is the exact one.
   StrandForce exact() const;
   // A strand whose springs are 1 m long at rest: what k is made of is one category's.
   Strand metres(Random& random, int count) const;

@@ -39,7 +39,7 @@ double energy_of(Trial& trial, const Posed& posed) {
   trial.expect(std::isfinite(answer), "the energy is not a finite number");
   return answer;
 }
-// What becomes of what was there `before`, to which the function adds.
+// The sum that the function leaves where `before` stood, to which it adds.
 template <class Calls, auto add, class... Arguments>
 VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, const VectorXd& before,
                 const Arguments&... arguments) {

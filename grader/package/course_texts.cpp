@@ -47,7 +47,7 @@ bool is_to_write(const Exercise& exercise) {
   return exercise.role == Role::assigned || exercise.role == Role::optional;
 }
 
-// What the text says below its title, or "".
+// The text below its title, or "".
 std::string below_title(const std::string& path, const Exercise* own, const Course& course) {
   if (own != nullptr)
     return own->role != Role::given
@@ -92,7 +92,7 @@ std::string exercise_rows(const Course& course) {
   return rows;
 }
 
-// Where a path of the project ships; a folder's files tell where it does. Empty if it does not.
+// The place to which a path of the project ships: a folder goes where its files go. Empty if it does not ship.
 std::string destination_of(const std::string& path, const Shipped& shipped) {
   const auto found = shipped.lower_bound(path);
   if (found == shipped.end() || !found->first.starts_with(path)) return "";

@@ -19,7 +19,7 @@ std::string course_categories(const std::string& text, const Exercise& exercise)
 // Scenes that call an exercise which the course lacks: "hair/scenes/wind.json". table: of all scenes, golden/scenes.md.
 Paths absent_scenes(const std::string& table, const Course& course);
 
-// What ships: destinations by paths in the project. A file that the build makes has the path that it has below given/.
+// All that ships: destinations by paths in the project. A file that the build makes has the path that it has below given/.
 using Shipped = std::map<std::string, std::string>;
 std::string project_path(const ManifestLine& line);
 

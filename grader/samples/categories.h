@@ -17,7 +17,7 @@ struct SampleCategory {
 
 using SampleCategories = std::map<std::string, std::vector<SampleCategory>>;  // by exercise
 
-// Of the exercises of PROJECT/handout. Throws BadInput with the file and the JSON path.
+// Reads the categories of all exercises of PROJECT/handout. Throws BadInput with the file and the JSON path.
 SampleCategories read_categories(const std::filesystem::path& project, const Course& course);
 
 // Of an exercise whose categories of these titles fail.

@@ -53,7 +53,7 @@ class SuiteJobs {
 
   bool selected(const Exercise& exercise) const;  // to be graded
 
-  // What an exercise, or a study, may take: its share of the course's budget, also if others are not
+  // An exercise, or a study, may take its share of the course's budget, also if others are not
   // selected; and 20 times the reference's CPU time and messages, for which each field has a least limit.
   Budget allowance(const std::string& exercise) const;
   bool ended_by_the_clock(const ExerciseTiming& timing) const;

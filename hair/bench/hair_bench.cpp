@@ -1,4 +1,4 @@
-// What a step of hair costs: by method and number of strands, and by stiffness.
+// Measures the cost of a step of hair, by method and number of strands, and by stiffness.
 //
 // All hair is human hair in segments of 1 cm that starts level and swings down for `kWarmUp` steps before it is
 // timed, so that it is bent and moves.

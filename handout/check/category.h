@@ -7,7 +7,7 @@
 
 namespace checks {
 
-// What a failure may come from.
+// A cause of failures, and where to look for it.
 struct Row {
   std::string id, see, look;
 };

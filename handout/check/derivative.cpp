@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
 
 #include "check.h"
+#include "ordinary.h"
 
 namespace checks {
 namespace {
@@ -206,12 +206,9 @@ VectorXd vector(std::initializer_list<double> values) {
 }
 
 VectorXd scattered_vector(int n, int which) {
+  Scatter numbers(which);
   VectorXd values(n);
-  std::uint32_t state = 2654435769U * static_cast<std::uint32_t>(which + 1);
-  for (double& value : values) {
-    state = 1664525 * state + 1013904223;
-    value = state / 2147483648.0 - 1;
-  }
+  for (double& value : values) value = numbers.uniform(-1, 1);
   return values;
 }
 

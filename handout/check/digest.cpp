@@ -98,7 +98,7 @@ std::string in_words(double points) {
   return text.str();
 }
 
-// Whether a category's loss is foreseen, how many of its checks fail, and whether it waits.
+// A category's state: how many checks it has, how many of them fail, and how many wait.
 struct Stand {
   std::size_t checks = 0, wrong = 0, waiting = 0;
 

@@ -48,7 +48,7 @@ Eigen::VectorXd ordinary_numbers(Source& source, int count, double low, double h
   return values;
 }
 
-// Of length 1; no two components have the same absolute value, and none is near 0 or 1.
+// A vector of length 1. No two components have the same absolute value, and none is near 0 or 1.
 template <class Source>
 Eigen::Vector3d ordinary_direction(Source& source) {
   for (;;) {

@@ -1,4 +1,4 @@
-// What the checks of H1 and H3 share: their springs differ in the particles that they join, and in names.
+// The checks that H1 and H3 share: their springs differ in the particles that they join, and in names.
 #pragma once
 
 #include <gtest/gtest.h>

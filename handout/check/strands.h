@@ -1,4 +1,4 @@
-// What the checks of H1, H2 and H3 share: strands as inputs, and answers in other units.
+// The inputs that the checks of H1, H2 and H3 share: strands, and answers in other units.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace checks {
 
 inline constexpr double kU = 0x1p-53;
 
-// Of these rest lengths, and only one rigidity that the exercise has a use for.
+// A strand of these rest lengths. It has only one rigidity that the exercise uses; the others are huge.
 inline hair::Strand strand_with(double hair::Strand::*rigidity, double value,
                                 const Eigen::VectorXd& rest_length) {
   const int count = static_cast<int>(rest_length.size()) + 1;

@@ -92,8 +92,8 @@ void biases(Trial& trial) {
     }
 }
 
-// What implicit steps add: to the last link's inertia, which leaves Euler's term alone, and to one joint. Of a joint that is stiffened
-// by b, 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
+// Implicit steps add to the last link's inertia, which leaves Euler's term alone, and to one joint. If it is stiffened by b,
+// 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
 void added_by_steps(Trial& trial) {
   const std::vector<JointType> slider = {JointType::prismatic};
   for (const auto& [links, stiffened] : {std::pair{1, 1}, {3, 1}, {3, 3}})

@@ -15,8 +15,7 @@ void pinned(Trial& trial) {
   for (int rods : {1, 2, 4}) {
     ConstrainedSystem system = at_rest(held(separate_rods(random, rods)));
     system.name = "pinned ends";
-    system.particles.mass
-        .setOnes();  // of those that are not pinned: a mistake in 1 / m is another category's
+    system.particles.mass.setOnes();  // a mistake in 1 / m is another category's
     for (const particles::Rod& rod : system.constraints.rods) system.particles.pinned[rod.j] = 1;
     const VectorXd lambda = solve(trial, system).lambda;
     ConstrainedSystem pulled = system;

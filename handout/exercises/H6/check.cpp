@@ -66,7 +66,7 @@ constexpr double kPull = kHalf / 2 * kStiffness * (kRest - kSpring);            
 const char* const kText =
     "after a step of 0.5 s from (0.48, 0.384, 0.512) m at (1.3, 2.1, -0.4) m/s, 2.3 kg, rest length 0.8 m";
 
-// What a solve makes of v, where the strand has its length along u: (m + ratio) dv = -pull - ratio v.
+// The velocity that a solve makes of v, where the strand has its length along u: (m + ratio) dv = -pull - ratio v.
 Vector3d filtered(const Vector3d& v, const Vector3d& u) {
   return v - (kPull + kRatio * u.dot(v)) / (kMass + kRatio) * u;
 }
