@@ -25,7 +25,7 @@ constexpr const char* kOfPublicChecks =
     "These are the public checks, compiled as for grading. They give no points: the hidden ones do, after "
     "the deadline.";
 constexpr int kPictureWidth = 240;  // half
-constexpr std::size_t kPictureColors = 64;
+constexpr std::size_t kPictureColors = 128;
 
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "\n\n" + second;

@@ -196,8 +196,10 @@ void frictions(Trial& trial) {
         trial.expect_near({ask_friction(trial, contacts, h, v), reference_friction(contacts, h, v), 3, v},
                           kOfVelocities, "the error of a velocity");
         contacts.inverse_mass.setZero();
-        for (const StripContact& contact : contacts.contacts)
-          contacts.inverse_mass[contact.point] = checks::ordinary_number(random, 0.4, 3);
+        for (const StripContact& contact : contacts.contacts) {
+          const double inverse = checks::ordinary_number(random, 0.4, 3);
+          contacts.inverse_mass[contact.point] = repeat == 0 ? 1 : inverse;  // 1 is a mass like others
+        }
         trial.expect_near({ask_friction(trial, contacts, h, v), reference_friction(contacts, h, v), 3, v},
                           kOfVelocities, "the error of a velocity where corners are pinned");
       }

@@ -16,7 +16,7 @@ namespace grader::inline judge {
 // Pixels. Small, because there are many pictures; a strand is about 3 pixels wide.
 inline constexpr int kPictureWidth = 480, kPictureHeight = 270;
 // The number of colours on pages: a submission with only wrong pictures stays below 1 MB.
-inline constexpr std::size_t kPictureColors = 128, kMapColors = 64;
+inline constexpr std::size_t kPictureColors = 256, kMapColors = 64;
 
 // A moment of both runs.
 struct Shot {
