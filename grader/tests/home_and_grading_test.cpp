@@ -172,9 +172,11 @@ TEST_F(HomeAndGrading, EveryFunctionOfTheGivenLibrariesIsLinked) {
   builds_in_both("S1", reference("S1") + naming(standard));
 
   std::set<std::string> eigen = standard;
-  for (const char* archive : {"particles/libhair_particles.a", "solver/libhair_block_bands.a"})
+  for (const char* archive : {"particles/libhair_particles.a", "solver/libhair_block_bands.a"}) {
+    const std::size_t before = eigen.size();
     eigen.merge(functions_of(given / archive));
-  EXPECT_GT(eigen.size(), standard.size() + 50);
+    EXPECT_GT(eigen.size(), before + 1) << archive;
+  }
   builds_in_both("P1", reference("P1") + naming(eigen));
 }
 
