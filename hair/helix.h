@@ -1,12 +1,12 @@
-// A strand as a chain of helices, as it lies now. Source: F. Bertails et al., "Super-Helices for Predicting the
-// Dynamics of Natural Hair" (SIGGRAPH 2006), section 3.
+// A strand as a chain of helices, as it lies now. Source: F. Bertails et al., "Super-Helices for Predicting
+// the Dynamics of Natural Hair" (SIGGRAPH 2006), section 3.
 //
 //    root      element 0          element 1                element n-1
 //     o--------------------------o---------------------- ... -----------o  tip
 //     start   kappa1, kappa2, tau   each element has its own: a piece of a helix (of an arc, of a line)
 //
-// All vectors are along the axes of the world. Element i has the coordinates q[3i], q[3i + 1], q[3i + 2] = kappa1,
-// kappa2, tau. A quantity "for each coordinate" is a matrix of three columns, in this order.
+// All vectors are along the axes of the world. Element i has the coordinates q[3i], q[3i + 1], q[3i + 2] =
+// kappa1, kappa2, tau. A quantity "for each coordinate" is a matrix of three columns, in this order.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +17,16 @@ namespace hair {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A point of the centre line with its material frame. The columns of `axes` are n1, n2 and t: two directions of the
-// cross section, and the tangent, of length 1 and at right angles, n1 x n2 = t.
+// A point of the centre line with its material frame. The columns of `axes` are n1, n2 and t: two directions
+// of the cross section, and the tangent, of length 1 and at right angles, n1 x n2 = t.
 struct MaterialFrame {
   Vector3d position = Vector3d::Zero();  // m
   Matrix3d axes = Matrix3d::Identity();
 };
 
-// How a point and its frame move for each coordinate of an element that they belong to, as long as the element's
-// start is held: the frame turns by turns * dq (a small turn is a vector along its axis), the point moves by moves
+// How a point and its frame move for each coordinate of an element that they belong to, as long as the
+// element's start is held: the frame turns by turns * dq (a small turn is a vector along its axis), the point
+// moves by moves
 // * dq.
 struct HelixJacobian {
   Matrix3d turns = Matrix3d::Zero();  // rad m
@@ -39,8 +40,8 @@ struct HelixElement {
   HelixJacobian at_end;
 };
 
-// A piece of hair: a node of a quadrature, so that integrals along the strand are sums over points. Points are in the
-// order of their elements.
+// A piece of hair: a node of a quadrature, so that integrals along the strand are sums over points. Points
+// are in the order of their elements.
 struct HelixPoint {
   int element = 0;
   double s = 0;                          // m, from the start of its element

@@ -50,19 +50,19 @@ CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_
 // Newton's method alone diverges if a step turns segments far: if the root was flung away, or if masses
 // differ by 1e6. For these cases any fallback is allowed, even one that ignores the masses; but x stays
 // finite, and `converged` is true only if the lengths are right. Positions are rounded: a tolerance below
-// 2^-51 max|x_i| / min(l0) may be treated as this value, but as no more than 1e-3: where rounding leaves more, because the
-// root is 1e10 m away, nothing is converged.
+// 2^-51 max|x_i| / min(l0) may be treated as this value, but as no more than 1e-3: where rounding leaves
+// more, because the root is 1e10 m away, nothing is converged.
 //
-// A hair of 200 segments whose lengths are wrong by a percent takes Newton's method at most 8 steps, and sweeps hundreds. One
-// segment alone takes any method one step, or two for rounding.
+// A hair of 200 segments whose lengths are wrong by a percent takes Newton's method at most 8 steps, and
+// sweeps hundreds. One segment alone takes any method one step, or two for rounding.
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
                                  Scratch scratch);
 
 // Velocities that do not stretch (Bridson): applies equal and opposite impulses along each segment to its two
 // ends, until |u . (v_{i+1} - v_i)|, with u the segment's direction, is at most `tolerance` (m/s) for all
-// segments, or `most_sweeps` sweeps are done; `error` is the largest remaining value. Any order of sweeps is allowed, and so
-// is solving for all impulses at once, which takes one iteration, or some more for rounding: one segment alone takes two at most.
-// What has to change nothing takes none.
+// segments, or `most_sweeps` sweeps are done; `error` is the largest remaining value. Any order of sweeps is
+// allowed, and so is solving for all impulses at once, which takes one iteration, or some more for rounding:
+// one segment alone takes two at most. What has to change nothing takes none.
 //
 // In all three functions numbers that are not finite are never converged.
 CorrectionReport correct_velocities(const Strand& strand, Input x, double tolerance, int most_sweeps,

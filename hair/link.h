@@ -1,5 +1,5 @@
-// A link of a chain or tree as it lies now, and what is calculated of it. Links are numbered as in the lecture: link
-// 0 is the base, which moves as it is told; links 1 to n follow, parents before their children.
+// A link of a chain or tree as it lies now, and what is calculated of it. Links are numbered as in the
+// lecture: link 0 is the base, which moves as it is told; links 1 to n follow, parents before their children.
 //
 //   parent's c.o.m.                  joint i                    c.o.m. of link i
 //        o ----------------------------(o)------------------------------ o
@@ -41,8 +41,9 @@ struct Link {
   // I^: [0 m; I 0]. Implicit steps add to it what resists accelerations because forces grow with them.
   SpatialInertia inertia;
 
-  // Implicit steps add this to a joint's s^'I^s^, for the same reason: the spring at the joint resists. kg m^2 (revolute:
-  // [0, 0], spherical: symmetric, positive semi-definite) or kg (prismatic: [0, 0]). Otherwise 0.
+  // Implicit steps add this to a joint's s^'I^s^, for the same reason: the spring at the joint resists. kg
+  // m^2 (revolute: [0, 0], spherical: symmetric, positive semi-definite) or kg (prismatic: [0, 0]). Otherwise
+  // 0.
   Matrix3d stiffening = Matrix3d::Zero();
 };
 

@@ -1,5 +1,6 @@
 // H6. The lecture's predictor-corrector: an implicit filter, a sharpener, and a second filter. Source: the
-// lecture, "Predictor-corrector scheme" (T.-Y. Kim, "The Chronicles of Narnia", Rhythm and Hues), its five steps:
+// lecture, "Predictor-corrector scheme" (T.-Y. Kim, "The Chronicles of Narnia", Rhythm and Hues), its five
+// steps:
 //
 //   1. v(n+1/2)  = v(n) + dt/2 F(n+1)/m       first implicit solve: solve_implicit with a = dt/2, b = dt
 //   2. x(n+1)    = x(n) + dt v(n+1/2)
@@ -7,8 +8,8 @@
 //   4. v~(n+1/2) = v(n+1/2) + x_corr / dt     impulse: the velocity that belongs to x~
 //   5. v(n+1)    = v~(n+1/2) + dt/2 F(n+1)/m  second implicit solve, forces and df/dx at x~ and v~
 //
-// The second solve is (M - dt/2 df/dv - dt^2/2 df/dx) dv = dt/2 (f + dt df/dx v~). At the end x is x~, and v the
-// velocity of step 5.
+// The second solve is (M - dt/2 df/dv - dt^2/2 df/dx) dv = dt/2 (f + dt df/dx v~). At the end x is x~, and v
+// the velocity of step 5.
 #pragma once
 
 #include "hair/length_correction.h"

@@ -5,9 +5,9 @@
 //   velocity      v^ = [omega; v]    rad/s,   m/s      acceleration  a^ = [alpha; a]   rad/s^2, m/s^2
 //   force         f^ = [f; tau]      N,       N m      (as Mirtich has them: the halves change places)
 //
-// Those of link i refer to its centre of mass: v and a are the velocity and the acceleration of this point, tau
-// is the torque about it. All components are along the axes of the world. So Mirtich's transform between two
-// links needs no rotation, only the vector r from the one centre of mass to the other:
+// Those of link i refer to its centre of mass: v and a are the velocity and the acceleration of this point,
+// tau is the torque about it. All components are along the axes of the world. So Mirtich's transform between
+// two links needs no rotation, only the vector r from the one centre of mass to the other:
 //
 //   iX(i-1) = [  1    0 ]     (i-1)Xi = [ 1   0 ]     r~ x = r x x,  r = r_i, from link i-1 to link i
 //             [ -r~   1 ]               [ r~  1 ]
@@ -59,14 +59,14 @@ inline SpatialForce operator*(double factor, const SpatialForce& f) {
   return {factor * f.force, factor * f.torque};
 }
 
-// s^' f^, the prime being Mirtich's spatial transpose, [a; b]' = [b^T a^T]: the power of the force, if s^ is a
-// velocity.
+// s^' f^, the prime being Mirtich's spatial transpose, [a; b]' = [b^T a^T]: the power of the force, if s^ is
+// a velocity.
 inline double dot(const SpatialMotion& s, const SpatialForce& f) {
   return s.linear.dot(f.force) + s.angular.dot(f.torque);
 }
 
-// What resists: f = H^T alpha + M a, tau = J alpha + H a. M and J are symmetric. A single link has M = m 1, H =
-// 0 and J its inertia tensor.
+// What resists: f = H^T alpha + M a, tau = J alpha + H a. M and J are symmetric. A single link has M = m 1, H
+// = 0 and J its inertia tensor.
 //
 // As a matrix on [alpha; a] this is Mirtich's I^ = [ H^T M ]
 //                                                  [ J   H ].
@@ -106,7 +106,8 @@ inline SpatialForce to_parent(const SpatialForce& f, const Vector3d& r) {
   return {f.force, f.torque + r.cross(f.force)};
 }
 
-// (i-1)Xi I^ iX(i-1), the same r:  H becomes H + r~ M, and J becomes J - (N + N^T) / 2 with N = (2 H + r~ M) r~.
+// (i-1)Xi I^ iX(i-1), the same r:  H becomes H + r~ M, and J becomes J - (N + N^T) / 2 with N = (2 H + r~ M)
+// r~.
 inline SpatialInertia to_parent(const SpatialInertia& inertia, const Vector3d& r) {
   Matrix3d rM, N;
   for (int k = 0; k < 3; ++k) rM.col(k) = r.cross(inertia.M.col(k));

@@ -1,5 +1,6 @@
-// A static link between two particles of guide hairs, and the law of the triangle strips between them. Particles are counted
-// through all strands: those of strand 0, of strand 1, ... Source: the lecture, "Control Mesh".
+// A static link between two particles of guide hairs, and the law of the triangle strips between them.
+// Particles are counted through all strands: those of strand 0, of strand 1, ... Source: the lecture,
+// "Control Mesh".
 #pragma once
 
 #include <Eigen/Core>

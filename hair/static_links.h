@@ -1,11 +1,12 @@
-// H9. Hairs that hold on to each other and keep out of each other: breakable links between neighbouring guides, and
-// triangle strips between them. Source: the lecture, "Control Mesh"; J. T. Chang, J. Jin, Y. Yu, "A Practical Model
-// for Hair Mutual Interactions" (SCA 2002).
+// H9. Hairs that hold on to each other and keep out of each other: breakable links between neighbouring
+// guides, and triangle strips between them. Source: the lecture, "Control Mesh"; J. T. Chang, J. Jin, Y. Yu,
+// "A Practical Model for Hair Mutual Interactions" (SCA 2002).
 //
-// All linked guides are one system of n particles: x, v, f, dx, df and tangents have 3n entries. What depends on
-// directions (frames of particles, normals of contacts) is that of the step's start, and is held during the step. So every
-// force here is linear in x, or 0; its product is exact, symmetric, and -df/dx is positive semi-definite. Functions
-// named add_... add to their output. Good solutions allocate nothing. Errors: 1e-12 of the sizes that results are made of.
+// All linked guides are one system of n particles: x, v, f, dx, df and tangents have 3n entries. What depends
+// on directions (frames of particles, normals of contacts) is that of the step's start, and is held during
+// the step. So every force here is linear in x, or 0; its product is exact, symmetric, and -df/dx is positive
+// semi-definite. Functions named add_... add to their output. Good solutions allocate nothing. Errors: 1e-12
+// of the sizes that results are made of.
 #pragma once
 
 #include <array>
@@ -26,14 +27,15 @@ using particles::Output;
 //
 //   d = x_b - (x_a + R offset)
 //
-// and its stretch |d| / length. frames[i] is that of particle i. largest[l] is the largest stretch that link l ever
-// had: a link that gave way stays weak. (3) to (5) hold it, too.
+// and its stretch |d| / length. frames[i] is that of particle i. largest[l] is the largest stretch that link
+// l ever had: a link that gave way stays weak. (3) to (5) hold it, too.
 
-// (1) The part of its stiffness that a link still has: 1 if largest <= yields, else 0 if largest >= breaks; from
-// yields to breaks it falls linearly. With yields = breaks the link breaks at once.
+// (1) The part of its stiffness that a link still has: 1 if largest <= yields, else 0 if largest >= breaks;
+// from yields to breaks it falls linearly. With yields = breaks the link breaks at once.
 double link_strength(const StaticLink& link, double largest);
 
-// (2) largest[l] = max(largest[l], the stretch of link l). Called once after each step, with the positions that it ended at.
+// (2) largest[l] = max(largest[l], the stretch of link l). Called once after each step, with the positions
+// that it ended at.
 void remember_stretches(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input x,
                         Output largest);
 
@@ -41,9 +43,9 @@ void remember_stretches(std::span<const StaticLink> links, std::span<const Matri
 double link_energy(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input largest,
                    Input x);
 
-// (4) f += -dE/dx: on b -k s d, on a the opposite. So links change no linear momentum. Of angular momentum they do: nothing
-// here takes the torque that the arm R offset exerts on the guide that it turns with. In simulations that part is given
-// (hair/mass_spring/frame_torque.h).
+// (4) f += -dE/dx: on b -k s d, on a the opposite. So links change no linear momentum. Of angular momentum
+// they do: nothing here takes the torque that the arm R offset exerts on the guide that it turns with. In
+// simulations that part is given (hair/mass_spring/frame_torque.h).
 void add_link_force(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input largest,
                     Input x, Output f);
 
@@ -52,8 +54,9 @@ void add_link_product(std::span<const StaticLink> links, Input largest, Input dx
 
 // ---- Strips
 //
-// Between two neighbouring guides lies a strip of triangles, whose corners are particles of both. A particle of a third
-// hair that comes near a triangle is pushed away from it, along its normal. StripLaw is in hair/static_link.h, too.
+// Between two neighbouring guides lies a strip of triangles, whose corners are particles of both. A particle
+// of a third hair that comes near a triangle is pushed away from it, along its normal. StripLaw is in
+// hair/static_link.h, too.
 
 // A particle near a triangle.
 struct StripContact {
@@ -75,9 +78,9 @@ struct StripContact {
 // `contact`, if N is 0, a share is negative, or the point is `thickness` or more away from the plane.
 //
 // The lecture's weight is 1 - Ta.Tb. A hair that is turned end for end touches as it did, so neither sign may
-// matter: hairs that lie side by side, parallel or antiparallel, merge (0), and those that cross push each other
-// (1). Without the absolute value antiparallel hairs would get 2. Ta is one tangent here; for Tb, which the paper
-// interpolates, each corner has its say, so that its sign does not matter, either.
+// matter: hairs that lie side by side, parallel or antiparallel, merge (0), and those that cross push each
+// other (1). Without the absolute value antiparallel hairs would get 2. Ta is one tangent here; for Tb, which
+// the paper interpolates, each corner has its say, so that its sign does not matter, either.
 bool touch_strip(int point, const std::array<int, 3>& corners, double side, double thickness, Input x,
                  Input tangents, StripContact& contact);
 
@@ -86,16 +89,17 @@ bool touch_strip(int point, const std::array<int, 3>& corners, double side, doub
 //   E = sum of k w max(0, r - g)^2 / 2, J.
 double strip_energy(std::span<const StripContact> contacts, const StripLaw& law, Input x);
 
-// (8) f += -dE/dx, with shares, normal and weight held: the pressure p = k w max(0, r - g) along n on the point, and b_j of
-// the opposite on each corner. So contacts change neither linear momentum nor, right after (6), angular momentum.
+// (8) f += -dE/dx, with shares, normal and weight held: the pressure p = k w max(0, r - g) along n on the
+// point, and b_j of the opposite on each corner. So contacts change neither linear momentum nor, right after
+// (6), angular momentum.
 void add_strip_force(std::span<const StripContact> contacts, const StripLaw& law, Input x, Output f);
 
 // (9) df += (df/dx) dx. A contact with g >= r has none.
 void add_strip_product(std::span<const StripContact> contacts, const StripLaw& law, Input x, Input dx,
                        Output df);
 
-// (10) Friction is explicit: it changes velocities, once before each step, contact after contact in their order. With u
-// the part of v_point - sum over j of b_j v_corner_j that is perpendicular to n, and
+// (10) Friction is explicit: it changes velocities, once before each step, contact after contact in their
+// order. With u the part of v_point - sum over j of b_j v_corner_j that is perpendicular to n, and
 //
 //   W = w_point + sum over j of b_j^2 w_corner_j       w: inverse_mass, n numbers, 1/kg; 0 if pinned
 //
@@ -103,8 +107,8 @@ void add_strip_product(std::span<const StripContact> contacts, const StripLaw& l
 //
 //   |J| = min(mu p h, |u| / W)
 //
-// so it never reverses u, and where pinned particles stand still it never increases the kinetic energy. No impulse if W
-// or u is 0. h: the step, s.
+// so it never reverses u, and where pinned particles stand still it never increases the kinetic energy. No
+// impulse if W or u is 0. h: the step, s.
 void apply_strip_friction(std::span<const StripContact> contacts, const StripLaw& law, Input inverse_mass,
                           double h, Input x, Output v);
 

@@ -1,13 +1,13 @@
-// H8. Super-helices: a strand of n elements, in each of which the curvatures kappa1, kappa2 and the torsion tau are
-// constant. They are its 3n coordinates q; the length is none of them, so it never stretches. Sources: the lecture,
-// "Super-Helices"; F. Bertails et al., "Super-Helices for Predicting the Dynamics of Natural Hair" (SIGGRAPH 2006);
-// F. Bertails, "Linear Time Super-Helices" (Eurographics 2009).
+// H8. Super-helices: a strand of n elements, in each of which the curvatures kappa1, kappa2 and the torsion
+// tau are constant. They are its 3n coordinates q; the length is none of them, so it never stretches.
+// Sources: the lecture, "Super-Helices"; F. Bertails et al., "Super-Helices for Predicting the Dynamics of
+// Natural Hair" (SIGGRAPH 2006); F. Bertails, "Linear Time Super-Helices" (Eurographics 2009).
 //
 //   M[s, q] q" + K (q - q^n) = A[t, q, q'] + integral of J^T F ds,     J = dr/dq,  r(s): the centre line
 //
-// M = rho S integral of J^T J ds, and K is diagonal. A is the force of the accelerations at q" = 0: it is given as
-// a force at points, like weight and drag. So all integrals are sums over points, which have their forces and
-// masses:
+// M = rho S integral of J^T J ds, and K is diagonal. A is the force of the accelerations at q" = 0: it is
+// given as a force at points, like weight and drag. So all integrals are sums over points, which have their
+// forces and masses:
 //
 //   Q = sum of J_j^T force_j,     M = sum of J_j^T inertia_j J_j
 //
@@ -31,23 +31,23 @@ using particles::Scratch;
 //
 //   c_k(x) = 1/k! - x/(k + 2)! + x^2/(k + 4)! - ...,   x c_(k+2) = 1/k! - c_k,   dc_k/dx = (k c_(k+2) - c_(k+1)) / 2
 //
-// c_0 = cos a and c_1 = sin(a) / a, where a = sqrt(x); c_2 and c_3 stand in the closed form of a helix, the others
-// in its derivatives. The error of c_k is at most 1e-11 / k!, and 1e-11 of 2 / ((k - 2)! x), which bounds c_k,
-// where that is less: for all x up to 1e6. So there is no jump. (x c_(k+2) = ... loses digits near x = 0; a series
-// needs many terms where x is large.)
+// c_0 = cos a and c_1 = sin(a) / a, where a = sqrt(x); c_2 and c_3 stand in the closed form of a helix, the
+// others in its derivatives. The error of c_k is at most 1e-11 / k!, and 1e-11 of 2 / ((k - 2)! x), which
+// bounds c_k, where that is less: for all x up to 1e6. So there is no jump. (x c_(k+2) = ... loses digits
+// near x = 0; a series needs many terms where x is large.)
 std::array<double, 8> stumpff(double x);
 
-// (2) The centre line and frame at s in an element with this start: dr/ds = t, and n1, n2, t turn by Omega x, where
-// Omega = kappa1 n1 + kappa2 n2 + tau t is constant along the element. Along the axes of the start, where p is
-// s (kappa1, kappa2, tau) and e is (0, 0, 1),
+// (2) The centre line and frame at s in an element with this start: dr/ds = t, and n1, n2, t turn by Omega x,
+// where Omega = kappa1 n1 + kappa2 n2 + tau t is constant along the element. Along the axes of the start,
+// where p is s (kappa1, kappa2, tau) and e is (0, 0, 1),
 //
 //   axes = 1 + c_1 [p] + c_2 [p]^2,    position = s (e + c_2 p x e + c_3 p x (p x e)),    c_k of x = |p|^2
 //
 // where [p] v = p x v. Errors: 1e-10, and 1e-10 s, for |p| up to 200.
 MaterialFrame frame_at(const MaterialFrame& start, const Vector3d& curvature, double s);
 
-// Sets start and end of all elements, from their lengths and curvatures: the first starts at the root, each other
-// one where and as the one before ends.
+// Sets start and end of all elements, from their lengths and curvatures: the first starts at the root, each
+// other one where and as the one before ends.
 void carry_frames(const MaterialFrame& root, std::vector<HelixElement>& elements);
 
 // (3) K: 3n numbers, N m^3. The strain energy is 1/2 (q - q^n)^T K (q - q^n) = the integral of
@@ -57,16 +57,16 @@ void helix_stiffness(const HelixStrand& strand, Output K);
 // - K (q - q^n), N m^2.
 void elastic_force(const HelixStrand& strand, Input q, Output force);
 
-// (4) How point and frame at s move for each coordinate of their element; its start is held. In the integral's form
-// (n_k: n1, n2, t),
+// (4) How point and frame at s move for each coordinate of their element; its start is held. In the
+// integral's form (n_k: n1, n2, t),
 //
 //   turns_k = integral from 0 to s of n_k(s') ds',    moves_k = integral from 0 to s of n_k(s') x (r(s) - r(s')) ds'
 //
 // Errors: 1e-10 s, and 1e-10 s^2.
 HelixJacobian jacobian_at(const MaterialFrame& start, const Vector3d& curvature, double s);
 
-// For (5) to (7), start, end and at_end of all elements are set, and position and moves of all points. A point's J
-// has the columns `moves` for its own element; an earlier element i carries it along with its end:
+// For (5) to (7), start, end and at_end of all elements are set, and position and moves of all points. A
+// point's J has the columns `moves` for its own element; an earlier element i carries it along with its end:
 //
 //   turns_k x (position - end) + moves_k,    turns, moves: at_end of i,    end: its position
 //
@@ -84,9 +84,10 @@ void mass_matrix(const std::vector<HelixElement>& elements, const std::vector<He
 //
 //   (M + h^2 K) change = h (Q - K (q + h q' - q^n)),    M, Q: (6) and (5) of these points;    afterwards q += h q'
 //
-// The matrix is definite for h > 0, even where M is not. The residual is at most 1e-10 (norm of the matrix * norm
-// of the change + norm of the right side). Scratch memory has 3n rows, 3n + 10 columns. The cost may be that of a dense
-// matrix, n^3; but elements hang on each other as H7's links do, and elimination from the tip to the root costs n.
+// The matrix is definite for h > 0, even where M is not. The residual is at most 1e-10 (norm of the matrix *
+// norm of the change + norm of the right side). Scratch memory has 3n rows, 3n + 10 columns. The cost may be
+// that of a dense matrix, n^3; but elements hang on each other as H7's links do, and elimination from the tip
+// to the root costs n.
 void helix_step(const HelixStrand& strand, const std::vector<HelixElement>& elements,
                 const std::vector<HelixPoint>& points, Input q, Input rates, double h, Scratch scratch,
                 Output change);

@@ -1,6 +1,6 @@
 // H4. Linearly implicit Euler: one Newton step of v(t+h) = v + h f(x + h v(t+h), v(t+h)) / m. Sources: the
-// lecture, "K = infinity -> implicit integration?"; D. Baraff and A. Witkin, "Large Steps in Cloth Simulation"
-// (SIGGRAPH 1998), equation (6), and section 5.3 for pinned particles.
+// lecture, "K = infinity -> implicit integration?"; D. Baraff and A. Witkin, "Large Steps in Cloth
+// Simulation" (SIGGRAPH 1998), equation (6), and section 5.3 for pinned particles.
 //
 // The change of velocity dv solves
 //
@@ -10,8 +10,8 @@
 // which the new velocity moves the particles: a = b = h is linearly implicit Euler; a = h/2 and b = h is the
 // lecture's filter, which H6 uses twice. df/dx is available only through products, and so is the matrix.
 //
-// solve_implicit (particles/solve_implicit.h) is given. It calls implicit_matrix, implicit_rhs and, where the forces
-// have no preconditioner, solve_plain.
+// solve_implicit (particles/solve_implicit.h) is given. It calls implicit_matrix, implicit_rhs and, where the
+// forces have no preconditioner, solve_plain.
 #pragma once
 
 #include <memory>
@@ -39,10 +39,10 @@ struct SolveReport {
   bool preconditioned = false;  // solve_implicit's alone: it had a preconditioner
 };
 
-// The matrix above. Pinned particles have the rows and columns of the identity. matVecMult takes one product with
-// df/dx and one with df/dv. (An implementation may instead build the matrix as a table once, by 3n of each
-// product.) It overwrites b and leaves x alone. It keeps references to force, particles and state, which must
-// outlive it.
+// The matrix above. Pinned particles have the rows and columns of the identity. matVecMult takes one product
+// with df/dx and one with df/dv. (An implementation may instead build the matrix as a table once, by 3n of
+// each product.) It overwrites b and leaves x alone. It keeps references to force, particles and state, which
+// must outlive it.
 std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Particles& particles,
                                                 const State& state, double a, double b);
 
@@ -51,15 +51,15 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Partic
 void implicit_rhs(const Force& force, const Particles& particles, const State& state, double a, double b,
                   Output rhs);
 
-// Solves matrix dv = rhs by one call of ConjGrad, which may take `most_steps` iterations, and writes dv. `tolerance`
-// is relative: ConjGrad is asked for a residual of at most tolerance * ||rhs||. rhs is not changed; it is an
-// Output because ConjGrad wants a double*. Where ConjGrad gives up, since the matrix is not positive definite or a
-// number is not finite, or where it needs more iterations, the report says that it has not converged, and dv is
-// the last x of ConjGrad.
+// Solves matrix dv = rhs by one call of ConjGrad, which may take `most_steps` iterations, and writes dv.
+// `tolerance` is relative: ConjGrad is asked for a residual of at most tolerance * ||rhs||. rhs is not
+// changed; it is an Output because ConjGrad wants a double*. Where ConjGrad gives up, since the matrix is not
+// positive definite or a number is not finite, or where it needs more iterations, the report says that it has
+// not converged, and dv is the last x of ConjGrad.
 SolveReport solve_plain(implicitMatrix& matrix, Output rhs, double tolerance, int most_steps, Output dv);
 
-// One step of h seconds, h > 0: dv by solve_implicit with a = b = h, then v += dv and x += h v, with the new v. Returns
-// the report of solve_implicit.
+// One step of h seconds, h > 0: dv by solve_implicit with a = b = h, then v += dv and x += h v, with the new
+// v. Returns the report of solve_implicit.
 SolveReport implicit_euler(const Force& force, const Particles& particles, double h, double tolerance,
                            State& state, Scratch scratch);
 

@@ -1,7 +1,7 @@
-// A band from products: the columns of a matrix whose entries are known to be 0 beyond a reach. Particles that are more
-// than twice the reach apart never meet in a row, so that one product gives the columns of all of them: 3 (2 reach + 1)
-// products make the matrix. Source: A. R. Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of Sparse Jacobian
-// Matrices", J. Inst. Maths Applics 13 (1974).
+// A band from products: the columns of a matrix whose entries are known to be 0 beyond a reach. Particles
+// that are more than twice the reach apart never meet in a row, so that one product gives the columns of all
+// of them: 3 (2 reach + 1) products make the matrix. Source: A. R. Curtis, M. J. D. Powell and J. K. Reid,
+// "On the Estimation of Sparse Jacobian Matrices", J. Inst. Maths Applics 13 (1974).
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace particles {
 
 namespace products_to_band {
 
-// Numbers without a pattern: what they weigh does not cancel by chance. Three numbers belong to a particle, so that 16
-// particles have weights that differ.
+// Numbers without a pattern: what they weigh does not cancel by chance. Three numbers belong to a particle,
+// so that 16 particles have weights that differ.
 inline double weight(int k) {
   static constexpr double kWeights[16] = {1.31, 1.79, 1.07, 1.93, 1.46, 1.22, 1.64, 1.87,
                                           1.13, 1.58, 1.02, 1.71, 1.39, 1.97, 1.26, 1.51};
@@ -33,8 +33,8 @@ class SymmetryCheck {
     skew_ += weight(diagonal) * skew;
     size_ += std::abs(column[diagonal]);
   }
-  // A definite matrix' largest entry is on its diagonal. Right formulas leave the rounding of their entries, 2^-53 times
-  // some operations; less than 2^-30 does no harm.
+  // A definite matrix' largest entry is on its diagonal. Right formulas leave the rounding of their entries,
+  // 2^-53 times some operations; less than 2^-30 does no harm.
   bool is_symmetric() const { return std::abs(skew_) <= 0x1p-30 * size_; }
 
  private:
@@ -43,9 +43,9 @@ class SymmetryCheck {
 
 }  // namespace products_to_band
 
-// band += factor * A, the lower half, where product(dx, df) does df += A dx and A is 0 beyond `reach` particles, 0 <=
-// reach <= 2. False if A is not symmetric: it has no band then, and what the band holds is of no use. `work`:
-// kBandScratch columns of 3n numbers.
+// band += factor * A, the lower half, where product(dx, df) does df += A dx and A is 0 beyond `reach`
+// particles, 0 <= reach <= 2. False if A is not symmetric: it has no band then, and what the band holds is of
+// no use. `work`: kBandScratch columns of 3n numbers.
 template <typename Product>
 [[nodiscard]] bool add_products(int reach, double factor, Product product, solver::BlockBand& band,
                                 Scratch work) {

@@ -1,16 +1,16 @@
-// Given. Solves the system of particles/implicit_euler.h, (M - a df/dv - a b df/dx) dv = a (f + b df/dx v), as quickly as
-// the forces allow. It is compiled into each file that calls it, because it calls exercises: implicit_matrix,
-// implicit_rhs and solve_plain (H4), and ConjGrad (S1).
+// Given. Solves the system of particles/implicit_euler.h, (M - a df/dv - a b df/dx) dv = a (f + b df/dx v),
+// as quickly as the forces allow. It is compiled into each file that calls it, because it calls exercises:
+// implicit_matrix, implicit_rhs and solve_plain (H4), and ConjGrad (S1).
 //
-// With a preconditioner (particles/preconditioner.h) dv starts at 0. Each solve takes the residual r = rhs - matrix dv,
-// solves (L^-1 matrix L^-T) y = L^-1 r, and adds L^-T y to dv. ConjGrad sees the norm of L^-1 r; what counts is that
-// of r, which is computed anew. It solves again for what is left, three times at most, until the residual has reached
-// the tolerance, or rounding allows no less, or it no longer falls.
+// With a preconditioner (particles/preconditioner.h) dv starts at 0. Each solve takes the residual r = rhs -
+// matrix dv, solves (L^-1 matrix L^-T) y = L^-1 r, and adds L^-T y to dv. ConjGrad sees the norm of L^-1 r;
+// what counts is that of r, which is computed anew. It solves again for what is left, three times at most,
+// until the residual has reached the tolerance, or rounding allows no less, or it no longer falls.
 //
-// Without one, solve_plain solves. Rounding limits the tolerance that a stiff system can reach: it leaves a residual of
-// about 2^-53 ||matrix|| (||dv|| + ||rhs||). Asked for less than that, ConjGrad uses all iterations and ends anywhere, metres
-// per second off. So solve_plain is then called again with a tolerance a hundred times as large, up to 1e-6: at
-// 1e-4 hair loses gravity. `converged` stays false.
+// Without one, solve_plain solves. Rounding limits the tolerance that a stiff system can reach: it leaves a
+// residual of about 2^-53 ||matrix|| (||dv|| + ||rhs||). Asked for less than that, ConjGrad uses all
+// iterations and ends anywhere, metres per second off. So solve_plain is then called again with a tolerance a
+// hundred times as large, up to 1e-6: at 1e-4 hair loses gravity. `converged` stays false.
 #pragma once
 
 #include <algorithm>
@@ -77,8 +77,8 @@ inline SolveReport with_preconditioner(implicitMatrix& matrix, const Preconditio
 
 }  // namespace solving
 
-// `converged` means residual <= tolerance * rhs, or, with a preconditioner, that rounding allows no less. The report's
-// steps are those of all calls of ConjGrad together.
+// `converged` means residual <= tolerance * rhs, or, with a preconditioner, that rounding allows no less. The
+// report's steps are those of all calls of ConjGrad together.
 inline SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state,
                                   double a, double b, double tolerance, Output dv, Scratch scratch) {
   auto rhs = scratch.col(0);

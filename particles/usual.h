@@ -1,5 +1,5 @@
-// The headers that nearly every exercise with Eigen includes. At home and in grading they are precompiled for all of these
-// exercises; a file that includes them itself costs nothing more.
+// The headers that nearly every exercise with Eigen includes. At home and in grading they are precompiled for
+// all of these exercises; a file that includes them itself costs nothing more.
 #pragma once
 
 #include <algorithm>

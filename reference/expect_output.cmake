@@ -1,4 +1,5 @@
-# STAFF ONLY. Run PROGRAM and compare all that it prints with EXPECTED, or, if that ends in "...", how it begins.
+# STAFF ONLY. Run PROGRAM and compare all that it prints with EXPECTED, or, if that ends in "...", how it
+# begins.
 execute_process(COMMAND "${PROGRAM}" OUTPUT_VARIABLE output ERROR_VARIABLE error RESULT_VARIABLE result)
 if(NOT result EQUAL 0 OR NOT error STREQUAL "")
   message(FATAL_ERROR "${PROGRAM} ended with ${result}, saying: ${error}")

@@ -1,6 +1,7 @@
-// The Cholesky factorisation A = L L' of a symmetric, positive definite matrix with a narrow band of blocks. L has
-// the same band, so that it replaces A in its memory. A factorisation and the two solves cost O(n). Source:
-// G. H. Golub and C. F. Van Loan, "Matrix Computations" (4th edition, 2013), sections 4.2.5 and 4.3.5.
+// The Cholesky factorisation A = L L' of a symmetric, positive definite matrix with a narrow band of blocks.
+// L has the same band, so that it replaces A in its memory. A factorisation and the two solves cost O(n).
+// Source: G. H. Golub and C. F. Van Loan, "Matrix Computations" (4th edition, 2013), sections 4.2.5 and
+// 4.3.5.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +10,14 @@
 
 namespace solver {
 
-// Replaces A by L. The numbers on L's diagonal are stored as their reciprocals, since solves divide by them. False
-// as soon as a pivot is not a number > 0: A is not positive definite, or not finite. `band` is then of no use.
+// Replaces A by L. The numbers on L's diagonal are stored as their reciprocals, since solves divide by them.
+// False as soon as a pivot is not a number > 0: A is not positive definite, or not finite. `band` is then of
+// no use.
 bool cholesky(BlockBand& band);
 
-// x := L^-1 x and x := L^-T x, 3n numbers, with an L of `cholesky`. L^-T L^-1 b solves A x = b; the rounding errors are
-// those of some A + E, |E| <= 10 u |L| |L'| entry by entry, u = 2^-53 (Golub and Van Loan, section 4.2.6: no row of L
-// has more than nine numbers).
+// x := L^-1 x and x := L^-T x, 3n numbers, with an L of `cholesky`. L^-T L^-1 b solves A x = b; the rounding
+// errors are those of some A + E, |E| <= 10 u |L| |L'| entry by entry, u = 2^-53 (Golub and Van Loan, section
+// 4.2.6: no row of L has more than nine numbers).
 void solve_lower(const BlockBand& L, Eigen::Ref<Eigen::VectorXd> x);
 void solve_lower_transposed(const BlockBand& L, Eigen::Ref<Eigen::VectorXd> x);
 

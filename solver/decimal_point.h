@@ -8,8 +8,8 @@
 
 namespace solver {
 
-// While it lives, the C library's functions (strtod, snprintf, ...) read and write numbers with a point in this thread. Code
-// that calls setlocale changes that for other threads alone.
+// While it lives, the C library's functions (strtod, snprintf, ...) read and write numbers with a point in
+// this thread. Code that calls setlocale changes that for other threads alone.
 class DecimalPoint {
  public:
   DecimalPoint() : before_(uselocale(plain())) {}

@@ -1,5 +1,5 @@
-// A X = B for small dense matrices of tests and studies, by Eigen's Gaussian elimination with partial pivoting. It is compiled only
-// here, because it costs some seconds for each file that includes it.
+// A X = B for small dense matrices of tests and studies, by Eigen's Gaussian elimination with partial
+// pivoting. It is compiled only here, because it costs some seconds for each file that includes it.
 #pragma once
 
 #include <Eigen/Core>

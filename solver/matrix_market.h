@@ -5,8 +5,8 @@
 // Read: `matrix coordinate real general|symmetric` and `matrix array real general|symmetric` (also `integer`,
 // and `pattern`, read as ones, for coordinate). A symmetric file holds the lower triangle; entries for the
 // same place add up. Written: `coordinate real general` for matrices and `array real general` for vectors,
-// with 17 significant digits, so that reading them back gives the same bits. Numbers have a decimal point and no other
-// mark, whatever the locale.
+// with 17 significant digits, so that reading them back gives the same bits. Numbers have a decimal point and
+// no other mark, whatever the locale.
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,5 @@
-// STAFF ONLY. The functions of an exercise, as both ends of a pipe see them. Their own types say what goes which way:
+// STAFF ONLY. The functions of an exercise, as both ends of a pipe see them. Their own types say what goes
+// which way:
 //
 //   numbers, const T&, std::span<const T>, Input     there
 //   Output, T&                                       there and back; a list keeps its length
@@ -7,9 +8,9 @@
 //   implicitMatrix&                                  the same; square, of the size of the call's vectors
 //   std::unique_ptr<implicitMatrix>, returned        stays with the server; a request makes it and multiplies with it
 //
-// reference/<ID>/calls.h lists an exercise's calls, and the forms of the structs that it alone has. From the list follow
-// the client (client.h), of the suite, of whole runs and of provided functions, and the server (server.h), in a worker and for
-// provided functions.
+// reference/<ID>/calls.h lists an exercise's calls, and the forms of the structs that it alone has. From the
+// list follow the client (client.h), of the suite, of whole runs and of provided functions, and the server
+// (server.h), in a worker and for provided functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -73,8 +74,9 @@ Eigen::Index size_of(const Arguments&... arguments) {
   return 0;
 }
 
-// A check of a call's arguments: throws MalformedMessage if they do not fit each other. This one is of functions whose vectors all
-// have 3n numbers. A check of functions that return a matrix has shape(arguments...), too: its rows and columns.
+// A check of a call's arguments: throws MalformedMessage if they do not fit each other. This one is of
+// functions whose vectors all have 3n numbers. A check of functions that return a matrix has
+// shape(arguments...), too: its rows and columns.
 struct SameSizes {
   template <class... Arguments>
   static void check(const Arguments&... arguments) {

@@ -1,7 +1,8 @@
-// STAFF ONLY. Hostile bytes for every call of every exercise: as the request that a server reads, and as the questions and the reply
-// that a client gets. They go the way of relay.h. Of the input, the first byte is the exercise's place in the list; then come the
-// request's length, in two bytes, and the request; then the number of questions, and each in two bytes: the operator, and how many
-// numbers it gets; the rest is the reply.
+// STAFF ONLY. Hostile bytes for every call of every exercise: as the request that a server reads, and as the
+// questions and the reply that a client gets. They go the way of relay.h. Of the input, the first byte is the
+// exercise's place in the list; then come the request's length, in two bytes, and the request; then the
+// number of questions, and each in two bytes: the operator, and how many numbers it gets; the rest is the
+// reply.
 #include <algorithm>
 
 #include "all_calls.h"
@@ -100,7 +101,8 @@ void fuzz::try_input(std::string_view bytes) {
   });
 }
 
-// Scratch grows with the square of a vector, and a matrix of S2 may have 2^20 rows, with no vector of so many numbers.
+// Scratch grows with the square of a vector, and a matrix of S2 may have 2^20 rows, with no vector of so many
+// numbers.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 100'000'000 + 100 * input;
 }

@@ -1,5 +1,5 @@
-// STAFF ONLY. Every call of every exercise, with arguments drawn at random: what is sent arrives as it was, and any reply is taken or
-// refused.
+// STAFF ONLY. Every call of every exercise, with arguments drawn at random: what is sent arrives as it was,
+// and any reply is taken or refused.
 #include <gtest/gtest.h>
 
 #include "all_calls.h"
@@ -101,7 +101,8 @@ TEST(Calls, TakeOrRefuseAnyRequestAndReply) {
   });
 }
 
-// A function with other arguments stands in front of some, and its name is a part of theirs. So a report says which function was called.
+// A function with other arguments stands in front of some, and its name is a part of theirs. So a report says
+// which function was called.
 TEST(Calls, StandInTheOrderOfTheExercisesFunctions) {
   const Course course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
   for_each_exercise([&]<class Calls>() {

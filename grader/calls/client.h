@@ -1,6 +1,6 @@
-// STAFF ONLY. Asks for an exercise's calls: ask<Calls, function>(asker, arguments...) sends a request, answers the questions about
-// the caller's objects, and puts what comes back into the arguments. Answers are untrusted: their lengths are checked, and numbers
-// may be anything. Whom a client asks is an Asker:
+// STAFF ONLY. Asks for an exercise's calls: ask<Calls, function>(asker, arguments...) sends a request,
+// answers the questions about the caller's objects, and puts what comes back into the arguments. Answers are
+// untrusted: their lengths are checked, and numbers may be anything. Whom a client asks is an Asker:
 //
 //   asker.start<function>(request, arguments...)  writes what comes before the number of the call
 //   asker.ask(request, products)  sends it, and returns the reply; `products` answers questions
@@ -8,9 +8,10 @@
 //   asker.scratch(scratch, n)     `scratch` is the caller's, of which the contract gives the function n columns
 //   asker.changed()               the function wrote to an input
 //
-// Askers are cases (grader/judge/case_asker.h), whole runs (grader/judge/run/asked.h), and a worker's code that calls a provided function
-// (grader/worker/provided.h). In place of an object of the caller's that is asked, a server of it may be given, which counts:
-// ForceServer, DynamicsServer; Served for an Operator or a matrix. In place of Scratch: Filling.
+// Askers are cases (grader/judge/case_asker.h), whole runs (grader/judge/run/asked.h), and a worker's code
+// that calls a provided function (grader/worker/provided.h). In place of an object of the caller's that is
+// asked, a server of it may be given, which counts: ForceServer, DynamicsServer; Served for an Operator or a
+// matrix. In place of Scratch: Filling.
 #pragma once
 
 #include <limits>
@@ -214,8 +215,8 @@ class Client {
     }
   }
 
-  // Of a function that returns a matrix: `times` products with x, and x after them. `filling` is what their buffers hold before.
-  // With `after`, the matrix is made of `made`, which then become these.
+  // Of a function that returns a matrix: `times` products with x, and x after them. `filling` is what their
+  // buffers hold before. With `after`, the matrix is made of `made`, which then become these.
   struct Products {
     std::vector<Eigen::VectorXd> products;
     Eigen::VectorXd x;
@@ -272,8 +273,9 @@ class Client {
   }
 };
 
-// What a function returns that makes a matrix: each product is a request of its own. It refers to the arguments, as contracts allow.
-// AskedMatrix keeps its own view of a vector: the caller's is gone when the function returns.
+// What a function returns that makes a matrix: each product is a request of its own. It refers to the
+// arguments, as contracts allow. AskedMatrix keeps its own view of a vector: the caller's is gone when the
+// function returns.
 template <class P>
 using Kept = std::conditional_t<std::is_same_v<P, particles::Input>, Eigen::Ref<const Eigen::VectorXd>, P>;
 template <class Calls, auto function, class Asker, class Parameters>
@@ -318,7 +320,8 @@ ResultOf<function> ask(Asker& asker, Given&&... given) {
   return Client<Calls, function>::ask(asker, given...);
 }
 
-// The same of values: returns what the function returns, then what becomes of each output; one value alone, or a tuple.
+// The same of values: returns what the function returns, then what becomes of each output; one value alone,
+// or a tuple.
 template <class Output, class Held>
 auto output_of(Held& held) {
   if constexpr (std::is_void_v<Output>)

@@ -1,5 +1,5 @@
-// STAFF ONLY. For tests: requests of any call, with numbers and lengths drawn at random, and a server that answers with anything. Many
-// requests do not fit.
+// STAFF ONLY. For tests: requests of any call, with numbers and lengths drawn at random, and a server that
+// answers with anything. Many requests do not fit.
 #pragma once
 
 #include <algorithm>

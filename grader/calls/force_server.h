@@ -1,5 +1,5 @@
-// STAFF ONLY. Serves a force to a student's code: the other side is RemoteForce, remote.h. It counts the questions and stores the
-// states of force evaluations.
+// STAFF ONLY. Serves a force to a student's code: the other side is RemoteForce, remote.h. It counts the
+// questions and stores the states of force evaluations.
 #pragma once
 
 #include <vector>

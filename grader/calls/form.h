@@ -1,4 +1,5 @@
-// STAFF ONLY. How values travel in a message: numbers, vectors and matrices, arrays and lists, and structs field by field.
+// STAFF ONLY. How values travel in a message: numbers, vectors and matrices, arrays and lists, and structs
+// field by field.
 //
 // A struct has a form, which names its fields once, in the order of the message:
 //
@@ -7,8 +8,9 @@
 //     static constexpr auto fields = std::tuple(&hair::StripLaw::thickness, &hair::StripLaw::stiffness, ...);
 //   };
 //
-// A form may also have check(value), which a value passes when it has been read: it throws MalformedMessage for fields that do
-// not fit each other, or bounds a number. Senders are hostile: all other numbers may be anything.
+// A form may also have check(value), which a value passes when it has been read: it throws MalformedMessage
+// for fields that do not fit each other, or bounds a number. Senders are hostile: all other numbers may be
+// anything.
 #pragma once
 
 #include <Eigen/Core>

@@ -40,7 +40,8 @@ struct Form<particles::State> {
   static constexpr auto fields = std::tuple(&particles::State::x, &particles::State::v);
 };
 
-// Steps as an untrusted sender counts them: bounded, so that sums of a few such numbers are still ints. Fewer than none stay wrong.
+// Steps as an untrusted sender counts them: bounded, so that sums of a few such numbers are still ints. Fewer
+// than none stay wrong.
 inline void bound_steps(int& steps) {
   steps = std::clamp(steps, -1, 1 << 28);
 }

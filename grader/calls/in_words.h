@@ -1,4 +1,5 @@
-// STAFF ONLY. A call as staff read it beside what is wrong: "frame_at({(0.1, 0, 0.2), 9 numbers up to 0.9}, (3, 50, 1), 0.012)".
+// STAFF ONLY. A call as staff read it beside what is wrong: "frame_at({(0.1, 0, 0.2), 9 numbers up to 0.9},
+// (3, 50, 1), 0.012)".
 #pragma once
 
 #include <ranges>
@@ -21,7 +22,8 @@ std::string_view name_of() {
   return text.substr(text.find_last_of(": &") + 1);
 }
 
-// The first item of a list stands for the others. Objects that are asked, and memory that is filled, say nothing.
+// The first item of a list stands for the others. Objects that are asked, and memory that is filled, say
+// nothing.
 template <class T>
 void tell(std::ostream& out, const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {

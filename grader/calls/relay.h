@@ -1,9 +1,11 @@
-// STAFF ONLY. For tests: a request on its way through two servers and two clients. What one reads, the next one sends:
+// STAFF ONLY. For tests: a request on its way through two servers and two clients. What one reads, the next
+// one sends:
 //
 //   request -> server -> client -> server -> client -> end
 //
-// The second server must read what the first one did, and the first client must take what the second one did, whatever the request
-// and the end's reply are. The end may ask about the caller's objects: questions go the same way back.
+// The second server must read what the first one did, and the first client must take what the second one did,
+// whatever the request and the end's reply are. The end may ask about the caller's objects: questions go the
+// same way back.
 #pragma once
 
 #include <functional>
@@ -90,7 +92,8 @@ class Host {
   Products products_;
 };
 
-// Sends a request on its way. False: a server, or a client, has refused what it read; `refused` is called with what they say.
+// Sends a request on its way. False: a server, or a client, has refused what it read; `refused` is called
+// with what they say.
 template <class Calls>
 bool send(Way& way, const std::vector<std::byte>& request, const std::function<void(const char*)>& refused) {
   way.arrived = way.answered = false;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Objects of the other side's, which is asked for each product and each value: so its counts are right, and no code of
-// the one side runs on the other. `Host` is where they live (server.h):
+// STAFF ONLY. Objects of the other side's, which is asked for each product and each value: so its counts are
+// right, and no code of the one side runs on the other. `Host` is where they live (server.h):
 //
 //   host.ask(question)  sends it, and waits for its answer
 //
@@ -18,8 +18,8 @@
 
 namespace grader::inline calls {
 
-// Operator `which` of the other side's. `provided`: of the force that the suite serves in this request, for functions that it
-// provides; see client.h.
+// Operator `which` of the other side's. `provided`: of the force that the suite serves in this request, for
+// functions that it provides; see client.h.
 struct Question {
   int which;
   bool provided;

@@ -1,4 +1,5 @@
-// STAFF ONLY. Serves an exercise's calls: reads a request, calls the function, writes the reply. Where that happens is a Host:
+// STAFF ONLY. Serves an exercise's calls: reads a request, calls the function, writes the reply. Where that
+// happens is a Host:
 //
 //   Host::Vector(numbers)     numbers in memory of the host's, with view(), a vector
 //   host.call<Call>(arguments...)  calls the call's function
@@ -6,8 +7,8 @@
 //   host.served(force)        `force` is the one that the other side serves in this request
 //   host.ask                  see remote.h
 //
-// Hosts are a worker, which calls a student's function (grader/worker/worker_host.h), and the suite, which calls the reference's
-// for a worker (grader/judge/student/providing_host.h).
+// Hosts are a worker, which calls a student's function (grader/worker/worker_host.h), and the suite, which
+// calls the reference's for a worker (grader/judge/student/providing_host.h).
 #pragma once
 
 #include <cstring>
@@ -38,8 +39,8 @@ struct StoredParameter {
   bool changed() const { return false; }    // an input that the function wrote to
 };
 
-// A parameter P of a call: reads it from the request, keeps it, and has view(), which the function is called with. Read once more,
-// the same object holds other numbers.
+// A parameter P of a call: reads it from the request, keeps it, and has view(), which the function is called
+// with. Read once more, the same object holds other numbers.
 template <class P, class Host, Contract contract>
 class Stored : public StoredParameter {
   using T = std::remove_cvref_t<P>;
@@ -294,9 +295,9 @@ class Request<Call, Host, std::tuple<P...>> {
     }
   }
 
-  // The matrix is made of the arguments that came first. With others after them, these are in their place when it multiplies:
-  // so a matrix shows whether it keeps what it was made of. Their sizes stay. Each product is one of the same x, in a buffer that
-  // holds anything.
+  // The matrix is made of the arguments that came first. With others after them, these are in their place
+  // when it multiplies: so a matrix shows whether it keeps what it was made of. Their sizes stay. Each
+  // product is one of the same x, in a buffer that holds anything.
   void multiply(MessageReader& request, MessageWriter& reply) {
     const std::unique_ptr<implicitMatrix> matrix =
         each([&](auto&... stored) { return host_.template call<Call>(stored.view()...); });

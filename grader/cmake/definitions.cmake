@@ -1,4 +1,5 @@
-# STAFF ONLY. HAIR_PROVIDED, the exercises that are others' prerequisites; and definitions of an exercise's functions that ask somebody else, made of their signatures in exercises.json:
+# STAFF ONLY. HAIR_PROVIDED, the exercises that are others' prerequisites; and definitions of an exercise's
+# functions that ask somebody else, made of their signatures in exercises.json:
 #
 #   hair_definitions(OUT ID ASKED)  writes the file OUT: each function of exercise ID calls grader::asked<Calls, function>(arguments...)
 #                                   of the header ASKED. Where reference/<ID>/asked.h is, it is included in their place.

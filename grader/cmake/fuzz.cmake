@@ -1,5 +1,6 @@
-# STAFF ONLY. Fuzz programs: hostile bytes for a reader, made by libFuzzer. Preset `fuzz` links them, and each is a test there, of a
-# minute. Other presets know their sources, so that .ci/nightly looks at them, and build nothing.
+# STAFF ONLY. Fuzz programs: hostile bytes for a reader, made by libFuzzer. Preset `fuzz` links them, and each
+# is a test there, of a minute. Other presets know their sources, so that .ci/nightly looks at them, and build
+# nothing.
 #
 #   hair_fuzz(NAME SOURCES ... LIBRARIES ...)   a program of ours, build/fuzz/programs/NAME; hair/io/fuzz/fuzz.h says what its
 #                                               sources define

@@ -30,12 +30,13 @@ bool is_worse(const ComparedPair& a, const ComparedPair& b);
 std::size_t count_identical(const Comparison& comparison);
 std::size_t count_compared(const Comparison& comparison);
 
-// For a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are counted, not listed.
+// For a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are counted, not
+// listed.
 std::string comparison_table(const Comparison& comparison);
 
 // {"pairs": [{"name", "width", "height", "identical", "blurred_rmse", "flip_mean", "flip_max"}], worst first,
-// "only_in_first": [names], "only_in_second": [names]}. A pair that could not be compared has "name" and "not_compared", the
-// reason.
+// "only_in_first": [names], "only_in_second": [names]}. A pair that could not be compared has "name" and
+// "not_compared", the reason.
 std::string comparison_json(const Comparison& comparison);
 
 }  // namespace grader::compare

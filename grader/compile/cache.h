@@ -1,5 +1,6 @@
-// STAFF ONLY. Files that are kept between runs, in a folder that several graders may use at once: a file is written under another name
-// first and read through one descriptor, so nobody reads half of one, and one that is removed meanwhile is read to its end.
+// STAFF ONLY. Files that are kept between runs, in a folder that several graders may use at once: a file is
+// written under another name first and read through one descriptor, so nobody reads half of one, and one that
+// is removed meanwhile is read to its end.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ void keep_copy(const std::filesystem::path& file, const std::filesystem::path& k
 // Says that a file of the cache is of use.
 void mark_as_used(const std::filesystem::path& kept);
 
-// Removes the files directly in `folder` that were used the longest time ago, until the others have `most_bytes` at most. A student
-// can make a large object with each letter that they change.
+// Removes the files directly in `folder` that were used the longest time ago, until the others have
+// `most_bytes` at most. A student can make a large object with each letter that they change.
 void shrink_cache(const std::filesystem::path& folder, std::uintmax_t most_bytes);
 
 // An object with what the compiler said of it, and took for it: one file, so that none is there without the

@@ -31,14 +31,14 @@ struct Compiled {
 
 class Compiler {
  public:
-  // `cache`: a folder for shared objects, made if it is missing; of its files those that were used last stay, `cache_bytes` in
-  // all. Throws BadInput if there is no compiler or
-  // no cache.
+  // `cache`: a folder for shared objects, made if it is missing; of its files those that were used last stay,
+  // `cache_bytes` in all. Throws BadInput if there is no compiler or no cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, Isolation isolation,
            std::uintmax_t cache_bytes = kCacheBytes);
 
-  // From any thread. `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.
-  // `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine fails.
+  // From any thread. `job` is one of the kit's folders, for this file only; the object is written into it as
+  // <id>.so. `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine
+  // fails.
   Compiled compile(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
                    double cpu_seconds, Build build = Build::ordinary) const;
 

@@ -174,7 +174,8 @@ std::optional<SwitchedOff> text_for_assembler(const OwnLines& own) {
   return {};
 }
 
-// A line of the source that gives other names or numbers to the lines after it: whose they are can't be told then.
+// A line of the source that gives other names or numbers to the lines after it: whose they are can't be told
+// then.
 std::optional<SwitchedOff> renamed_lines(const std::string& source) {
   std::istringstream lines(source);
   int number = 0;
@@ -206,7 +207,8 @@ std::optional<SwitchedOff> renamed_lines(const std::string& source) {
 
 }  // namespace
 
-// Such a word stands in the source, or macros make it of pieces: with ## or with a macro of a header, whose name is a reserved one.
+// Such a word stands in the source, or macros make it of pieces: with ## or with a macro of a header, whose
+// name is a reserved one.
 bool may_switch_off(const std::string& source) {
   const std::string text = spliced(source);
   if (text.find("##") != std::string::npos || text.find("%:%:") != std::string::npos) return true;

@@ -1,4 +1,5 @@
-// STAFF ONLY. No file keeps a part of itself from the look for memory errors without a sentence that names the line.
+// STAFF ONLY. No file keeps a part of itself from the look for memory errors without a sentence that names
+// the line.
 #include "grader/compile/switched_off.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,8 @@ namespace {
 
 class SwitchedOffTest : public testing::Test {
  protected:
-  // The sentence, as the compiler says it of an S1 with these lines, which begin in line 3. Empty: it is looked into.
+  // The sentence, as the compiler says it of an S1 with these lines, which begin in line 3. Empty: it is
+  // looked into.
   std::string sentence_for(const std::string& lines) {
     const std::string source =
         "#include \"solver/linearSolver.h\"\n#include <vector>\n" + lines +

@@ -30,10 +30,11 @@ const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-c
                                            "-ftrivial-auto-var-init=pattern", "-Wall", "-Wextra",
                                            "-fmax-errors=20", "-fno-diagnostics-show-caret",
                                            "-fdiagnostics-color=never"};
-// What finds errors, and takes the compiler little time: calls for checks are compiled faster than the checks themselves, and
+// What finds errors, and takes the compiler little time: calls for checks are compiled faster than the checks
+// themselves, and
 // -O1 faster than -O0, which writes out more functions. UndefinedBehaviorSanitizer's tests of pointers repeat those
-// of AddressSanitizer, and take the compiler as long again. Without __SANITIZE_ADDRESS__ code does not look different, and
-// Eigen allocates as the worker does, which is compiled without sanitizers.
+// of AddressSanitizer, and take the compiler as long again. Without __SANITIZE_ADDRESS__ code does not look
+// different, and Eigen allocates as the worker does, which is compiled without sanitizers.
 const std::vector<std::string> kSanitise = {
     "-O1",
     "-fno-omit-frame-pointer",

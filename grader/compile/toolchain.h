@@ -33,12 +33,13 @@ class Toolchain {
   Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& file) const;
 
   // Whose fault is it that a command failed? Runs the same tools in the same cage on nothing at all. Throws
-  // std::runtime_error, our fault, if that fails, too. What a student's file makes the tools say decides nothing.
+  // std::runtime_error, our fault, if that fails, too. What a student's file makes the tools say decides
+  // nothing.
   void prove_it_compiles(const Cage& cage) const;
   void prove_it_links(const Cage& cage) const;
 
-  // A cage for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and the command to compile in it. The caller
-  // adds the input, the output, and the mounts for both.
+  // A cage for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and the command
+  // to compile in it. The caller adds the input, the output, and the mounts for both.
   Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
                                            Build build = Build::ordinary) const;

@@ -18,8 +18,9 @@ struct Budget {
   double restarts = 75;                // of workers that crashed or broke the rules
   double messages = 3e7;               // from workers
   double megabytes = 11000;            // in these messages
-  // By the clock on the wall, while workers are asked: ten times what the longest of an honest one's exercises takes, in each share. A
-  // busy machine can use it up: then a person looks, and the submission is graded again.
+  // By the clock on the wall, while workers are asked: ten times what the longest of an honest one's
+  // exercises takes, in each share. A busy machine can use it up: then a person looks, and the submission is
+  // graded again.
   double wall_seconds = 600;
 
   bool operator==(const Budget&) const = default;

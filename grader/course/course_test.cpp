@@ -52,7 +52,8 @@ TEST(CourseFile, ChangesItsExercises) {
   EXPECT_EQ(course.find("S2")->points, 2.5);
 }
 
-// With all exercises a share of the compiler's time is still what the largest honest file takes on a busy machine, twice.
+// With all exercises a share of the compiler's time is still what the largest honest file takes on a busy
+// machine, twice.
 TEST(Budget, HasRoomForAllExercises) {
   const int parts = static_cast<int>(read_course(HAIR_EXERCISES_JSON).exercises.size());
   EXPECT_GE(share_of(Budget(), parts).compiler_cpu_seconds, 10);

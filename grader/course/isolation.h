@@ -7,11 +7,13 @@
 namespace grader::inline course {
 
 enum class Isolation {
-  // Nothing does, for machines that can't and for --unsafe-no-sandbox. Paths inside are replaced by those outside.
+  // Nothing does, for machines that can't and for --unsafe-no-sandbox. Paths inside are replaced by those
+  // outside.
   none,
   // Namespaces of the kernel's, made by bubblewrap. Any user may, where the machine allows it.
   namespaces,
-  // A user and a root folder of its own, for root in a container, where no namespaces are made and nothing is mounted.
+  // A user and a root folder of its own, for root in a container, where no namespaces are made and nothing is
+  // mounted.
   container,
 };
 

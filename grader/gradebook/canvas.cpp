@@ -1,5 +1,5 @@
-// STAFF ONLY. Fills in Canvas's gradebook. Its importer takes a column that it does not know for a new assignment, and a score over an
-// old one for a change.
+// STAFF ONLY. Fills in Canvas's gradebook. Its importer takes a column that it does not know for a new
+// assignment, and a score over an old one for a change.
 #include "grader/gradebook/canvas.h"
 
 #include <algorithm>

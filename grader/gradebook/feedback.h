@@ -1,4 +1,5 @@
-// STAFF ONLY. Archives of feedback that learning systems hand out to students, by the names of the files in them.
+// STAFF ONLY. Archives of feedback that learning systems hand out to students, by the names of the files in
+// them.
 #pragma once
 
 #include <functional>
@@ -23,13 +24,14 @@ struct ReportOfStudent {
 };
 using ReportOf = std::function<ReportOfStudent(const std::string& hand_in)>;
 
-// For Canvas's "Re-upload submissions". `files` are the names in the download that was graded. A file goes back under the name of an
-// attachment, and the student sees that name: so its content is what opens under it, a page, an archive with the page, or text.
+// For Canvas's "Re-upload submissions". `files` are the names in the download that was graded. A file goes
+// back under the name of an attachment, and the student sees that name: so its content is what opens under
+// it, a page, an archive with the page, or text.
 Feedback feedback_for_canvas(const std::vector<std::string>& files, const std::vector<Grade>& grades,
                              const ReportOf& report);
 
-// For Moodle's "Upload multiple feedback files in a zip". The worksheet says whose a participant's number is: a team's number in a
-// download may be another student's.
+// For Moodle's "Upload multiple feedback files in a zip". The worksheet says whose a participant's number is:
+// a team's number in a download may be another student's.
 Feedback feedback_for_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const ReportOf& report);
 
 }  // namespace grader::gradebook

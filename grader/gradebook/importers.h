@@ -1,5 +1,5 @@
-// STAFF ONLY. The importers of learning systems, as their sources and documents describe them, for tests. Each rule names its line in the
-// project's notes on formats (formats.md:35 is line 35).
+// STAFF ONLY. The importers of learning systems, as their sources and documents describe them, for tests.
+// Each rule names its line in the project's notes on formats (formats.md:35 is line 35).
 #pragma once
 
 #include <map>

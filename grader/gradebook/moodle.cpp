@@ -1,4 +1,5 @@
-// STAFF ONLY. Fills in Moodle's worksheet. Its importer passes over a row that it does not like without a word.
+// STAFF ONLY. Fills in Moodle's worksheet. Its importer passes over a row that it does not like without a
+// word.
 #include "grader/gradebook/moodle.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// STAFF ONLY. What became of a file of the input. Nothing is left out without a reason. The record keeps those that reached no hand-in.
+// STAFF ONLY. What became of a file of the input. Nothing is left out without a reason. The record keeps
+// those that reached no hand-in.
 #pragma once
 
 #include <string>

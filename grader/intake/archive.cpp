@@ -170,8 +170,8 @@ class Reading {
     if (result < ARCHIVE_WARN) refuse_damaged();
   }
 
-  // Stored and deflated data take a window of 32 kB. With other methods of zip a few bytes ask for gigabytes: the
-  // dictionary of LZMA and xz, the model of PPMd. The library names the method: "ZIP 2.0 (deflation)".
+  // Stored and deflated data take a window of 32 kB. With other methods of zip a few bytes ask for gigabytes:
+  // the dictionary of LZMA and xz, the model of PPMd. The library names the method: "ZIP 2.0 (deflation)".
   bool is_frugal() {
     if (archive_format(entries_.get()) != ARCHIVE_FORMAT_ZIP) return true;
     const std::string_view name = archive_format_name(entries_.get());

@@ -148,8 +148,8 @@ inline std::map<std::string, std::string> forms_of(const std::string& zip, std::
           {"all of it", "MZ" + zeros + with_comment(zip, longest) + zeros}};
 }
 
-// A zip of one file "a.cpp" with these data, which are packed by one of zip's methods (APPNOTE.TXT, 4.4.5): 8 deflate,
-// 12 bzip2, 14 LZMA, 93 Zstandard, 95 xz, 98 PPMd.
+// A zip of one file "a.cpp" with these data, which are packed by one of zip's methods (APPNOTE.TXT, 4.4.5): 8
+// deflate, 12 bzip2, 14 LZMA, 93 Zstandard, 95 xz, 98 PPMd.
 inline std::string zip_of_method(int method, const std::string& data) {
   std::string zip = ArchiveBuilder(Packing::zip, "zip:compression=store").file("a.cpp", data).bytes();
   zip.at(8) = static_cast<char>(method);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Hostile bytes as an archive: read alone, and handed in as a submission or a class. A tar is tried
-// with the right checksums, too, and packed by gzip: no change of one byte hits upon these.
+// STAFF ONLY. Hostile bytes as an archive: read alone, and handed in as a submission or a class. A tar is
+// tried with the right checksums, too, and packed by gzip: no change of one byte hits upon these.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -154,8 +154,9 @@ void fuzz::try_input(std::string_view bytes) {
   try_bytes(grader::gzip(tar));
 }
 
-// All that an archive unpacks to may be there at once, in a text that doubles as it grows; a submission's nested
-// archives are there with what is in them, three deep. The library has megabytes of its own for headers and windows.
+// All that an archive unpacks to may be there at once, in a text that doubles as it grows; a submission's
+// nested archives are there with what is in them, three deep. The library has megabytes of its own for
+// headers and windows.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 16'000'000 + 6 * kMostUnpacked + 100 * input;
 }

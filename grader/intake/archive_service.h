@@ -28,8 +28,8 @@ struct ReaderLimits {
   std::size_t memory_bytes = 0;
 };
 
-// From now on this process reads what is open, computes, and writes to the conversation. Ends it if that can't
-// be had.
+// From now on this process reads what is open, computes, and writes to the conversation. Ends it if that
+// can't be had.
 void lock_reader(const ReaderLimits& limits);
 
 // Reads the archive and answers until nobody asks any more.

@@ -35,8 +35,8 @@ int cpu_seconds(ArchiveLimits limits) {
   return static_cast<int>(std::min<std::size_t>(5 + limits.unpacked_bytes / 10'000'000, 7200));
 }
 
-// It waits for disks, too, which read ten megabytes a second at least; and by the clock for others who want the
-// processor.
+// It waits for disks, too, which read ten megabytes a second at least; and by the clock for others who want
+// the processor.
 Watchdog::Patience patience(ArchiveLimits limits, int archive) {
   struct stat status = {};
   const double megabytes = fstat(archive, &status) == 0 ? 1e-6 * static_cast<double>(status.st_size) : 0;

@@ -1,6 +1,6 @@
-// STAFF ONLY. Archives, read in a cage: libarchive meets hostile bytes in a process that holds nothing but the
-// system's libraries, without rights, network or names of files. Each archive, also each one in another, has a
-// process of its own, so that one that breaks its reader costs itself alone.
+// STAFF ONLY. Archives, read in a cage: libarchive meets hostile bytes in a process that holds nothing but
+// the system's libraries, without rights, network or names of files. Each archive, also each one in another,
+// has a process of its own, so that one that breaks its reader costs itself alone.
 //
 // The trusted side opens the file and hands over the descriptor. So the process needs no right to the
 // instructor's folders, and no path leads out of it to anything else.
@@ -22,9 +22,9 @@ class CagedReader {
   // must ignore SIGPIPE: a reader may end at any time.
   explicit CagedReader(const std::filesystem::path& program, Isolation isolation = Isolation::namespaces);
 
-  // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. What
-  // it returns must not outlive this, and may be visited once. A reader that breaks down, takes too much time
-  // or memory, or says what no reader says, makes list and visit throw Unreadable.
+  // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all.
+  // What it returns must not outlive this, and may be visited once. A reader that breaks down, takes too much
+  // time or memory, or says what no reader says, makes list and visit throw Unreadable.
   std::unique_ptr<Container> open(const ArchiveSource& source, const std::string& shown,
                                   ArchiveLimits limits) const;
 

@@ -47,7 +47,8 @@ void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notic
     const std::string name = drafts[begin].submission.name;
     while (end < drafts.size() && drafts[end].submission.name == name) ++end;
     if (end - begin == 1) continue;
-    // A person names arguments, and anybody what lies in them: one argument of a name stands, whatever classes hold.
+    // A person names arguments, and anybody what lies in them: one argument of a name stands, whatever
+    // classes hold.
     const auto is_hand_in = [](const Draft& draft) { return !is_of_a_class(draft.submission.origin); };
     const auto first = drafts.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = drafts.begin() + static_cast<std::ptrdiff_t>(end);

@@ -1,6 +1,6 @@
-// STAFF ONLY. Submissions that end up with the same name. Owners whose names differ ("x 1" and "x_1") get names of their own. Where the
-// owner is the same (x.zip and x.tar.gz) nobody can say which of them is meant, so none of them is graded; all others are. An argument
-// stands beside members of a class.
+// STAFF ONLY. Submissions that end up with the same name. Owners whose names differ ("x 1" and "x_1") get
+// names of their own. Where the owner is the same (x.zip and x.tar.gz) nobody can say which of them is meant,
+// so none of them is graded; all others are. An argument stands beside members of a class.
 #pragma once
 
 #include <string>

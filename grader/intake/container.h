@@ -45,8 +45,8 @@ struct Entry {
   bool closed = false;  // a folder that can't be listed
 };
 
-// Derives `path`, `leads_outside` and `lost_root` from `shown`. '\' also separates, because some Windows programs write it. A root is
-// left away, with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
+// Derives `path`, `leads_outside` and `lost_root` from `shown`. '\' also separates, because some Windows
+// programs write it. A root is left away, with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
 Entry entry_at(std::string shown);
 
 // Names as people read them: decoded (code_page.h), composed, and a path for what has none, "entry 17".

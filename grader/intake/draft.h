@@ -19,7 +19,8 @@ class IntakeBudget {
 
   // So many more files and folders. Throws Refused, as the next one.
   void charge_entries(std::size_t count);
-  // Counts entries that will be read. Sizes are those that the container states; reading is limited again by what really comes.
+  // Counts entries that will be read. Sizes are those that the container states; reading is limited again by
+  // what really comes.
   void charge_bytes(std::uintmax_t bytes);
 
   ArchiveLimits for_archive() const { return {limits_.stream_bytes, limits_.entries}; }
@@ -69,7 +70,8 @@ struct Draft {
   void refuse(const Refused& why);
   bool refused() const { return !submission.problem.empty(); }
 
-  // A file was read, or can't be. Of files of one name the one of the least rank is taken; identical bytes count once.
+  // A file was read, or can't be. Of files of one name the one of the least rank is taken; identical bytes
+  // count once.
   void offer(const std::string& exercise_file, const Found& where, SourceFile file);
   void pass_over(const std::string& exercise_file, const std::string& where, std::size_t count = 1);
   void see(std::string_view name);

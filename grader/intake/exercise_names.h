@@ -24,8 +24,8 @@ struct Likeness {
 
 std::string in_lower_case(std::string_view text);  // ASCII's letters
 
-// "conj_grad (1)", "conj_grad(1)", "conj_grad-1": what stands before the number, without a bracket. The name itself and -1 if it ends with
-// none.
+// "conj_grad (1)", "conj_grad(1)", "conj_grad-1": what stands before the number, without a bracket. The name
+// itself and -1 if it ends with none.
 struct Numbered {
   std::string_view name;
   int number = -1;

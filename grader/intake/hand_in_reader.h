@@ -1,4 +1,5 @@
-// STAFF ONLY. Takes the exercise files out of containers, also out of archives in them, for the submissions that share them.
+// STAFF ONLY. Takes the exercise files out of containers, also out of archives in them, for the submissions
+// that share them.
 #pragma once
 
 #include <map>

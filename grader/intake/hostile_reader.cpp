@@ -1,5 +1,5 @@
-// STAFF ONLY. For tests: hairintake, if an archive's bytes had taken it over. What it does stands at the beginning of the
-// archive: "evil-crash". All other archives are read as they should be.
+// STAFF ONLY. For tests: hairintake, if an archive's bytes had taken it over. What it does stands at the
+// beginning of the archive: "evil-crash". All other archives are read as they should be.
 #include <fcntl.h>
 #include <locale.h>
 #include <sys/socket.h>

@@ -1,4 +1,5 @@
-// STAFF ONLY. The files of the input that reached no hand-in that counts, for the record, pages and programs: DIR/left-over.json.
+// STAFF ONLY. The files of the input that reached no hand-in that counts, for the record, pages and programs:
+// DIR/left-over.json.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ std::string line_about(const Accounted& left_over);
 // All files but those of hand-ins, and the notices that are about none of these.
 std::vector<Accounted> listed(const Intake& intake);
 
-// An object: "left_over", "older" and "made", each a list of {"path", "reason", "whose"}; and "notices", lines for staff.
+// An object: "left_over", "older" and "made", each a list of {"path", "reason", "whose"}; and "notices",
+// lines for staff.
 std::string left_over_json(const std::vector<Accounted>& listed);
 
 }  // namespace grader::intake

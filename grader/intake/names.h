@@ -11,12 +11,13 @@
 namespace grader::inline intake {
 
 // The name of an archive or folder without its extension. Bytes other than letters, digits, '.', '_' and '-'
-// become '_'. A name that begins with none of letters and digits gets an 'x' in front: programs take "-rf" for
-// an option and skip ".name". A name that the class reports need ("staff") gets a '_' at its end.
+// become '_'. A name that begins with none of letters and digits gets an 'x' in front: programs take "-rf"
+// for an option and skip ".name". A name that the class reports need ("staff") gets a '_' at its end.
 std::string submission_name(std::string_view name);
 
-// The same for an owner: name and id, as "Jane_Doe_4711". It stays for all hand-ins of this owner. Letters that are none of ASCII lose
-// their marks; if some have nothing else and there is no id, a number made of the name stands for them.
+// The same for an owner: name and id, as "Jane_Doe_4711". It stays for all hand-ins of this owner. Letters
+// that are none of ASCII lose their marks; if some have nothing else and there is no id, a number made of the
+// name stands for them.
 std::string name_of_owner(const Owner& owner);
 
 // A name for one of several submissions that are called `name`. It depends on its path alone.

@@ -1,5 +1,6 @@
-// STAFF ONLY. An origin of a submission: the argument that it is itself, or the class that it came in. In a folder of grades no
-// row is replaced by one of another origin unless somebody says so: the content of a hand-in must not reach the rows of others.
+// STAFF ONLY. An origin of a submission: the argument that it is itself, or the class that it came in. In a
+// folder of grades no row is replaced by one of another origin unless somebody says so: the content of a
+// hand-in must not reach the rows of others.
 //
 //   "hand-in /home/ta/alice.zip", "class /home/ta/class.zip", "class of a learning system /home/ta/export.zip"
 #pragma once

@@ -1,4 +1,5 @@
-// STAFF ONLY. Whose a hand-in is, as the download says it. Letters are kept (NFC, UTF-8): it is for people, never a file's name.
+// STAFF ONLY. Whose a hand-in is, as the download says it. Letters are kept (NFC, UTF-8): it is for people,
+// never a file's name.
 #pragma once
 
 #include <string>
@@ -7,10 +8,12 @@
 namespace grader::inline intake {
 
 struct Owner {
-  // "Jörg Müller-Lüdenscheidt", "müllerlüdenscheidtjörg" (Canvas), a group's name; "" where the layout has none.
+  // "Jörg Müller-Lüdenscheidt", "müllerlüdenscheidtjörg" (Canvas), a group's name; "" where the layout has
+  // none.
   std::string name = {};
-  // As the system's names or tables carry it: Canvas's user number, Moodle's participant number, Blackboard's user name, Brightspace's
-  // number, Autolab's e-mail, a login (Classroom), Gradescope's sid; "" where the layout has none.
+  // As the system's names or tables carry it: Canvas's user number, Moodle's participant number, Blackboard's
+  // user name, Brightspace's number, Autolab's e-mail, a login (Classroom), Gradescope's sid; "" where the
+  // layout has none.
   std::string id = {};
   std::string email = {};           // "" where the layout has none
   bool anonymous = false;           // `id` is a code that stands for a person

@@ -1,5 +1,5 @@
-// STAFF ONLY. What an argument holds, by its names alone: whose hand-ins there are, and which entries are whose. No file of them is read
-// yet.
+// STAFF ONLY. What an argument holds, by its names alone: whose hand-ins there are, and which entries are
+// whose. No file of them is read yet.
 #pragma once
 
 #include <filesystem>

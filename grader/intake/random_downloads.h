@@ -1,5 +1,5 @@
-// STAFF ONLY. Random downloads of all learning systems, and later ones of the same class, by a generator that is written from the systems'
-// own sources and uses nothing of intake.
+// STAFF ONLY. Random downloads of all learning systems, and later ones of the same class, by a generator that
+// is written from the systems' own sources and uses nothing of intake.
 #pragma once
 
 #include <random>

@@ -1,5 +1,5 @@
-// STAFF ONLY. Hand-ins as large as students hand them in: a build folder of 320 MB and 25,000 files in .git. Their exercise files are
-// taken, and no more memory is used than lists and one block need.
+// STAFF ONLY. Hand-ins as large as students hand them in: a build folder of 320 MB and 25,000 files in .git.
+// Their exercise files are taken, and no more memory is used than lists and one block need.
 #include <sys/resource.h>
 
 #include <fstream>
@@ -14,8 +14,8 @@ namespace {
 constexpr int kObjects = 160, kInGit = 25'000;
 constexpr std::size_t kObjectBytes = std::size_t{2} << 20;
 
-// Peak memory of the test may grow by this: the lists have 25,000 paths of about 300 bytes, several times over, and an archive of zeros
-// has less than 10 MB. A reader that keeps the build folder needs 320 MB.
+// Peak memory of the test may grow by this: the lists have 25,000 paths of about 300 bytes, several times
+// over, and an archive of zeros has less than 10 MB. A reader that keeps the build folder needs 320 MB.
 constexpr double kMostMegabytes = 100;
 
 #if defined(__SANITIZE_ADDRESS__)

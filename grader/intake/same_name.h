@@ -1,5 +1,6 @@
-// STAFF ONLY. Which of several files of one name counts in a container, by their paths alone: dates in an archive say when it was
-// unpacked, or nothing. A rule decides between two files, or nobody does. The first of these that tells them apart:
+// STAFF ONLY. Which of several files of one name counts in a container, by their paths alone: dates in an
+// archive say when it was unpacked, or nothing. A rule decides between two files, or nobody does. The first
+// of these that tells them apart:
 //
 //   1. a file in a folder of builds or backups ("build", "bin", "old hw", "hw.bak", "hw - Copy") counts less than one in no such folder
 //   2. a copy by its name ("conj_grad (1).cpp", exercise_names.h) counts less than the file that is built, "conj_grad.cpp"

@@ -106,7 +106,8 @@ void ClassReader::say_what_it_is(const Planned& planned, const Argument& argumen
     intake_.taken_for.push_back(argument.origin + ": taken for a hand-in of one student, " + names);
 }
 
-// Among several arguments it is one student's hand-in. A lone one may be a class, and then it would be everybody's.
+// Among several arguments it is one student's hand-in. A lone one may be a class, and then it would be
+// everybody's.
 void ClassReader::could_not_open(const Argument& argument, const Refused& why) {
   if (arguments_.may_be_class())
     throw BadInput(

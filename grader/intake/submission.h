@@ -2,8 +2,8 @@
 // read in memory, and only files with an exercise's name are kept, so that paths and links can do no harm.
 //
 // A submission is a .zip, a .tar.gz, .tgz or .tar, or a folder. An argument is one submission or holds a
-// class of them: a learning system's download (layouts/division.h), or folders and archives (layouts/folders.h). Archives are
-// recognised by content, not by extension.
+// class of them: a learning system's download (layouts/division.h), or folders and archives
+// (layouts/folders.h). Archives are recognised by content, not by extension.
 //
 //   class.zip with alice.zip, bob.tar.gz, carol/   a class of three
 //   class/ with alice/, bob/                       a class of two
@@ -11,11 +11,13 @@
 //   class.zip with doejane_12_34_conj_grad.cpp, ...          a class, as Canvas exports single files
 //   alice.zip with project/student/conj_grad.cpp   one submission with a whole project
 //
-// Each of several arguments is a hand-in of one student: a hand-in can look like a class, and must not speak for others. One that
-// looks so is refused, unless the caller says that there are classes. A lone argument is refused if it looks so and has a hand-in's name:
-// that of a folder or archive in it, or one that a learning system gives. See several_people.h.
+// Each of several arguments is a hand-in of one student: a hand-in can look like a class, and must not speak
+// for others. One that looks so is refused, unless the caller says that there are classes. A lone argument is
+// refused if it looks so and has a hand-in's name: that of a folder or archive in it, or one that a learning
+// system gives. See several_people.h.
 //
-// Nobody gets lost: an archive, or a document in the place of one, always gives a submission, and every file is accounted for.
+// Nobody gets lost: an archive, or a document in the place of one, always gives a submission, and every file
+// is accounted for.
 #pragma once
 
 #include <filesystem>
@@ -63,18 +65,20 @@ struct Intake {
   std::vector<Submission> submissions;  // sorted by name; each has a name of its own
   // For staff, a line for each argument: a hand-in or a class. Of several arguments only for classes.
   std::vector<std::string> taken_for;
-  // For staff, a line each that a person must look at: files that belong to nobody, archives that stayed shut, names that clash.
+  // For staff, a line each that a person must look at: files that belong to nobody, archives that stayed
+  // shut, names that clash.
   std::vector<std::string> notices;
   std::map<std::string, std::string> whose_notice =
       {};  // by notice: the submission that it is about, if it is about one
-  // For staff, a line each that is good to know: names that were guessed, files taken under other names, who has handed in nothing
-  // that counts.
+  // For staff, a line each that is good to know: names that were guessed, files taken under other names, who
+  // has handed in nothing that counts.
   std::vector<std::string> remarks;
   std::vector<Accounted> accounted;  // each file of the input, but what systems leave behind (ignored.h)
 };
 
-// Limits for reading one submission. Names that systems leave behind (ignored.h) use up nothing. A whole argument may have 10 times the entries, and its stream may
-// unpack to 20 times its own size if that is more; honest files compress less than that.
+// Limits for reading one submission. Names that systems leave behind (ignored.h) use up nothing. A whole
+// argument may have 10 times the entries, and its stream may unpack to 20 times its own size if that is more;
+// honest files compress less than that.
 struct IntakeLimits {
   std::size_t file_bytes = std::size_t{1} << 20;  // one exercise file
   std::size_t unpacked_bytes = std::size_t{256}
@@ -92,14 +96,15 @@ struct IntakeChoices {
 };
 
 // Files of absent exercises are ignored. An error in one submission is reported in it and does not affect
-// others. Throws BadInput for an argument that does not exist, for a lone one that can't be read whole, that is neither an archive nor a
-// folder, or in which nothing is recognised; and Question if all arguments look like classes and may be hand-ins.
+// others. Throws BadInput for an argument that does not exist, for a lone one that can't be read whole, that
+// is neither an archive nor a folder, or in which nothing is recognised; and Question if all arguments look
+// like classes and may be hand-ins.
 Intake read_submissions(const std::vector<std::filesystem::path>& arguments, const Course& course,
                         const OpenArchive& open_archive, const IntakeLimits& limits = {},
                         const IntakeChoices& choices = {});
 
-// The folder of one student, who is called `name` whatever is in it: never a class. A folder without any exercise file is a submission
-// with a problem.
+// The folder of one student, who is called `name` whatever is in it: never a class. A folder without any
+// exercise file is a submission with a problem.
 Intake read_hand_in(const std::filesystem::path& folder, const std::string& name, const Course& course,
                     const OpenArchive& open_archive, const IntakeLimits& limits = {});
 

@@ -118,7 +118,8 @@ TEST_F(Submissions, ArchivesBesideExerciseFilesStayShut) {
   EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "mine");
 }
 
-// The rules for paths are in same_name_test.cpp. Between archives only builds, backups and copies by their names decide.
+// The rules for paths are in same_name_test.cpp. Between archives only builds, backups and copies by their
+// names decide.
 TEST_F(Submissions, OfFilesOfOneNameARuleTakesOneOrAPersonIsAsked) {
   struct Case {
     std::vector<std::pair<std::string, std::string>>
@@ -475,8 +476,8 @@ TEST_F(Submissions, AnArchiveIsKnownByItsContentToo) {
             "x");
 }
 
-// As a tar.gz ten gigabytes would be one gzip of 64 MiB, 160 times: gzips in a row unpack to their contents in a row. After five of
-// them this one ends, which is not noticed.
+// As a tar.gz ten gigabytes would be one gzip of 64 MiB, 160 times: gzips in a row unpack to their contents
+// in a row. After five of them this one ends, which is not noticed.
 TEST_F(Submissions, OfTenGigabytesOfZerosNoMoreIsReadThanMayBe) {
   constexpr std::size_t chunk = std::size_t{64} << 20;
   const std::string tar = ArchiveBuilder(Packing::tar).zeros("conj_grad.cpp", 0).bytes();

@@ -1,4 +1,5 @@
-// STAFF ONLY. What a submission's code may take in one exercise, all its workers together, and what it has taken.
+// STAFF ONLY. What a submission's code may take in one exercise, all its workers together, and what it has
+// taken.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +12,8 @@ struct Allowance {
   Budget limit;
   Budget spent = nothing_spent();
 
-  // What a new worker may take of the idle time: half of the exercise's at most, so that one that falls asleep
-  // leaves something for the other categories.
+  // What a new worker may take of the idle time: half of the exercise's at most, so that one that falls
+  // asleep leaves something for the other categories.
   double idle_seconds_of_a_worker() const {
     return std::min(limit.idle_seconds - spent.idle_seconds, limit.idle_seconds / 2);
   }

@@ -1,5 +1,5 @@
-// STAFF ONLY. A case as a client's asker (grader/calls/client.h): asks the student's worker, and ends the category if there is no
-// answer. All calls through one asker are one case.
+// STAFF ONLY. A case as a client's asker (grader/calls/client.h): asks the student's worker, and ends the
+// category if there is no answer. All calls through one asker are one case.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,5 @@
-// STAFF ONLY. Puts what wrong numbers look like into one of a few sentences for students. A number that code may choose could carry a hidden input out.
+// STAFF ONLY. Puts what wrong numbers look like into one of a few sentences for students. A number that code
+// may choose could carry a hidden input out.
 #pragma once
 
 #include <string>

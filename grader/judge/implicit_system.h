@@ -1,8 +1,8 @@
 // STAFF ONLY. Particles under a force, and the system of an implicit step as a table, so that the suite can
 // compute the error of a dv without a solver.
 //
-// Bounds. With u = 2^-53, A the matrix, e the rounding of a product with it over u ||A||, X = 2 ||dv*|| + ||rhs||,
-// solver/linearSolver.h gives, as in linear_system.h,
+// Bounds. With u = 2^-53, A the matrix, e the rounding of a product with it over u ||A||, X = 2 ||dv*|| +
+// ||rhs||, solver/linearSolver.h gives, as in linear_system.h,
 //
 //   ||rhs - A dv|| <= tolerance ||rhs|| + 65 (10 + 2e) u ||A|| X,   ||dv - dv*|| <= that / lambda_min,
 //
@@ -54,7 +54,8 @@ class CoupledForce : public particles::Force {
 //
 //   -q x^2 v - p v^3,   d/dx: -2 q x v,   d/dv: -q x^2 - 3 p v^2,
 //
-// so that df/dx depends on v, and df/dv on x and v. q is so small that K outweighs what 2 q x v may take from it.
+// so that df/dx depends on v, and df/dv on x and v. q is so small that K outweighs what 2 q x v may take from
+// it.
 class MixedForce final : public CoupledForce {
  public:
   MixedForce(Random& random, int n, double stiffness, double damping);

@@ -1,5 +1,5 @@
-// STAFF ONLY. A job for hairsuite or hairstudy, as it reads it in JSON from standard input: these fields are its keys. What it finds is in
-// grader/result/suite_result.h.
+// STAFF ONLY. A job for hairsuite or hairstudy, as it reads it in JSON from standard input: these fields are
+// its keys. What it finds is in grader/result/suite_result.h.
 #pragma once
 
 #include <filesystem>

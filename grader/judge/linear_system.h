@@ -78,8 +78,9 @@ struct Tolerance {
 Tolerance tolerance_after(const LinearSystem& system, int least_steps);
 
 // Calls the student's ConjGrad, and checks only that x is finite: each category checks its own property, so
-// that one mistake does not fail all categories. `x` is the buffer's content on entry (b if it is empty, so that code that starts
-// from there does what is right). Of several `calls`, which share b, the answer is the last one's.
+// that one mistake does not fail all categories. `x` is the buffer's content on entry (b if it is empty, so
+// that code that starts from there does what is right). Of several `calls`, which share b, the answer is the
+// last one's.
 Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int steps,
                std::vector<double> x = {}, int calls = 1);
 

@@ -60,7 +60,8 @@ class CategoryTest : public testing::Test {
   std::vector<CaseResult>& cases_;
 };
 
-// Of each wrong category, how many of its cases hold. It comes last: what it takes of the budget nothing else lacks.
+// Of each wrong category, how many of its cases hold. It comes last: what it takes of the budget nothing else
+// lacks.
 void count_cases(const std::vector<Category>& categories, grader::Student& student, const std::string& seed,
                  std::vector<CaseResult>& cases) {
   student.record(nullptr);

@@ -61,7 +61,8 @@ void MemoryErrors::tell(Trial& trial, const std::string& sentence, const std::st
 
 void MemoryErrors::look(Trial& trial) {
   for (Student* student : earlier_) student->finish();
-  // A code that never answers would cost its limits once more. One that merely crashes too often is told where.
+  // A code that never answers would cost its limits once more. One that merely crashes too often is told
+  // where.
   for (Student* student : earlier_) {
     if (!student->gave_up() || only_restarts_are_used_up(*paying_)) continue;
     if (student->gave_up()->outcome == Outcome::timed_out && student->spent().messages > kManyMessages)

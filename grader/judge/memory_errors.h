@@ -1,14 +1,14 @@
-// STAFF ONLY. The category "No memory errors": what the cases asked is asked once more, of a worker whose object is compiled with
-// AddressSanitizer and UndefinedBehaviorSanitizer, until it tells of an error.
+// STAFF ONLY. The category "No memory errors": what the cases asked is asked once more, of a worker whose
+// object is compiled with AddressSanitizer and UndefinedBehaviorSanitizer, until it tells of an error.
 //
-// The point is lost for an error, and for a program that ends where the other one went on: then memory that nobody
-// wrote decides what it does. It is not lost for what is slow or takes much memory, since the sanitizers make it so; but
-// for a file that does not become an object with them.
-// Where nothing else is right, there is no code to speak of, and no point.
+// The point is lost for an error, and for a program that ends where the other one went on: then memory that
+// nobody wrote decides what it does. It is not lost for what is slow or takes much memory, since the
+// sanitizers make it so; but for a file that does not become an object with them. Where nothing else is
+// right, there is no code to speak of, and no point.
 //
-// This worker pays from the exercise's share of the budget, as the others do. It comes last: so it takes what they have
-// left, and nothing from any of them. If they have left nothing, the point is lost like that of any category that comes
-// too late.
+// This worker pays from the exercise's share of the budget, as the others do. It comes last: so it takes what
+// they have left, and nothing from any of them. If they have left nothing, the point is lost like that of any
+// category that comes too late.
 #pragma once
 
 #include <filesystem>

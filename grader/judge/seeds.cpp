@@ -1,12 +1,13 @@
-// STAFF ONLY. Hidden cases under many seeds, for the suite's bounds: a right program must pass under all of them, and a
-// wrong one must fail under all of them.
+// STAFF ONLY. Hidden cases under many seeds, for the suite's bounds: a right program must pass under all of
+// them, and a wrong one must fail under all of them.
 //
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //
 // The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
 // staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
-// read of the first; for each bound the largest error / bound, its seed, the category, and the quantity; and for each category a
-// hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1 if one does.
+// read of the first; for each bound the largest error / bound, its seed, the category, and the quantity; and
+// for each category a hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1
+// if one does.
 #include <sodium.h>
 
 #include <algorithm>
@@ -84,7 +85,8 @@ int main(int argc, char* argv[]) {
   std::map<std::string, std::pair<double, int>> nearest;  // the ratio, the seed
   std::map<std::string, Hash> asked;
   for (int seed = first; seed < first + count; ++seed) {
-    // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is optimised.
+    // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is
+    // optimised.
     grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
     for (const grader::Category& category : grader::categories(exercise)) {
       grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));

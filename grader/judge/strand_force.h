@@ -1,5 +1,6 @@
-// STAFF ONLY. Hidden cases that H1, H2 and H3 share, whose headers promise the same of an energy, a force and products. They compare
-// the student's answers with each other, so that a mistake elsewhere does not count again.
+// STAFF ONLY. Hidden cases that H1, H2 and H3 share, whose headers promise the same of an energy, a force and
+// products. They compare the student's answers with each other, so that a mistake elsewhere does not count
+// again.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,8 @@
 
 namespace grader::inline judge {
 
-// An exercise's functions. Those of the student add to `before`; roundings bound how far right answers are from each other.
+// An exercise's functions. Those of the student add to `before`; roundings bound how far right answers are
+// from each other.
 struct StrandForce {
   struct Product {
     std::function<VectorXd(Trial&, const Posed&, const VectorXd& dx, const VectorXd& before)> ask;
@@ -47,16 +49,18 @@ void expect_product(Trial& trial, const StrandForce& force, const StrandForce::P
 void expect_same_in_other_units(Trial& trial, const StrandForce& force, const Posed& one, const Posed& other,
                                 std::initializer_list<double> metres);
 
-// Each end of a long strand does what the end of a short one does, which is alike. `ends`: the particles at the tip without a spring of their own.
+// Each end of a long strand does what the end of a short one does, which is alike. `ends`: the particles at
+// the tip without a spring of their own.
 void expect_ends_alike(Trial& trial, const StrandForce& force, const Posed& brief, const Posed& lengthy,
                        int ends, double rounding, const VectorXd& push);
 
-// Two particles are in one place: what comes before them and after them, with `dx` each, does what it does alone. `energy` is the two's.
+// Two particles are in one place: what comes before them and after them, with `dx` each, does what it does
+// alone. `energy` is the two's.
 void expect_parts_alone(Trial& trial, const StrandForce& force, const Posed& posed, int in_front,
                         const VectorXd& dx, double energy = 0, double energy_rounding = 0);
 
-// Each spring has rest lengths of its own: a strand answers as its parts of `count` neighbours do, whatever these are, if it does so
-// where they are equal.
+// Each spring has rest lengths of its own: a strand answers as its parts of `count` neighbours do, whatever
+// these are, if it does so where they are equal.
 void expect_own_rest_lengths(Trial& trial, const StrandForce& force, const Posed& uneven, int count);
 
 // Force and products are added to what is there; `sums` bounds how often an entry rounds.

@@ -86,7 +86,8 @@ Posed in_state(Random& random, const Strand& strand, const State& state) {
   return random_pose(random, strand, state.stretch, state.bend, state.name);
 }
 
-// Springs that skip a particle are at rest at both ends of a strand of `metres`: loops that end too soon are another category's of H3.
+// Springs that skip a particle are at rest at both ends of a strand of `metres`: loops that end too soon are
+// another category's of H3.
 Posed with_ends_at_rest(const Springs& springs, Posed posed) {
   if (springs.apart == 1) return posed;
   const int last = posed.strand.count() - 1;
@@ -152,8 +153,8 @@ void expect_same(Trial& trial, const Springs& springs, const Posed& posed, Geome
                 2 * springs.product_rounding(posed, dx), what);
 }
 
-// Beside the student's own exact product, which is another category's: springs that are all longer than at rest have it, and those that
-// are all shorter have it without the term.
+// Beside the student's own exact product, which is another category's: springs that are all longer than at
+// rest have it, and those that are all shorter have it without the term.
 void expect_filtered(Trial& trial, const Springs& springs, const Posed& longer, const Posed& shorter,
                      const VectorXd& dx) {
   const VectorXd full = springs.product(trial, longer, dx);
@@ -178,7 +179,8 @@ void expect_along_a_line(Trial& trial, const Springs& springs, const Posed& line
               "the product across a line, without the geometric term");
 }
 
-// In a bent strand each spring has its own direction u: if its one end moves, what is left at the other one is the part along u.
+// In a bent strand each spring has its own direction u: if its one end moves, what is left at the other one
+// is the part along u.
 void expect_own_directions(Trial& trial, const Springs& springs, const Posed& bent) {
   for (int i = 0; i + springs.apart < bent.strand.count(); ++i) {
     VectorXd dx = VectorXd::Zero(bent.x.size());
@@ -194,7 +196,8 @@ void expect_own_directions(Trial& trial, const Springs& springs, const Posed& be
   }
 }
 
-// One of two springs is longer than at rest, and the other shorter: each has its own term. `moved` is an end of one alone.
+// One of two springs is longer than at rest, and the other shorter: each has its own term. `moved` is an end
+// of one alone.
 void expect_own_term(Trial& trial, const Springs& springs, const Posed& two, int moved, bool longer) {
   VectorXd dx = VectorXd::Zero(two.x.size());
   dx.segment<3>(3 * moved) = random_vector(trial.random, 3);
@@ -232,7 +235,8 @@ void filtered_products_of_springs(Trial& trial, const Springs& springs) {
 
 void rest_lengths_of_springs(Trial& trial, const Springs& springs) {
   Random& random = trial.random;
-  // One spring at the same strain, long or short, its rest length divided somehow: the same force, an energy as l0, products as 1/l0.
+  // One spring at the same strain, long or short, its rest length divided somehow: the same force, an energy
+  // as l0, products as 1/l0.
   Strand strand = checks::ordinary_strand(random, 1 + springs.apart);
   const double strain = random.uniform(0.1, 0.4), whole = checks::ordinary_number(random, 0.3, 2.3);
   const Vector3d direction = checks::ordinary_direction(random);
@@ -246,8 +250,8 @@ void rest_lengths_of_springs(Trial& trial, const Springs& springs) {
     forces.push_back(springs.force(trial, posed).norm());
     products.push_back(springs.product(trial, posed, dx).norm() * part);
   }
-  // strain is known to about 4 u of a length, relative to itself to 4 u / strain. Multiplied out, either energy is off by
-  // another 4 u k (l + l0)^2, relative to k (l - l0)^2 / 2.
+  // strain is known to about 4 u of a length, relative to itself to 4 u / strain. Multiplied out, either
+  // energy is off by another 4 u k (l + l0)^2, relative to k (l - l0)^2 / 2.
   const double multiplied_out = 16 * kUnit * std::pow((2 + strain) / strain, 2);
   expect_all_equal(trial, energies, 128 * kUnit / strain + multiplied_out,
                    "how a spring's energy over its rest length changes with that length");
@@ -299,8 +303,8 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
     posed.name = "two springs, one without a length";
     posed.x.segment<3>(3 * (which + springs.apart)) = Vector3d(posed.x.segment<3>(3 * which));
     const Posed alone = part_of(posed, 1 - which, 1 + springs.apart);
-    // It has the energy of one that is hardly longer than nothing: they differ by k l0 times that length, or a few
-    // times that if the factor in front is wrong.
+    // It has the energy of one that is hardly longer than nothing: they differ by k l0 times that length, or
+    // a few times that if the factor in front is wrong.
     constexpr double kHardly = 0x1p-30;
     Posed short_one = part_of(posed, which, 1 + springs.apart);
     short_one.x.tail<3>() += kHardly * checks::ordinary_direction(random);

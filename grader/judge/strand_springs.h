@@ -1,16 +1,17 @@
-// STAFF ONLY. What H1 and H3 share, whose springs join each particle with the next one or the one after it: the functions, bounds of
-// rounding errors, hidden cases.
+// STAFF ONLY. What H1 and H3 share, whose springs join each particle with the next one or the one after it:
+// the functions, bounds of rounding errors, hidden cases.
 //
-// Rounding. A spring's vector comes out of one subtraction, so that its length l has a relative error of a few u = 2^-53, wherever
-// the strand is. What is compared has gone through less than 16 more operations in either program, hence 64 u of
+// Rounding. A spring's vector comes out of one subtraction, so that its length l has a relative error of a
+// few u = 2^-53, wherever the strand is. What is compared has gone through less than 16 more operations in
+// either program, hence 64 u of
 //
 //   k (l + l0)              N        for a spring's force
 //   k (1 + l0/l) |de|       N        for its product with a change de
 //   k |l - l0| (l + l0)     N m      for its energy, and u for each term of the sum
 //
-// A right energy may also be written k (l^2 - 2 l l0 + l0^2) / 2. Its terms cancel near l0: two products, a difference
-// and a sum round by u of at most (l + l0)^2 each, and l^2 may be known without the rounding of l, 4 u of it. That is
-// at most 8 u (l + l0)^2 k / 2, hence another
+// A right energy may also be written k (l^2 - 2 l l0 + l0^2) / 2. Its terms cancel near l0: two products, a
+// difference and a sum round by u of at most (l + l0)^2 each, and l^2 may be known without the rounding of l,
+// 4 u of it. That is at most 8 u (l + l0)^2 k / 2, hence another
 //
 //   4 u k (l + l0)^2        N m      for its energy
 //
@@ -79,7 +80,8 @@ void energies_of_springs(Trial& trial, const Springs& springs);
 void forces_of_springs(Trial& trial, const Springs& springs);
 void exact_products_of_springs(Trial& trial, const Springs& springs);
 
-// The following compare the student's answers with each other, so that a mistake elsewhere does not count again.
+// The following compare the student's answers with each other, so that a mistake elsewhere does not count
+// again.
 void filtered_products_of_springs(Trial& trial, const Springs& springs);
 void rest_lengths_of_springs(Trial& trial, const Springs& springs);
 void added_by_springs(Trial& trial, const Springs& springs);

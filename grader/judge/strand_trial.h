@@ -1,4 +1,5 @@
-// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: a student's answers about strands, strands and states as inputs, and comparisons with the reference.
+// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: a student's answers about strands, strands
+// and states as inputs, and comparisons with the reference.
 #pragma once
 
 #include <Eigen/Core>
@@ -63,9 +64,9 @@ void expect_size(Trial& trial, double actual, double expected, const std::string
 // For cases that compare a student's answers with each other: zeros must not have the property.
 void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& what);
 
-// An answer in other units of length and force, `metre` and `newton` times ours: each number is what it was, times newton, times a power of
-// metre. Which power that is, another category asks; here it is the same in all units. No entry, over the largest one, is off by
-// more than `rounding` over the largest of `expected`.
+// An answer in other units of length and force, `metre` and `newton` times ours: each number is what it was,
+// times newton, times a power of metre. Which power that is, another category asks; here it is the same in
+// all units. No entry, over the largest one, is off by more than `rounding` over the largest of `expected`.
 class InUnits {
  public:
   InUnits(Trial& trial, VectorXd expected, double rounding, std::string what)
@@ -85,7 +86,8 @@ class InUnits {
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
                       const std::string& what);
 
-// A strand of handout/check/ordinary.h whose rest lengths are `metres`: these and what a constant is made of are one category's.
+// A strand of handout/check/ordinary.h whose rest lengths are `metres`: these and what a constant is made of
+// are one category's.
 Strand even_strand(Random& random, int count, double metres = 1);
 
 struct Range {

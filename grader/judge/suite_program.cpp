@@ -57,8 +57,8 @@ int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&)) {
 
 }  // namespace grader::judge
 
-// In a build with sanitisers: looking for leaks when the process ends fails now and then beside OSMesa's threads, and a
-// submission would have no result. The suite's own tests look for leaks in the same code.
+// In a build with sanitisers: looking for leaks when the process ends fails now and then beside OSMesa's
+// threads, and a submission would have no result. The suite's own tests look for leaks in the same code.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the sanitiser's name
 extern "C" int __lsan_is_turned_off() {
   return 1;

@@ -1,6 +1,6 @@
-// STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. A case is a call of the student's
-// function, or a few calls in a row, with what is expected of the answers until the next case. The first failing case ends its category; how many there are is
-// counted later.
+// STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. A case is a call of the
+// student's function, or a few calls in a row, with what is expected of the answers until the next case. The
+// first failing case ends its category; how many there are is counted later.
 //
 // A failure has two readers. The student sees the missing property and the size of an error in bands; staff
 // see inputs, expected and actual values.
@@ -29,8 +29,8 @@ struct CaseFailed {
 inline constexpr const char* kTooManyProducts =
     "takes more products with the matrix than the step limit allows";
 
-// A student's numbers that belong together, beside what is expected. Wrong ones may look like a mistake, which the student reads
-// (hint_for_students.h). They decide nothing.
+// A student's numbers that belong together, beside what is expected. Wrong ones may look like a mistake,
+// which the student reads (hint_for_students.h). They decide nothing.
 struct Compared {
   Eigen::VectorXd actual, expected;
   int block = 3;                     // so many are a particle's
@@ -52,7 +52,8 @@ struct Bound {
   double most() const { return promised + rest; }
 };
 
-// What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
+// What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either
+// way.
 enum class WhenWrong { stop, count };
 
 class Trial {
@@ -94,7 +95,8 @@ class Trial {
   // Of the last case, see Student.
   const std::vector<ProvidedSolve>& provided_solves() const { return student_.provided_solves(); }
 
-  // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
+  // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends
+  // them.
   void ask_aside(const std::function<void()>& questions);
 
   // How near errors came to their bounds: of each quantity the largest (error - promised) / rest.
@@ -128,8 +130,8 @@ struct CaseCount {
   int cases = 0, held = 0;  // held < cases
 };
 
-// Of a category that failed, how many of its cases hold. Nothing if there is no answer on the way, or none that the rest can go on
-// with; or if nothing fails, this time.
+// Of a category that failed, how many of its cases hold. Nothing if there is no answer on the way, or none
+// that the rest can go on with; or if nothing fails, this time.
 std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source);
 
 // The ratio of error and bound, in bands: an exact number could reveal a hidden case's value.

@@ -1,6 +1,6 @@
-// STAFF ONLY. Mutants that are right programs nevertheless, in reference/<ID>/equivalents.json: the line and what is changed in it, as in
-// mutation.h, and why it does not matter. `occurrence` says which, where a line has what is changed more than once: from 1, which is
-// what it is without the key.
+// STAFF ONLY. Mutants that are right programs nevertheless, in reference/<ID>/equivalents.json: the line and
+// what is changed in it, as in mutation.h, and why it does not matter. `occurrence` says which, where a line
+// has what is changed more than once: from 1, which is what it is without the key.
 #pragma once
 
 #include <filesystem>

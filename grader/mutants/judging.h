@@ -1,5 +1,6 @@
-// STAFF ONLY. What the suite takes of wrong programs, as hairgrade would, but only as far as needed: cases and the whole run first, and
-// its pictures and the look for memory errors for those alone that pass all of these.
+// STAFF ONLY. What the suite takes of wrong programs, as hairgrade would, but only as far as needed: cases
+// and the whole run first, and its pictures and the look for memory errors for those alone that pass all of
+// these.
 #pragma once
 
 #include <string>

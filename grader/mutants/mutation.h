@@ -1,5 +1,5 @@
-// STAFF ONLY. Mutants: wrong programs that are made of a right one by one small change (DeMillo, Lipton, Sayward 1978). A suite that
-// gives one of them all points does not ask for what the change broke.
+// STAFF ONLY. Mutants: wrong programs that are made of a right one by one small change (DeMillo, Lipton,
+// Sayward 1978). A suite that gives one of them all points does not ask for what the change broke.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,13 @@ namespace grader::inline mutants {
 struct Mutation {
   std::size_t at, length;  // the bytes of the source that go
   std::string instead;     // what stands in their place
-  // "operator", "comparison", "constant", "index", "argument", "name", "sign", "condition", "function", "statement"
+  // "operator", "comparison", "constant", "index", "argument", "name", "sign", "condition", "function",
+  // "statement"
   std::string kind;
 };
 
-// All changes of a C++ source as clang-format writes it, in its order. It looks at words and signs alone, so some do not compile, and
-// some change nothing.
+// All changes of a C++ source as clang-format writes it, in its order. It looks at words and signs alone, so
+// some do not compile, and some change nothing.
 std::vector<Mutation> mutations_of(const std::string& source);
 
 // All of them in the order in which they are tried: one of each kind in turn, drawn by the seed.

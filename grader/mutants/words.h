@@ -1,4 +1,5 @@
-// STAFF ONLY. A C++ source as its words and signs, for mutants: no comments, no text in quotes, no lines of the preprocessor.
+// STAFF ONLY. A C++ source as its words and signs, for mutants: no comments, no text in quotes, no lines of
+// the preprocessor.
 #pragma once
 
 #include <string>

@@ -130,7 +130,8 @@ std::pair<double, double> points_in(const std::string& text) {
   return points;
 }
 
-// "2. P1, H1: your first hair, ..., `hairlab view limp-hair`.": the exercises play the scene, as golden/scenes.md has it.
+// "2. P1, H1: your first hair, ..., `hairlab view limp-hair`.": the exercises play the scene, as
+// golden/scenes.md has it.
 TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
   const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
   std::istringstream readme(hair::bytes_of(root_ / "handout/README.md"));
@@ -344,8 +345,8 @@ TEST_F(RealProject, NamesAllPackagesInTheReadme) {
   EXPECT_EQ(brew, std::set<std::string>());
 }
 
-// The standard library of macOS is libc++, which has none of these. (Numbers that are no whole numbers have no std::from_chars there:
-// the nightly's stage libcxx compiles everything.)
+// The standard library of macOS is libc++, which has none of these. (Numbers that are no whole numbers have
+// no std::from_chars there: the nightly's stage libcxx compiles everything.)
 TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
   for (const auto& [path, text] : handout_files(sources_, course_)) {
     if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;

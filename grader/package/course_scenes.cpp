@@ -35,7 +35,8 @@ std::string missing_scene_in(const std::string& text, const Paths& missing) {
 std::optional<std::string> command_line(const std::string& line, const Paths& shipped, const Paths& missing) {
   const std::string scene = missing_scene_in(line, missing);
   if (scene.empty()) return line;
-  // Examples of a command, for which any hair does; the last ones are no strands with springs, and can only be played.
+  // Examples of a command, for which any hair does; the last ones are no strands with springs, and can only
+  // be played.
   static constexpr std::array kExamples{"strand-swing", "head-of-hair"};
   static constexpr std::array kStandIns{"long-straight", "wavy",        "skip-springs", "rigid-links",
                                         "pendulum",      "super-helix", "rod-pendulum", "cloth-patch"};

@@ -33,7 +33,8 @@ std::vector<const Exercise*> exercises_in(std::string cell, const Course& course
   return found;
 }
 
-// Tells the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", that calls an exercise which the course lacks.
+// Tells the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", that calls an exercise which the course
+// lacks.
 bool is_of_absent_scene(const std::string& line, const Course& course) {
   if (!line.starts_with("| [")) return false;
   std::istringstream cells(line);
@@ -92,7 +93,8 @@ std::string exercise_rows(const Course& course) {
   return rows;
 }
 
-// The place to which a path of the project ships: a folder goes where its files go. Empty if it does not ship.
+// The place to which a path of the project ships: a folder goes where its files go. Empty if it does not
+// ship.
 std::string destination_of(const std::string& path, const Shipped& shipped) {
   const auto found = shipped.lower_bound(path);
   if (found == shipped.end() || !found->first.starts_with(path)) return "";

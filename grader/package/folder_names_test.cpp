@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kGenerators[] = {"Unix Makefiles", "Ninja"};
 
-// Configures and builds a project in a folder of this name. Returns CMake's complaint, empty if there is none.
+// Configures and builds a project in a folder of this name. Returns CMake's complaint, empty if there is
+// none.
 std::string configuring(const std::string& name, const std::string& generator) {
   const hair::TemporaryFolder temporary("folder-names");
   const fs::path folder = temporary.path() / name, errors = temporary.path() / "errors";

@@ -40,7 +40,8 @@ std::size_t length_of_escape(std::string_view text) {
   return 0;
 }
 
-// The letters, digits and underscores of a text, one after the other: neither its layout nor marks of comments change them.
+// The letters, digits and underscores of a text, one after the other: neither its layout nor marks of
+// comments change them.
 struct Letters {
   std::string text;
   std::vector<int> line;            // of each

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The platform ends a hand-in without any results: we end it before. Half a processor writes the last of them in a few seconds.
+// The platform ends a hand-in without any results: we end it before. Half a processor writes the last of them
+// in a few seconds.
 constexpr int kSecondsBefore = 30;
 
 // All that the build needs lies in these.
@@ -60,7 +61,8 @@ bool is_below(const std::string& path, std::initializer_list<const char*> folder
   return std::ranges::any_of(folders, [&](const char* folder) { return path.starts_with(folder); });
 }
 
-// The public checks' package leaves these out: hidden cases, the engine, right and wrong solutions, and the tests of all that.
+// The public checks' package leaves these out: hidden cases, the engine, right and wrong solutions, and the
+// tests of all that.
 bool is_hidden(const std::string& path) {
   const fs::path file(path);
   const bool tests = path.starts_with("grader/") && file.stem().string().ends_with("_test");
@@ -152,7 +154,8 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
 }
 
 std::string advice_for_gradescope(const Course& course, int minutes) {
-  // A right hand-in's CPU seconds for an exercise, and for what comes before and after all of them: grader/MEASURED.md, "On Gradescope".
+  // A right hand-in's CPU seconds for an exercise, and for what comes before and after all of them:
+  // grader/MEASURED.md, "On Gradescope".
   constexpr double kForAnExercise = 7, kBesides = 20, kProcessor = 0.5, kSlower = 1.5;
   // A hand-in that goes to each limit, whatever its budget, takes as many times what a right one does.
   constexpr double kGreedy = 4;

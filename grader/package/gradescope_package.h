@@ -1,6 +1,6 @@
-// STAFF ONLY. Makes autograder.zip for Gradescope: the project's sources, the staff's secret, and the two scripts that the platform runs
-// (grader/package/gradescope): setup.sh once, when it makes the image, and run_autograder for each hand-in. Nothing that was built here is
-// in it, for the image is another system.
+// STAFF ONLY. Makes autograder.zip for Gradescope: the project's sources, the staff's secret, and the two
+// scripts that the platform runs (grader/package/gradescope): setup.sh once, when it makes the image, and
+// run_autograder for each hand-in. Nothing that was built here is in it, for the image is another system.
 #pragma once
 
 #include <filesystem>
@@ -18,12 +18,13 @@ struct GradescopePackage {
   std::string hand_in;  // of a course with several
   int minutes = 10;     // that the platform gives a hand-in
   bool leaderboard = false;
-  // The public checks alone, for the days before the deadline: no secret, stubs in the reference's place, and no hidden cases.
+  // The public checks alone, for the days before the deadline: no secret, stubs in the reference's place, and
+  // no hidden cases.
   bool checks_only = false;
 };
 
-// The same project and secret give the same bytes. Throws BadInput for what can't be read or written, and HandoutError if the public
-// checks' package held lines of the reference; then `out` stays unchanged.
+// The same project and secret give the same bytes. Throws BadInput for what can't be read or written, and
+// HandoutError if the public checks' package held lines of the reference; then `out` stays unchanged.
 void write_gradescope_package(const HandoutSources& sources, const std::string& secret, const Course& course,
                               const GradescopePackage& package);
 

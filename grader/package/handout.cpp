@@ -105,7 +105,8 @@ Paths accepted_files(const HandoutSources& sources) {
   return accepted;
 }
 
-// The solutions, in whatever form: the reference, and right programs. Cases and tests ask what public checks ask, too.
+// The solutions, in whatever form: the reference, and right programs. Cases and tests ask what public checks
+// ask, too.
 Files solutions_of(const HandoutSources& sources, const Course& course) {
   Files files;
   const auto add = [&](const fs::path& path) {
@@ -121,7 +122,8 @@ Files solutions_of(const HandoutSources& sources, const Course& course) {
   return files;
 }
 
-// The files are dated by the newest commit. Sources without one, or with one that is still to come, have a date of their own.
+// The files are dated by the newest commit. Sources without one, or with one that is still to come, have a
+// date of their own.
 std::time_t date_of(const fs::path& root) {
   const hair::TemporaryFolder folder("handout-date");
   const fs::path said = folder.path() / "said";

@@ -16,13 +16,14 @@ struct ManifestLine {
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
-// The path of an exercise's file in the handout, "stubs/conj_grad.cpp.stub": the handout's build copies it to student/ if it is not there.
-// Its name is no exercise file's: a hand-in may hold the whole handout.
+// The path of an exercise's file in the handout, "stubs/conj_grad.cpp.stub": the handout's build copies it to
+// student/ if it is not there. Its name is no exercise file's: a hand-in may hold the whole handout.
 std::string stub_of(const Exercise& exercise);
 
-// The files for this course: those of its exercises (exercises.json), and those that the lines of root/handout/manifest.txt and the
-// folders in it name. Throws BadInput with file and line for a line that can't be parsed, names an unknown exercise or a folder without
-// files, points outside the project or the handout, or repeats a destination; and HandoutError for a folder that does not ship as one.
+// The files for this course: those of its exercises (exercises.json), and those that the lines of
+// root/handout/manifest.txt and the folders in it name. Throws BadInput with file and line for a line that
+// can't be parsed, names an unknown exercise or a folder without files, points outside the project or the
+// handout, or repeats a destination; and HandoutError for a folder that does not ship as one.
 std::vector<ManifestLine> read_manifest(const std::filesystem::path& root, const Course& course);
 
 }  // namespace grader::package

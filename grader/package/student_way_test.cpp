@@ -55,7 +55,8 @@ class StudentsWay : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
   }
 
-  // The checks have AddressSanitizer, and start wherever the kernel puts memory. Code 77: that can't be tried here.
+  // The checks have AddressSanitizer, and start wherever the kernel puts memory. Code 77: that can't be tried
+  // here.
   Ran start(int times, const std::string& programs) const {
     return run("'" + (sources_.root / "grader/tests/random_addresses").string() + "' " +
                std::to_string(times) + " --gtest_list_tests " + programs);
@@ -196,7 +197,8 @@ std::vector<std::string> commands_behind(const std::string& readme, const std::s
   return lines;
 }
 
-// From an empty folder to hair of one's own in a browser: unpacking, two files that are written, and what the README says.
+// From an empty folder to hair of one's own in a browser: unpacking, two files that are written, and what the
+// README says.
 TEST_F(SlowWay, IsShortToTheFirstHair) {
   unpack();
   const fs::path own = folder_ / "hair-assignment";
@@ -231,8 +233,8 @@ TEST_F(SlowWay, IsShortToTheFirstHair) {
       << "the page's script says the time that it shows: " << browser.output.substr(moment, 200);
 }
 
-// The second compiler: an exercise with its prerequisite, and the given code that its checks need. H4's need most of it, and are
-// left to the slow tests.
+// The second compiler: an exercise with its prerequisite, and the given code that its checks need. H4's need
+// most of it, and are left to the slow tests.
 void StudentsWay::pass_with_another_compiler(const std::string& exercise, int starts) {
   const std::string compiler = HAIR_OTHER_COMPILER;
   if (!fs::exists(compiler)) GTEST_SKIP() << "there is no clang++; it is in the package clang";

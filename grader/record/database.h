@@ -1,7 +1,9 @@
-// STAFF ONLY. A small face of SQLite: a file that several processes may use at once, and statements with values.
+// STAFF ONLY. A small face of SQLite: a file that several processes may use at once, and statements with
+// values.
 //
-// On a local file system the journal is a write-ahead log, else a rollback journal: write-ahead logs need shared memory, which
-// network file systems don't have; on some of them databases were damaged without a word.
+// On a local file system the journal is a write-ahead log, else a rollback journal: write-ahead logs need
+// shared memory, which network file systems don't have; on some of them databases were damaged without a
+// word.
 //
 // The process must never open and close the database's file by other means: that drops SQLite's locks.
 #pragma once
@@ -22,7 +24,8 @@ namespace grader::inline record {
 
 enum class Journal { best, rollback };  // best: a write-ahead log where the file system is known to allow it
 
-// Tells whether a file system with this f_type (statfs) has shared memory for all that use it. Unknown ones are taken for remote.
+// Tells whether a file system with this f_type (statfs) has shared memory for all that use it. Unknown ones
+// are taken for remote.
 bool is_local_file_system(std::uint64_t kind);
 
 struct Blob {
@@ -46,7 +49,8 @@ class DatabaseRow {
 
 class Database {
  public:
-  // Makes the file if it is not there; nobody else can read it. All errors are BadInput, a line that names the file.
+  // Makes the file if it is not there; nobody else can read it. All errors are BadInput, a line that names
+  // the file.
   explicit Database(std::filesystem::path file, Journal journal = Journal::best);
 
   void run(std::string_view sql, std::initializer_list<Value> values = {});
@@ -73,7 +77,8 @@ class Database {
   std::unique_ptr<sqlite3, Close> connection_;
 };
 
-// All or nothing: without commit() all of it is taken back. One that writes has the right to it from its begin on.
+// All or nothing: without commit() all of it is taken back. One that writes has the right to it from its
+// begin on.
 class Transaction {
  public:
   enum Kind { writes, reads };  // reads: sees one state of the file, and needs no commit

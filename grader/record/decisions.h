@@ -1,5 +1,5 @@
-// STAFF ONLY. Decisions of people about a student's results. They stand beside what was computed and never replace it, so they
-// survive each regrade, and can be taken back.
+// STAFF ONLY. Decisions of people about a student's results. They stand beside what was computed and never
+// replace it, so they survive each regrade, and can be taken back.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,8 @@ struct Decision {
   std::string at = {};
 };
 
-// Throws BadInput, a line that says what would be right: for a place that the result does not have, for points that the place is not
-// worth, and for a reason that is missing. Sets `computed`.
+// Throws BadInput, a line that says what would be right: for a place that the result does not have, for
+// points that the place is not worth, and for a reason that is missing. Sets `computed`.
 void check(Decision& decision, const SubmissionResult& computed);
 
 // With all decisions and their reasons, for students and staff. Places that are no more change nothing.

@@ -1,11 +1,12 @@
-// STAFF ONLY. The hand-ins of a course, from the course file: eight weeks are several hand-ins with one record.
+// STAFF ONLY. The hand-ins of a course, from the course file: eight weeks are several hand-ins with one
+// record.
 //
 //   {"exercises": {}, "hand_in": {"zone": "Europe/Berlin", "late_per_cent_a_day": 10, "free_days_in_all": 5},
 //    "hand_ins": {"week 1": {"exercises": ["S1"], "due": "2025-03-04 23:59"},
 //                 "week 3": {"exercises": ["H1", "H2"], "due": "2025-03-18 23:59", "column": "Week 3 (4711)", "free_days": 1}}}
 //
-// "hand_in" has the rules that all share (rules.h), and each hand-in its own beside them or in their place. An exercise is in one
-// hand-in. Without "hand_ins" the course has one, of all exercises, and no name.
+// "hand_in" has the rules that all share (rules.h), and each hand-in its own beside them or in their place.
+// An exercise is in one hand-in. Without "hand_ins" the course has one, of all exercises, and no name.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +32,8 @@ std::vector<CourseHandIn> read_hand_ins(const Course& course,
 CourseHandIn read_hand_in(const Course& course, const std::optional<std::filesystem::path>& course_json,
                           const std::string& name);
 
-// Throws BadInput if `names` are some and `name` is none of them, or if they are none and `name` is one. `where` has them.
+// Throws BadInput if `names` are some and `name` is none of them, or if they are none and `name` is one.
+// `where` has them.
 void check_hand_in(const std::string& name, const std::vector<std::string>& names, const std::string& where);
 
 // The folder of its pages below the record's: ASCII letters, digits, '-' and '_'. "" for "".

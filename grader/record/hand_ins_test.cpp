@@ -1,4 +1,5 @@
-// STAFF ONLY. A course file names its hand-ins, and each has results, decisions and lateness of its own in one record.
+// STAFF ONLY. A course file names its hand-ins, and each has results, decisions and lateness of its own in
+// one record.
 #include "grader/record/hand_ins.h"
 
 #include <gtest/gtest.h>

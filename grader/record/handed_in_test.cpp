@@ -1,4 +1,5 @@
-// STAFF ONLY. What a record knows of a version that was handed in: its time, the learning system's mark, and whose it was.
+// STAFF ONLY. What a record knows of a version that was handed in: its time, the learning system's mark, and
+// whose it was.
 #include <gtest/gtest.h>
 
 #include "grader/record/record.h"

@@ -1,5 +1,5 @@
-// STAFF ONLY. Four processes write to two hand-ins of one record, and each is killed at a random time, again and again: what a process was told as
-// done is there once, and a result and its log agree.
+// STAFF ONLY. Four processes write to two hand-ins of one record, and each is killed at a random time, again
+// and again: what a process was told as done is there once, and a result and its log agree.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
-// STAFF ONLY. The points of a grading, small enough to be kept of each one: the log has them, and a comparison with an earlier
-// grading needs no more.
+// STAFF ONLY. The points of a grading, small enough to be kept of each one: the log has them, and a
+// comparison with an earlier grading needs no more.
 #pragma once
 
 #include <string>

@@ -131,8 +131,8 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
-  // A table of times is not given each time. Rows of older records don't say which files they had: the newest one counts there, so that
-  // nobody becomes later.
+  // A table of times is not given each time. Rows of older records don't say which files they had: the newest
+  // one counts there, so that nobody becomes later.
   std::string before;
   for (const std::string& files : {handed_in.files, std::string()})
     if (before.empty() && !handed_in.files.empty())

@@ -1,12 +1,12 @@
-// STAFF ONLY. The record of a class: one file, class.sqlite, that holds what can't be made again or must agree: results, costs,
-// hand-ins, what a student's inputs are drawn from, decisions of people, and who did what and when. Pages, CSV and JSON are made
-// from it, and never read back.
+// STAFF ONLY. The record of a class: one file, class.sqlite, that holds what can't be made again or must
+// agree: results, costs, hand-ins, what a student's inputs are drawn from, decisions of people, and who did
+// what and when. Pages, CSV and JSON are made from it, and never read back.
 //
-// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and what inputs are drawn from. An object
-// of this class is about one of them, but where a comment says otherwise.
+// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and what inputs
+// are drawn from. An object of this class is about one of them, but where a comment says otherwise.
 //
-// Several processes and threads may use it at once. Each change is one transaction: a process that is killed leaves all of it or
-// nothing.
+// Several processes and threads may use it at once. Each change is one transaction: a process that is killed
+// leaves all of it or nothing.
 #pragma once
 
 #include <filesystem>
@@ -60,7 +60,8 @@ class Record {
   static bool is_in(const std::filesystem::path& folder);
 
   // Makes it if it is not there; the folder is. Throws BadInput as Database and migrate do.
-  // `hand_in` is "" where the course has one without a name. One that is new is there from the first change on.
+  // `hand_in` is "" where the course has one without a name. One that is new is there from the first change
+  // on.
   explicit Record(const std::filesystem::path& folder, Journal journal = Journal::best);
   Record(const std::filesystem::path& folder, std::string hand_in, Journal journal = Journal::best);
 
@@ -75,7 +76,8 @@ class Record {
   // The names of their rows, by whose they are (same_people.h).
   std::vector<RowName> row_names(const std::vector<HandIn>& hand_ins);
 
-  // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people comes first.
+  // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people
+  // comes first.
   std::string drawn_from(const std::string& name);
 
   // Replaces the earlier result of this student; the log has both. Without a time, one that these files had
@@ -86,20 +88,22 @@ class Record {
   std::string set_handed_in(const std::string& name, const HandedIn& handed_in);
   std::string handed_in(const std::string& name);  // the time; "": nobody knows it
 
-  // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one. With `only` one
-  // owner is stored; all tell whose earlier hand-ins are.
+  // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier
+  // one. With `only` one owner is stored; all tell whose earlier hand-ins are.
   void put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster = {},
                   const std::optional<std::string>& only = {});
   // By hand-in, of all that have an owner; nothing where grading is blind.
   NamesForPeople names_for_people();
 
-  // Blind grading: names are codes from the first result on. set_blind throws BadInput if there are results under names.
+  // Blind grading: names are codes from the first result on. set_blind throws BadInput if there are results
+  // under names.
   bool is_blind();
   void set_blind();
   std::map<std::string, std::string> codes();  // by the name that intake found
   std::optional<HiddenNames> hidden_names();   // nothing if grading is not blind
 
-  // With a result, by name. One without an owner, of an older record, has none here. Of the course: the owner of the latest.
+  // With a result, by name. One without an owner, of an older record, has none here. Of the course: the owner
+  // of the latest.
   enum class Of { hand_in, course };
   std::vector<HandIn> hand_ins(Of of = Of::hand_in);
   // Nothing if no roster was given so far.
@@ -113,7 +117,8 @@ class Record {
     std::string files;   // the hash of those that it was graded for; "": nobody knows it
   };
   std::map<std::string, Row> rows();  // by name
-  // As it was computed; and with the decisions of people, under the rules of the hand-in. Throw BadInput if it is damaged.
+  // As it was computed; and with the decisions of people, under the rules of the hand-in. Throw BadInput if
+  // it is damaged.
   std::optional<Recorded> find(const std::string& name);
   std::optional<Recorded> find_decided(const std::string& name);
 
@@ -132,8 +137,8 @@ class Record {
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
-  // Replaces an earlier one of this kind and place. Throws BadInput as check does, and for an unknown name; undo does so, too, if
-  // there is no such decision.
+  // Replaces an earlier one of this kind and place. Throws BadInput as check does, and for an unknown name;
+  // undo does so, too, if there is no such decision.
   void decide(const std::string& name, Decision decision);
   void undo(const std::string& name, DecisionKind kind, const std::string& place);
 
@@ -141,8 +146,8 @@ class Record {
   ClassCosts costs();
   std::string now();  // "2025-03-04 10:15:22" (UTC)
 
-  // Files of the last run's input that reached no hand-in, and notices. Replaces those of an earlier run; leaves out those of people
-  // whom it does not know.
+  // Files of the last run's input that reached no hand-in, and notices. Replaces those of an earlier run;
+  // leaves out those of people whom it does not know.
   void set_listed(const std::vector<Accounted>& listed);
   std::vector<Accounted> listed();
 
@@ -153,8 +158,9 @@ class Record {
   // Oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);
 
-  // Removes all of a person, of all hand-ins, and on the roster, too. Throws BadInput for an unknown name. Then shred() clears free pages and journal of all bytes that were
-  // deleted; it throws BadInput if another process reads for a minute meanwhile.
+  // Removes all of a person, of all hand-ins, and on the roster, too. Throws BadInput for an unknown name.
+  // Then shred() clears free pages and journal of all bytes that were deleted; it throws BadInput if another
+  // process reads for a minute meanwhile.
   void forget(const std::string& name);
   void shred();
 

@@ -1,4 +1,5 @@
-// STAFF ONLY. What the hand-ins of one record have in common: their order, the course's free days, and totals.
+// STAFF ONLY. What the hand-ins of one record have in common: their order, the course's free days, and
+// totals.
 #include <algorithm>
 
 #include "grader/record/record.h"

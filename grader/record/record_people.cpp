@@ -1,4 +1,5 @@
-// STAFF ONLY. Owners and the roster in the record. What the class looks like is found anew from both each time.
+// STAFF ONLY. Owners and the roster in the record. What the class looks like is found anew from both each
+// time.
 #include <algorithm>
 
 #include "grader/course/input.h"

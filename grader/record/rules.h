@@ -1,16 +1,19 @@
-// STAFF ONLY. The rules of a hand-in, from the course file's "hand_in": when it is due, what lateness costs, and how much extra credit
-// counts. They change totals and no category, so that they can change without grading again.
+// STAFF ONLY. The rules of a hand-in, from the course file's "hand_in": when it is due, what lateness costs,
+// and how much extra credit counts. They change totals and no category, so that they can change without
+// grading again.
 //
 //   {"hand_in": {"due": "2025-03-04 23:59", "zone": "Europe/Berlin", "grace_minutes": 10, "free_days": 1,
 //                "late_per_cent_a_day": 10, "late_of": "reached", "late_per_cent_at_most": 50, "total_per_cent_at_most": 110}}
 //
-// The due date is one of the clock in the course's zone (zone.h), and so are times without an offset. A late day ends when that clock
-// shows the due time again, so that a change of the clock costs nobody a day. Within the due minute is not late.
+// The due date is one of the clock in the course's zone (zone.h), and so are times without an offset. A late
+// day ends when that clock shows the due time again, so that a change of the clock costs nobody a day. Within
+// the due minute is not late.
 //
-// "late_of": per cent of the points that the student has "reached", or of all that are "reachable"; never below 0 in all.
+// "late_of": per cent of the points that the student has "reached", or of all that are "reachable"; never
+// below 0 in all.
 //
-// Without "total_per_cent_at_most" the total counts up to 100 per cent: extra credit makes up for points that were lost elsewhere, and
-// a total beyond the full points would be refused or cut by most gradebooks.
+// Without "total_per_cent_at_most" the total counts up to 100 per cent: extra credit makes up for points that
+// were lost elsewhere, and a total beyond the full points would be refused or cut by most gradebooks.
 #pragma once
 
 #include <optional>
@@ -56,10 +59,12 @@ struct Fields<HandInRules> {
 
 namespace grader::inline record {
 
-// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place and what would be right.
+// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place and
+// what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
 
-// How many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing without both times.
+// How many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing without
+// both times.
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in);
 
 // Days for one student beyond the hand-in's own free ones.

@@ -29,7 +29,8 @@ bool has_ids_of_groups(const HandIn& a, const HandIn& b) {
          !b.owner.id.empty() && !(a.system == "canvas" && members);
 }
 
-// 0: others. The share of people in both among those in either; an id of the group says more, and an own row of one person all.
+// 0: others. The share of people in both among those in either; an id of the group says more, and an own row
+// of one person all.
 double sameness(const HandIn& a, const HandIn& b) {
   constexpr double kById = 2, kByName = 3;
   const bool same_system = a.system == b.system;

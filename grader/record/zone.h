@@ -1,8 +1,9 @@
-// STAFF ONLY. The clock of the course's place. Its zone is a name of the IANA's list, "Europe/Berlin"; the machine's tzdata has the
-// rules. A time that is written without an offset is one of this clock.
+// STAFF ONLY. The clock of the course's place. Its zone is a name of the IANA's list, "Europe/Berlin"; the
+// machine's tzdata has the rules. A time that is written without an offset is one of this clock.
 //
-// When the clock is set back, an hour comes twice; when it is set forward, one is missing. A time of the course's clock in such an hour
-// is what is better for the student: a due date the later moment, a hand-in the earlier one.
+// When the clock is set back, an hour comes twice; when it is set forward, one is missing. A time of the
+// course's clock in such an hour is what is better for the student: a due date the later moment, a hand-in
+// the earlier one.
 #pragma once
 
 #include <chrono>

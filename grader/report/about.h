@@ -14,11 +14,12 @@ struct About {
   bool operator==(const About&) const = default;
 };
 
-// A question is a line that has its words, or the first one alone, and then a colon; its answer goes on until the next question. Text
-// before the first one is no answer.
+// A question is a line that has its words, or the first one alone, and then a colon; its answer goes on until
+// the next question. Text before the first one is no answer.
 About read_about(const std::string& text);
 
-// The first number of an answer, with a point or a comma: "about 12,5 h" is 12.5. Nothing without one, or beyond 1000.
+// The first number of an answer, with a point or a comma: "about 12,5 h" is 12.5. Nothing without one, or
+// beyond 1000.
 std::optional<double> hours_of(const About& about);
 
 }  // namespace grader::report

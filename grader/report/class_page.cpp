@@ -30,7 +30,8 @@ Html list_of(const Html& heading, std::size_t count, const Html& items, const ch
               {heading, count, look, items});
 }
 
-// An instructor looks here first: results that went wrong in the worst way come first. People are counted, with all their exercises.
+// An instructor looks here first: results that went wrong in the worst way come first. People are counted,
+// with all their exercises.
 Html to_look_at(const Results& results, const NamesForPeople& people) {
   Html groups, notes;
   std::size_t with_note = 0;

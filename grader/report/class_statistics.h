@@ -27,21 +27,23 @@ struct CategoryStatistics {
   std::string number, name;  // "H2.3"
   double points = 0, max_points = 0;
   std::size_t passed = 0, ran = 0;  // people whose code ran
-  // How much oftener the strongest 27 % of the class (by all points) pass than the weakest 27 %, from -1 to 1: the discrimination
-  // index (Kelley 1939). Nothing for fewer than ten people. Near 0 a category does not tell strong from weak students; below 0 it
-  // is worth a look itself.
+  // How much oftener the strongest 27 % of the class (by all points) pass than the weakest 27 %, from -1 to
+  // 1: the discrimination index (Kelley 1939). Nothing for fewer than ten people. Near 0 a category does not
+  // tell strong from weak students; below 0 it is worth a look itself.
   std::optional<double> discrimination = {};
 
   double share() const { return max_points > 0 ? points / max_points : 1; }
 };
 
-// People who lose the same categories of an exercise, two at least: they have one misunderstanding, or one source.
+// People who lose the same categories of an exercise, two at least: they have one misunderstanding, or one
+// source.
 struct FailAlike {
   std::string exercise;
   std::vector<std::string> categories, people;
 };
 
-// A section of the roster. Each person counts once, with the best of their hand-ins; quartiles are of those who handed in.
+// A section of the roster. Each person counts once, with the best of their hand-ins; quartiles are of those
+// who handed in.
 struct SectionStatistics {
   std::string name;  // "" for people without one
   std::size_t people = 0, handed_in = 0;

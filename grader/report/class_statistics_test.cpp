@@ -36,7 +36,8 @@ TEST(ClassStatistics, CategoriesTellStrongFromWeakPeople) {
   std::vector<SubmissionResult> results;
   for (int i = 0; i < 11; ++i) {
     const bool strong = i < 3, weak = i >= 8;
-    // The first: strong people alone. The second: all. The third: weak people alone. Three more make strong people strong.
+    // The first: strong people alone. The second: all. The third: weak people alone. Three more make strong
+    // people strong.
     results.push_back(person("p" + std::to_string(i), {strong, true, weak, !weak, !weak, !weak}));
   }
   for (const CategoryStatistics& category : category_statistics(results)) {

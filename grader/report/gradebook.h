@@ -15,8 +15,8 @@ namespace grader::inline report {
 // sandbox, whether its pictures were graded, then points and status of each exercise, then the note on the
 // whole submission. No spreadsheet runs a cell as a formula, see grader/text/csv.h.
 //
-// With `people` each of them has a line, with name, id, e-mail, section and what is said of them at its end: several of a group's
-// hand-in, and one without points of who handed nothing in.
+// With `people` each of them has a line, with name, id, e-mail, section and what is said of them at its end:
+// several of a group's hand-in, and one without points of who handed nothing in.
 std::string grades_csv(const std::vector<SubmissionResult>& results,
                        const std::vector<ClassLine>& people = {});
 

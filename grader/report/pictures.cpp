@@ -41,7 +41,8 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
               html("Where they differ {}", {heat_scale()}))});
 }
 
-// The run of a submission that is furthest from the reference's: one that breaks off, or else the one of its worst picture.
+// The run of a submission that is furthest from the reference's: one that breaks off, or else the one of its
+// worst picture.
 struct Worst {
   const SubmissionResult* result = nullptr;
   const ExerciseResult* exercise = nullptr;

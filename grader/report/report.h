@@ -49,8 +49,8 @@ void write_course_reports(const std::filesystem::path& dir, const CourseTable& c
 void remove_reports(const std::filesystem::path& dir, const std::string& name);
 
 // The class as a table for a terminal: a line for each submission, a column for each exercise. No colours;
-// nothing but ASCII, but for letters of people's names. Long names are cut, so that rows stay apart; with `people` the folder's name ends
-// the line.
+// nothing but ASCII, but for letters of people's names. Long names are cut, so that rows stay apart; with
+// `people` the folder's name ends the line.
 void print_table(std::ostream& out, const std::vector<SubmissionResult>& results,
                  const NamesForPeople& people = {});
 

@@ -18,8 +18,8 @@ namespace {
 using hair::Html, hair::html;
 using Json = nlohmann::ordered_json;
 
-// A test's text has so many bytes. ASCII takes three bytes for one at most (\u00e9 for two). Long texts are compilers', one for each exercise: of the
-// whole course's fourteen they take 0.7 MB at most.
+// A test's text has so many bytes. ASCII takes three bytes for one at most (\u00e9 for two). Long texts are
+// compilers', one for each exercise: of the whole course's fourteen they take 0.7 MB at most.
 constexpr std::size_t kMostText = 16 << 10;
 constexpr const char* kOfPublicChecks =
     "These are the public checks, compiled as for grading. They give no points: the hidden ones do, after "

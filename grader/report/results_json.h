@@ -1,7 +1,8 @@
-// STAFF ONLY. results.json for the student, in Gradescope's schema (gradescope/autograder_samples, docs/specs.md, "Output format"). A test
-// is a category, numbered "S1.3"; an exercise without categories (it is missing, it does not compile) is one test, "S1". It contains
-// nothing of the staff's. All tests are visible: a hidden one would hide the student's total. It is ASCII, and has a bound: where
-// pictures would break it, they are left out, and a long text is cut.
+// STAFF ONLY. results.json for the student, in Gradescope's schema (gradescope/autograder_samples,
+// docs/specs.md, "Output format"). A test is a category, numbered "S1.3"; an exercise without categories (it
+// is missing, it does not compile) is one test, "S1". It contains nothing of the staff's. All tests are
+// visible: a hidden one would hide the student's total. It is ASCII, and has a bound: where pictures would
+// break it, they are left out, and a long text is cut.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// STAFF ONLY. results.json keeps Gradescope's rules, whatever is in it, and our checker of these rules sees what breaks them.
+// STAFF ONLY. results.json keeps Gradescope's rules, whatever is in it, and our checker of these rules sees
+// what breaks them.
 #include "grader/report/results_json.h"
 
 #include <gtest/gtest.h>

@@ -16,8 +16,8 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
 // A moment with strands; the student's are moved to the right by `shift` pixels.
 PictureResult sample_picture(const std::string& name, int shift);
 
-// A class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results that run have pictures:
-// the same if it passed, near if it passed partly, far if it is wrong.
+// A class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results that
+// run have pictures: the same if it passed, near if it passed partly, far if it is wrong.
 std::vector<SubmissionResult> sample_class(int size);
 
 // The same with the course's ten exercises for each submission, two of them extra credit.

@@ -32,8 +32,8 @@ const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
   return nullptr;
 }
 
-// What a run took: the median of its rounds. One that failed stands where it would have been: by its steps beside the
-// nearest one that finished, or if there is none, where its first play was. 0: not known.
+// What a run took: the median of its rounds. One that failed stands where it would have been: by its steps
+// beside the nearest one that finished, or if there is none, where its first play was. 0: not known.
 double seconds_of(const StudyPoint& point, const StudyCurve& curve) {
   if (point.end == StudyEnd::finished) return timing::median(point.seconds);
   const StudyPoint* nearest = nullptr;
@@ -51,7 +51,8 @@ double again(const StudyPoint* point) {
   return timing::median(point->seconds) / point->first_seconds;
 }
 
-// The median of a curve's runs, of those that another has as well: short plays take longer at first, whosever they are.
+// The median of a curve's runs, of those that another has as well: short plays take longer at first, whosever
+// they are.
 double again(const StudyCurve& curve, const StudyCurve& other) {
   std::vector<double> all;
   for (const StudyPoint& point : curve.points)
@@ -184,8 +185,8 @@ it may remember what it answered. First plays are in the numbers below.</p>
                      {times_of(part), part.truth, to_text(part.least_error)});
 }
 
-// How far the reference's ratios to itself are from 1, in single rounds: a ratio within that says nothing. Medians of so
-// few rounds would promise more than the next batch keeps.
+// How far the reference's ratios to itself are from 1, in single rounds: a ratio within that says nothing.
+// Medians of so few rounds would promise more than the next batch keeps.
 Html noise_of(const SubmissionStudy& beside_itself) {
   double least = HUGE_VAL, most = 0;
   for (const SceneStudy& scene : beside_itself.scenes)

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kWidth = 390;  // CSS pixels
 
-// A page of ours runs no script, so the one around it measures. It says which elements end right of the screen.
+// A page of ours runs no script, so the one around it measures. It says which elements end right of the
+// screen.
 std::string measuring_page(const std::string& page) {
   return "<!DOCTYPE html><html><body><iframe style=\"border:0;width:" + std::to_string(kWidth) +
          "px;height:900px\" srcdoc=\"" + hair::escaped(page) +

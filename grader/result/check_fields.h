@@ -1,4 +1,5 @@
-// STAFF ONLY. For tests: every place of a struct's JSON is changed in every way, and its reader must say so in one line.
+// STAFF ONLY. For tests: every place of a struct's JSON is changed in every way, and its reader must say so
+// in one line.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,8 +32,8 @@ inline void expect_one_line(const std::string& complaint, const std::string& abo
   EXPECT_LT(complaint.size(), 600U) << change;
 }
 
-// `whole` is the JSON of a struct whose members all differ from their defaults. `may_be_missing` says of a place, such as
-// "/scenes/0/parts/0/points/0/note", whether a text without it is right, too.
+// `whole` is the JSON of a struct whose members all differ from their defaults. `may_be_missing` says of a
+// place, such as "/scenes/0/parts/0/points/0/note", whether a text without it is right, too.
 inline void expect_each_field_checked(const nlohmann::json& whole, const ReadText& read,
                                       const std::function<bool(const std::string& place)>& may_be_missing) {
   using Json = nlohmann::json;

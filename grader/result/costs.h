@@ -10,8 +10,8 @@
 
 namespace grader::inline result {
 
-// The cost of an exercise; the only part of a result that differs from run to run. A row in costs.cpp is all that
-// timing.json and the page need for a new member.
+// The cost of an exercise; the only part of a result that differs from run to run. A row in costs.cpp is all
+// that timing.json and the page need for a new member.
 struct ExerciseTiming {
   double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
   double suite_seconds = 0;    // wall time

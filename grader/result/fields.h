@@ -1,14 +1,15 @@
-// STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and gives the writer and
-// the reader.
+// STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and gives
+// the writer and the reader.
 //
 //   const Rows<CaseResult>& Fields<CaseResult>::rows() {
 //     static const Rows<CaseResult> all = {field("name", &CaseResult::name), field("status", &CaseResult::status), ...};
 //     return all;
 //   }
 //
-// The rows' order is the order in the JSON. A member may be a number, text, a path, an enum, a struct with fields of its own, and
-// a list, a map or an optional of these. A reader takes what the writer writes, and nothing else: for a field that is missing,
-// unknown or of another kind it throws BadInput with one line that names the place, "NAME: cases[2].status: ...".
+// The rows' order is the order in the JSON. A member may be a number, text, a path, an enum, a struct with
+// fields of its own, and a list, a map or an optional of these. A reader takes what the writer writes, and
+// nothing else: for a field that is missing, unknown or of another kind it throws BadInput with one line that
+// names the place, "NAME: cases[2].status: ...".
 #pragma once
 
 #include <concepts>
@@ -31,7 +32,8 @@ namespace grader::inline result {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// How a picture's bytes stand in JSON: as base64, or as the name of a file. `read` throws BadInput or std::invalid_argument.
+// How a picture's bytes stand in JSON: as base64, or as the name of a file. `read` throws BadInput or
+// std::invalid_argument.
 struct PictureText {
   std::function<std::string(const std::string& png)> write;
   std::function<std::string(const std::string& text)> read;

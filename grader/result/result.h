@@ -32,7 +32,8 @@ inline constexpr const char* kRunTitle = "The whole run";
 std::string to_string(Status status);     // "does not compile"
 std::string sentence_for(Status status);  // helps the student without revealing hidden cases
 
-// The moments of a whole run that are drawn. Of one that ends early fewer are drawn, and the last one before its end.
+// The moments of a whole run that are drawn. Of one that ends early fewer are drawn, and the last one before
+// its end.
 inline constexpr std::size_t kRunPictures = 3;
 
 // One category of an exercise's hidden cases.
@@ -42,9 +43,11 @@ struct CaseResult {
   double points = 0, max_points = 0;
   std::string feedback;  // for students: the category and the error in bands, never a value or an input
   std::string detail;    // for staff: inputs, expected and actual values
-  // For students, too: what its numbers look like, or where its run breaks off. A sentence of ours, one of a few. Empty: nothing is clear.
+  // For students, too: what its numbers look like, or where its run breaks off. A sentence of ours, one of a
+  // few. Empty: nothing is clear.
   std::string hint = {};
-  // For students, too: a memory error, as a sentence of ours with a line of their file. Empty: none was found.
+  // For students, too: a memory error, as a sentence of ours with a line of their file. Empty: none was
+  // found.
   std::string memory_error = {};
   // Of a wrong category, how many of its cases hold; 0 of 0 where they could not be counted.
   int cases = 0, held = 0;
@@ -106,7 +109,8 @@ struct SubmissionResult {
   bool operator==(const SubmissionResult&) const = default;
 };
 
-// Whether its whole run was played and ended before its last picture: then its pictures, if there are any, say too little.
+// Whether its whole run was played and ended before its last picture: then its pictures, if there are any,
+// say too little.
 bool run_breaks_off(const ExerciseResult&);
 
 double points(const SubmissionResult&);      // with adjustments

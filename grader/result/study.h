@@ -46,7 +46,8 @@ struct StudyCurve {
   bool operator==(const StudyCurve&) const = default;
 };
 
-// The student's time over the reference's for the same error: the median, and the smallest and largest of all rounds.
+// The student's time over the reference's for the same error: the median, and the smallest and largest of all
+// rounds.
 struct TimeRatio {
   double median = 1, least = 1, most = 1;
 

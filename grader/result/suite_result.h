@@ -1,4 +1,5 @@
-// STAFF ONLY. What a hidden suite found of a job (grader/judge/job.h), as hairsuite writes it to standard output.
+// STAFF ONLY. What a hidden suite found of a job (grader/judge/job.h), as hairsuite writes it to standard
+// output.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// STAFF ONLY. The class as the roster and its hand-ins make it: a row for each person on the roster, whoever handed in, and those apart
-// who are on no roster.
+// STAFF ONLY. The class as the roster and its hand-ins make it: a row for each person on the roster, whoever
+// handed in, and those apart who are on no roster.
 #pragma once
 
 #include <map>
@@ -47,7 +47,8 @@ struct ClassLine {
 // hand-ins that a learning system named.
 std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins);
 
-// By hand-in: the name that people read, of a group the members'. Those whose folder has the same name are left out.
+// By hand-in: the name that people read, of a group the members'. Those whose folder has the same name are
+// left out.
 using NamesForPeople = std::map<std::string, std::string>;
 NamesForPeople names_for_people(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins);
 

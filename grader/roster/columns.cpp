@@ -13,10 +13,11 @@ namespace {
 
 using Titles = std::vector<const char*>;
 
-// Canvas: Student, ID, SIS User ID, SIS Login ID, Section. Moodle: Identifier, Full name, First name, Last name, ID number, Email address,
-// Groups. Gradescope: First Name, Last Name, SID, Email, Sections. Classroom: identifier, github_username, github_id, name.
-// Brightspace: OrgDefinedId, Username, First Name, Last Name, Email. Canvas's export of a group set: name, canvas_user_id, user_id (the SIS
-// one), login_id, sections, group_name.
+// Canvas: Student, ID, SIS User ID, SIS Login ID, Section. Moodle: Identifier, Full name, First name, Last
+// name, ID number, Email address, Groups. Gradescope: First Name, Last Name, SID, Email, Sections. Classroom:
+// identifier, github_username, github_id, name. Brightspace: OrgDefinedId, Username, First Name, Last Name,
+// Email. Canvas's export of a group set: name, canvas_user_id, user_id (the SIS one), login_id, sections,
+// group_name.
 const Titles kNames = {"Name", "Full name", "Student", "Student name"};
 const Titles kFirstNames = {"First name", "FirstName", "Given name"};
 const Titles kLastNames = {"Last name", "LastName", "Surname", "Family name"};

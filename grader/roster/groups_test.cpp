@@ -1,5 +1,5 @@
-// STAFF ONLY. A group that a download names alone gets its members from the roster, and nobody gets a grade by a name that is also
-// something else's.
+// STAFF ONLY. A group that a download names alone gets its members from the roster, and nobody gets a grade
+// by a name that is also something else's.
 #include "grader/roster/groups.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // STAFF ONLY. Words that name people, and what stands in their place where grading is blind.
 //
-// It hides what the class's tables and the download say of a person: names, ids, addresses, the folder's name. It can't know what else
-// students write of themselves, such as a nickname in a comment.
+// It hides what the class's tables and the download say of a person: names, ids, addresses, the folder's
+// name. It can't know what else students write of themselves, such as a nickname in a comment.
 #pragma once
 
 #include <map>

@@ -19,7 +19,8 @@ const char* title_of(IdKind kind);  // for messages: "SIS user id"
 // spreadsheet wrote 1001.0 or ="1001".
 std::string plain_id(std::string_view cell);
 
-// Names as they are compared: letters and digits in lower case. Canvas names files by "Doe, Jane", other systems by "Jane Doe".
+// Names as they are compared: letters and digits in lower case. Canvas names files by "Doe, Jane", other
+// systems by "Jane Doe".
 struct NameKeys {
   std::string as_spoken, as_sorted;  // "janedoe", "doejane"
   bool operator==(const NameKeys&) const = default;

@@ -17,7 +17,8 @@ std::string without_zeros(const std::string& id) {
   return number && begin != id.npos ? id.substr(begin) : id;
 }
 
-// The ids that hand-ins of a system carry, in the order in which they are believed. A folder is named by anything.
+// The ids that hand-ins of a system carry, in the order in which they are believed. A folder is named by
+// anything.
 std::vector<IdKind> kinds_of(const std::string& system) {
   using enum IdKind;
   if (system == "canvas") return {id};

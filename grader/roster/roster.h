@@ -1,6 +1,6 @@
-// STAFF ONLY. The people of a class, from a table with a row for each, as Canvas (gradebook), Moodle (worksheet, participants),
-// Gradescope, GitHub Classroom and Brightspace export them, or a plain one: id, name, e-mail, section, further ids. A spreadsheet may have
-// written it again.
+// STAFF ONLY. The people of a class, from a table with a row for each, as Canvas (gradebook), Moodle
+// (worksheet, participants), Gradescope, GitHub Classroom and Brightspace export them, or a plain one: id,
+// name, e-mail, section, further ids. A spreadsheet may have written it again.
 //
 // People are found by ids, then by e-mail, then by a name that nobody else bears.
 #pragma once
@@ -19,8 +19,8 @@ namespace grader::inline roster {
 
 class Roster {
  public:
-  // Throws BadInput with the row: no column of ids, e-mails or names, nobody below the titles, an id that two people have, two ids of
-  // one row that name different people.
+  // Throws BadInput with the row: no column of ids, e-mails or names, nobody below the titles, an id that two
+  // people have, two ids of one row that name different people.
   explicit Roster(const Csv& table);
 
   // People of an earlier roster.
@@ -39,8 +39,8 @@ class Roster {
     std::string told = {};              // for staff: how it was found if that is not plain, or why nobody was
     bool has_other_name = false;        // by an id, and on the roster it is somebody of another name
   };
-  // `system` is the layout of the download, as --from takes it: it says which ids its hand-ins carry. A group is nobody; its members may
-  // be.
+  // `system` is the layout of the download, as --from takes it: it says which ids its hand-ins carry. A group
+  // is nobody; its members may be.
   Match find(const Owner& owner, const std::string& system) const;
   // The title of a column that finds the hand-ins of a download.
   static const char* column_for(const std::string& system);

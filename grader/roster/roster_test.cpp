@@ -1,4 +1,5 @@
-// STAFF ONLY. Rosters are read as systems export them and as spreadsheets write them again, and nobody is taken for somebody else.
+// STAFF ONLY. Rosters are read as systems export them and as spreadsheets write them again, and nobody is
+// taken for somebody else.
 #include "grader/roster/roster.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,8 @@
 namespace grader::inline roster {
 namespace {
 
-// Moodle: Last modified (submission). Gradescope: Submission Time. Classroom: submission_timestamp. Canvas's API: submitted_at.
+// Moodle: Last modified (submission). Gradescope: Submission Time. Classroom: submission_timestamp. Canvas's
+// API: submitted_at.
 constexpr std::array<const char*, 9> kTitles{"Time",
                                              "Handed in",
                                              "Submitted",

@@ -1,6 +1,6 @@
-// STAFF ONLY. A table of times of hand-ins, for downloads that have none (Canvas, Moodle): a row for each person, as in a roster
-// (roster.h), and a column of times. Moodle's grading worksheet is such a table, in any language whose
-// times are read (text/time_text.h).
+// STAFF ONLY. A table of times of hand-ins, for downloads that have none (Canvas, Moodle): a row for each
+// person, as in a roster (roster.h), and a column of times. Moodle's grading worksheet is such a table, in
+// any language whose times are read (text/time_text.h).
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,8 @@ class Times {
   std::string find(const std::string& hand_in, const Owner& owner, const std::string& system,
                    const Roster* roster);
 
-  // For staff, a line each, once all hand-ins were looked for: what was guessed, hand-ins that are not found, times that are not read,
-  // and people with a time and no hand-in.
+  // For staff, a line each, once all hand-ins were looked for: what was guessed, hand-ins that are not found,
+  // times that are not read, and people with a time and no hand-in.
   std::vector<std::string> said() const;
 
  private:

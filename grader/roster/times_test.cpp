@@ -1,4 +1,5 @@
-// STAFF ONLY. Times of hand-ins are found as people are on a roster, and what is not found or not read is said.
+// STAFF ONLY. Times of hand-ins are found as people are on a roster, and what is not found or not read is
+// said.
 #include "grader/roster/times.h"
 
 #include <gtest/gtest.h>

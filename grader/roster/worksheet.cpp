@@ -103,7 +103,8 @@ std::optional<Worksheet> worksheet_by_form(const Csv& table, const std::string& 
   for (std::size_t i = 1; i < end && sheet.email == kNoColumn; ++i)
     if (all_below(table, i, [](const std::string& cell) { return cell.find('@') != cell.npos; }))
       sheet.email = i;
-  // Names stand behind the identifier, and are nearly all different; a blind worksheet has states there, which are few.
+  // Names stand behind the identifier, and are nearly all different; a blind worksheet has states there,
+  // which are few.
   if (end > 2 && sheet.email != 1 && 2 * different_in(table, 1) >= table.rows.size()) sheet.name = 1;
   return sheet;
 }

@@ -1,5 +1,5 @@
-// STAFF ONLY. Moodle's grading worksheet in any language. Titles are those of whoever downloads it, so columns are found by their place and
-// by what their cells look like:
+// STAFF ONLY. Moodle's grading worksheet in any language. Titles are those of whoever downloads it, so
+// columns are found by their place and by what their cells look like:
 //
 //   ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Bestwertung,Bewertung kann geändert werden,...
 //   Teilnehmer/in 4711,Jörg Müller,j@u.de,Zur Bewertung abgegeben,"7,50","10,00",Ja,...

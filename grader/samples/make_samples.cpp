@@ -1,6 +1,7 @@
-// STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew. CLASS gets an
-// archive or a folder for each sample of PROJECT but most attacks, SHOWCASE a copy of those that are
-// marked for it, and ATTACKS a folder for each place, with its attacks and what is graded beside them.
+// STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew.
+// CLASS gets an archive or a folder for each sample of PROJECT but most attacks, SHOWCASE a copy of those
+// that are marked for it, and ATTACKS a folder for each place, with its attacks and what is graded beside
+// them.
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,6 @@
-// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. A group of them is a
-// file, GROUP.samples, or an exercise's wrong.samples, with a line for each fact. Lines before the first sample hold for all samples that don't say otherwise:
+// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. A
+// group of them is a file, GROUP.samples, or an exercise's wrong.samples, with a line for each fact. Lines
+// before the first sample hold for all samples that don't say otherwise:
 //
 //   title Bugs in H2
 //   file plain angular_springs.cpp
@@ -35,11 +36,11 @@
 //   points ID POINTS     of a sample of the showcase, besides: an error in scoring can't confirm itself
 //   useless TEXT         why it loses more than three categories: nothing of what it writes can be used
 //
-// An exercise without such a line has passed if it has a file, and is missing if not. What "others" fills in has passed
-// ("reference") or is not implemented ("stub"), and takes no status.
+// An exercise without such a line has passed if it has a file, and is missing if not. What "others" fills in
+// has passed ("reference") or is not implemented ("stub"), and takes no status.
 //
-// An attack is one of the corpus, which is graded place by place, apart from the class. Only attacks that the showcase has are in
-// the class, too.
+// An attack is one of the corpus, which is graded place by place, apart from the class. Only attacks that the
+// showcase has are in the class, too.
 //
 //   place PLACE          build, start, run, protocol, archive, report or time
 //   fence TEXT           what stops it
@@ -115,9 +116,9 @@ struct Sample {
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// The exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples, in the order of their names. The group
-// "right" also has the right programs of all exercises: the sample right-plain, of reference/<ID>/right/plain.cpp, and so on.
-// Throws BadInput with file and line.
+// The exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples, in the
+// order of their names. The group "right" also has the right programs of all exercises: the sample
+// right-plain, of reference/<ID>/right/plain.cpp, and so on. Throws BadInput with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 
 }  // namespace grader::samples

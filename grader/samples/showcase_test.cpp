@@ -1,4 +1,5 @@
-// STAFF ONLY. The showcase, which is graded where the whole class would take too long, has every kind of sample.
+// STAFF ONLY. The showcase, which is graded where the whole class would take too long, has every kind of
+// sample.
 #include <gtest/gtest.h>
 
 #include <algorithm>

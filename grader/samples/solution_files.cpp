@@ -32,7 +32,8 @@ std::string as_on_windows(const std::string& text) {
   return windows;
 }
 
-// A hand-in is one file: #include "NAME" of a header that right solutions share becomes the header's text, but for its first line.
+// A hand-in is one file: #include "NAME" of a header that right solutions share becomes the header's text,
+// but for its first line.
 std::string in_one_file(const fs::path& source, const fs::path& project) {
   std::string text = read_bytes(source);
   for (const auto& item : fs::directory_iterator(project / "reference/right")) {

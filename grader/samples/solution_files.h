@@ -10,7 +10,8 @@
 
 namespace grader::inline samples {
 
-// By path in the archive. `project` is the project's root. Throws BadInput if a file is not there, or an edit's lines are not.
+// By path in the archive. `project` is the project's root. Throws BadInput if a file is not there, or an
+// edit's lines are not.
 std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project);
 
 // Throws std::runtime_error with the path.

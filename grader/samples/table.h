@@ -8,7 +8,8 @@
 
 namespace grader::inline samples {
 
-// Markdown. "gets" says which exercises don't pass, of those that have a line, and the points that are left, if any.
+// Markdown. "gets" says which exercises don't pass, of those that have a line, and the points that are left,
+// if any.
 std::string table_of(const std::vector<Sample>& samples);
 
 }  // namespace grader::samples

@@ -1,5 +1,5 @@
-// STAFF ONLY. A container's memory runs out below a run that may take more, where no group of its own bounds it: the run ends, is
-// said to be out of memory, and the grader lives.
+// STAFF ONLY. A container's memory runs out below a run that may take more, where no group of its own bounds
+// it: the run ends, is said to be out of memory, and the grader lives.
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>

@@ -189,7 +189,8 @@ Ending CagedProcess::wait(double seconds) {
   // The kernel ends runs first where a container's memory runs out.
   if (!ending.well() && ended_for_memory_before_ && ended_for_memory() > *ended_for_memory_before_)
     ending.out_of_memory = true;
-  // The soft limit on CPU time. SIGKILL may be the hard one, a second later, for a process that ignores the first; or anybody's.
+  // The soft limit on CPU time. SIGKILL may be the hard one, a second later, for a process that ignores the
+  // first; or anybody's.
   ending.timed_out |= report.over_cpu || ending.signal == SIGXCPU;
   ending_ = ending;
   group_.reset();

@@ -1,9 +1,11 @@
-// STAFF ONLY. A process in a cage: no /proc, no environment, a read-only root with only the mounts, and a system call filter. There
-// are two kinds (grader/course/isolation.h). Namespaces: bubblewrap's of users, processes, network, mounts, IPC and host names.
-// Container: a user that nobody else has, and a root folder that holds links and copies of the mounts.
+// STAFF ONLY. A process in a cage: no /proc, no environment, a read-only root with only the mounts, and a
+// system call filter. There are two kinds (grader/course/isolation.h). Namespaces: bubblewrap's of users,
+// processes, network, mounts, IPC and host names. Container: a user that nobody else has, and a root folder
+// that holds links and copies of the mounts.
 //
-// Fences limit its resources: limits inside the cage (`with_inner_limits`, or the worker sets its own), a control group if the
-// machine has one, a warden that counts what all processes of the cage take, and a watchdog outside that ends the whole cage.
+// Fences limit its resources: limits inside the cage (`with_inner_limits`, or the worker sets its own), a
+// control group if the machine has one, a warden that counts what all processes of the cage take, and a
+// watchdog outside that ends the whole cage.
 #pragma once
 
 #include <sys/types.h>
@@ -36,7 +38,8 @@ struct Mount {
 
 struct Limits {
   std::size_t memory_bytes = std::size_t{1} << 30;
-  // The address space is not bounded: in namespaces the control group alone bounds memory, and without one nothing is started.
+  // The address space is not bounded: in namespaces the control group alone bounds memory, and without one
+  // nothing is started.
   bool memory_of_group = false;
   std::size_t file_bytes = std::size_t{64} << 20;  // of each file that it writes
   int processes = 32;                              // and threads
@@ -91,8 +94,8 @@ class CagedProcess {
     bool alive = false;
     bool started = false;    // its cage is made, and the command runs in it
     double cpu_seconds = 0;  // of all its threads, also those that have ended
-    // What each of its threads has computed and waited for a processor; and those of the processes that made its
-    // cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
+    // What each of its threads has computed and waited for a processor; and those of the processes that made
+    // its cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
     struct Busy {
       double computed = 0, queued = 0;  // s; the kernel counts a wait when it is over
       bool runnable = false;            // it runs, or waits for a processor

@@ -163,7 +163,8 @@ TEST_P(CageTest, SeesSleepAndWorkFromOutside) {
     usleep(100000);
     return worker.activity().cpu_seconds > 0.05;
   })) << "it computes";
-  // A program that does not compute waits for a processor, however many others want one. The kernel counts a wait when it is over.
+  // A program that does not compute waits for a processor, however many others want one. The kernel counts a
+  // wait when it is over.
   const double before = busy(worker);
   const timing::Stopwatch since;
   EXPECT_TRUE(is_seen([&] {

@@ -8,8 +8,9 @@
 
 namespace grader::inline sandbox {
 
-// Empty if each fence holds; otherwise a phrase for the first one that does not: "student code can reach the network". `probe` is the
-// program hairprobe, and `cage` holds it as /probe, with the libraries that it needs. Throws std::system_error if no cage can be made.
+// Empty if each fence holds; otherwise a phrase for the first one that does not: "student code can reach the
+// network". `probe` is the program hairprobe, and `cage` holds it as /probe, with the libraries that it
+// needs. Throws std::system_error if no cage can be made.
 std::string open_fence(const Cage& cage);
 // For tests: with a fence left out.
 std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out);

@@ -17,11 +17,13 @@ struct Identity {
 // Root becomes this user and group, which no account should have; other users stay themselves.
 inline constexpr uid_t kSandboxUser = 64123;
 
-// Throws BadInput for root of a user namespace that has no such user, as `unshare -Ur` makes it: it can drop no rights.
+// Throws BadInput for root of a user namespace that has no such user, as `unshare -Ur` makes it: it can drop
+// no rights.
 Identity sandbox_identity();
 
-// For root, where nothing else keeps runs apart: a user and a group, drawn anew for each run. They are high numbers, for the kernel
-// counts a user's processes in all containers of a host together. Throws BadInput where there are none.
+// For root, where nothing else keeps runs apart: a user and a group, drawn anew for each run. They are high
+// numbers, for the kernel counts a user's processes in all containers of a host together. Throws BadInput
+// where there are none.
 Identity identity_of_a_run();
 
 // Drops root permanently. Async-signal-safe, for use between fork and exec. False if the kernel refuses.

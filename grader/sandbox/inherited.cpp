@@ -109,7 +109,8 @@ void set_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-// True: a process that starts now has another one. Where asking is denied, nobody has changed it, or nobody can.
+// True: a process that starts now has another one. Where asking is denied, nobody has changed it, or nobody
+// can.
 bool set_personality() {
   constexpr unsigned long kAsk = 0xffffffff;
   return personality(kAsk) > 0 && personality(PER_LINUX) >= 0;

@@ -1,6 +1,6 @@
-// STAFF ONLY. What a process inherits from whoever starts it, as far as it could change a verdict: limits, the environment,
-// signals, the mask for new files, the three standard descriptors, the personality. The grader sets all of it, and what
-// it starts inherits that.
+// STAFF ONLY. What a process inherits from whoever starts it, as far as it could change a verdict: limits,
+// the environment, signals, the mask for new files, the three standard descriptors, the personality. The
+// grader sets all of it, and what it starts inherits that.
 //
 //   soft limits            as high as is ever needed; the stack's is 8 MiB, as at home; no core files
 //   the environment        HOME, XDG_..., TMPDIR if cages can use it, options of sanitizers; nothing else
@@ -12,8 +12,8 @@
 
 namespace grader::inline sandbox {
 
-// The first thing in main. Some of this acts only when a program starts: then it starts this program once more, with the
-// same arguments. Without the right to do so it ends the process with a line and exit code 1.
+// The first thing in main. Some of this acts only when a program starts: then it starts this program once
+// more, with the same arguments. Without the right to do so it ends the process with a line and exit code 1.
 void set_what_is_inherited(char* argv[]);
 
 // Hard limits must leave this much. Only root may raise them.

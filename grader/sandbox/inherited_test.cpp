@@ -1,5 +1,5 @@
-// STAFF ONLY. A program that sets what it inherits has the same from whoever starts it; and where a hard limit is below the need, it says
-// both numbers.
+// STAFF ONLY. A program that sets what it inherits has the same from whoever starts it; and where a hard
+// limit is below the need, it says both numbers.
 #include "grader/sandbox/inherited.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// STAFF ONLY. For the test of what a process inherits: `inheritor FILE` sets it, and writes into FILE what this process has then, a line
-// for each; `inheritor FILE needs` writes whether hard limits leave what grading needs.
+// STAFF ONLY. For the test of what a process inherits: `inheritor FILE` sets it, and writes into FILE what
+// this process has then, a line for each; `inheritor FILE needs` writes whether hard limits leave what
+// grading needs.
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>

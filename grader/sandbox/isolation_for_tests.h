@@ -12,7 +12,8 @@
 
 namespace grader::inline sandbox {
 
-// Empty, or the sentence with which a test of this kind skips. The kernel is asked, not the grader: what breaks ours skips nothing.
+// Empty, or the sentence with which a test of this kind skips. The kernel is asked, not the grader: what
+// breaks ours skips nothing.
 inline std::string why_not(Isolation kind) {
   static const bool makes_namespaces = [] {
     const pid_t child = fork();

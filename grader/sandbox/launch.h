@@ -1,4 +1,5 @@
-// STAFF ONLY. What a new process does between fork and exec, so that the program in it finds what it shall and nothing else of ours.
+// STAFF ONLY. What a new process does between fork and exec, so that the program in it finds what it shall
+// and nothing else of ours.
 #pragma once
 
 #include <linux/filter.h>
@@ -10,7 +11,8 @@
 namespace grader::inline sandbox {
 
 struct Launch {
-  // Descriptors of the program in its cage. bwrap writes of its child to kInfo, and reads a filter from kFilter.
+  // Descriptors of the program in its cage. bwrap writes of its child to kInfo, and reads a filter from
+  // kFilter.
   enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6 };
 
   std::vector<char*> argv, environment;  // each ends with a null

@@ -1,5 +1,5 @@
-// STAFF ONLY. The control groups (v1 or v2) that this process is in, and what they leave of the machine. A container's programs count
-// all processors and all memory of the host if they ask the machine.
+// STAFF ONLY. The control groups (v1 or v2) that this process is in, and what they leave of the machine. A
+// container's programs count all processors and all memory of the host if they ask the machine.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace grader::inline sandbox {
 
-// Folders of the groups with this controller ("": those of v2): our own, then those above it, up to the one that is mounted. Empty
-// if there are none. `root` holds /proc and the mounted folders.
+// Folders of the groups with this controller ("": those of v2): our own, then those above it, up to the one
+// that is mounted. Empty if there are none. `root` holds /proc and the mounted folders.
 std::vector<std::filesystem::path> own_groups(const std::string& controller,
                                               const std::filesystem::path& root = "/");
 

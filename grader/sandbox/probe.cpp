@@ -1,5 +1,5 @@
-// STAFF ONLY. Tries from inside of a cage what student code could try. Exit code 0: it was stopped. 1: it succeeded, and standard
-// output says with what, as "can ...".
+// STAFF ONLY. Tries from inside of a cage what student code could try. Exit code 0: it was stopped. 1: it
+// succeeded, and standard output says with what, as "can ...".
 //
 //   hairprobe start | files STAFF_FOLDER | processes STAFF_PROCESS | rights | network | reach PORT | fork COUNT | memory BYTES | stay
 #include <arpa/inet.h>

@@ -1,6 +1,6 @@
-// STAFF ONLY. Processors for pairs of programs that talk in turns, as a suite does with its worker. One of the pair always waits for
-// the other. On two processors each message wakes one that sleeps; on a virtual machine that takes longer than the answer. On one
-// processor it is a switch between two programs.
+// STAFF ONLY. Processors for pairs of programs that talk in turns, as a suite does with its worker. One of
+// the pair always waits for the other. On two processors each message wakes one that sleeps; on a virtual
+// machine that takes longer than the answer. On one processor it is a switch between two programs.
 #pragma once
 
 #include <sched.h>
@@ -15,8 +15,9 @@ class Processors {
   // Those that the calling thread may run on. If the kernel does not tell, nobody is bound.
   Processors();
 
-  // Binds the calling thread, and the programs that it starts, to the processor that fewest leases hold, the present
-  // one among these, as long as it lives. To be destroyed in the same thread, and before `processors`.
+  // Binds the calling thread, and the programs that it starts, to the processor that fewest leases hold, the
+  // present one among these, as long as it lives. To be destroyed in the same thread, and before
+  // `processors`.
   class Lease {
    public:
     explicit Lease(Processors& processors);

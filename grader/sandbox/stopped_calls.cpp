@@ -37,7 +37,8 @@ void set_result(mcontext_t& registers, long result) {
 #error "the registers that hold a system call's arguments and its result are not known here"
 #endif
 
-// rt_sigprocmask(how, set, old): the mask that is set when the handler returns becomes what the call asks for, without SIGSYS.
+// rt_sigprocmask(how, set, old): the mask that is set when the handler returns becomes what the call asks
+// for, without SIGSYS.
 long change_mask(ucontext_t& context) {
   Mask mask = 0, set = 0;
   std::memcpy(&mask, &context.uc_sigmask, sizeof mask);

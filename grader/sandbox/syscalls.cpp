@@ -88,8 +88,8 @@ bool is_one_of(std::span<const char* const> names, const char* name) {
   return std::ranges::any_of(names, [&](const char* one) { return std::strcmp(name, one) == 0; });
 }
 
-// The flags with which the C library starts a thread. Any other may start more than that: with CLONE_VFORK the starter
-// waits in a state in which it seems to work.
+// The flags with which the C library starts a thread. Any other may start more than that: with CLONE_VFORK
+// the starter waits in a state in which it seems to work.
 constexpr std::uint64_t kThread = CLONE_VM | CLONE_FS | CLONE_FILES | CLONE_SIGHAND | CLONE_THREAD |
                                   CLONE_SYSVSEM | CLONE_SETTLS | CLONE_PARENT_SETTID | CLONE_CHILD_CLEARTID;
 

@@ -13,8 +13,8 @@ enum class Syscalls {
   // files. System calls that honest student code never needs (see `denied_syscall`) raise SIGSYS, so that the
   // worker can report them.
   compute,
-  // The same for a process that hears of SIGSYS (stopped_calls.h). Nothing blocks that signal: calls that block signals raise it,
-  // too. So do exit codes above 127, which would read like the end by a signal.
+  // The same for a process that hears of SIGSYS (stopped_calls.h). Nothing blocks that signal: calls that
+  // block signals raise it, too. So do exit codes above 127, which would read like the end by a signal.
   worker,
   // The additional needs of a compiler and a linker: processes and files.
   toolchain,

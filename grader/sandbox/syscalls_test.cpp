@@ -1,5 +1,5 @@
-// STAFF ONLY. The list of system calls, one by one: each that an attack uses goes through without the filter, or fails for
-// a reason of its own; the filter stops it. So a call that leaves the list fails a test here.
+// STAFF ONLY. The list of system calls, one by one: each that an attack uses goes through without the filter,
+// or fails for a reason of its own; the filter stops it. So a call that leaves the list fails a test here.
 #include "grader/sandbox/syscalls.h"
 
 #include <errno.h>
@@ -86,7 +86,8 @@ Tried attempt(const std::function<long()>& call, std::optional<Syscalls> filter)
   return {0, was_trapped, was_trapped ? 0 : WEXITSTATUS(status)};
 }
 
-// A call with arguments that do nothing, or that the kernel refuses: nothing here changes the machine if there is no filter.
+// A call with arguments that do nothing, or that the kernel refuses: nothing here changes the machine if
+// there is no filter.
 struct Call {
   string name;
   std::array<long, 6> arguments = {};
@@ -250,7 +251,8 @@ TEST(ComputeFilter, TrapsArgumentsThatHonestCodeNeverGives) {
   }
 }
 
-// What a worker's filter stops beside that: popen makes a pipe first, signals hide what is tried, and so do some exit codes.
+// What a worker's filter stops beside that: popen makes a pipe first, signals hide what is tried, and so do
+// some exit codes.
 const std::vector<Call>& trapping_in_workers() {
   static std::uint64_t mask = 0;
   static const auto set = reinterpret_cast<long>(&mask);

@@ -1,4 +1,5 @@
-// STAFF ONLY. A process of ours that is forked from one with threads: until it ends it makes system calls only, and allocates nothing.
+// STAFF ONLY. A process of ours that is forked from one with threads: until it ends it makes system calls
+// only, and allocates nothing.
 #include "grader/sandbox/warden.h"
 
 #include <fcntl.h>
@@ -81,7 +82,8 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// Ends all processes of a user, as that user, whose processes can't end the one that does it: its real user is another.
+// Ends all processes of a user, as that user, whose processes can't end the one that does it: its real user
+// is another.
 void end_all_of(uid_t user) {
   const pid_t ender = fork();
   if (ender == 0) {

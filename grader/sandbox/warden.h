@@ -1,6 +1,6 @@
-// STAFF ONLY. The process between the grader and a run. It starts the run's first process, counts what all processes of the run
-// take, ends them all and takes leave of each: a grader may be a container's first process, or below one that takes leave of nobody.
-// If the grader is gone, it ends the run, too.
+// STAFF ONLY. The process between the grader and a run. It starts the run's first process, counts what all
+// processes of the run take, ends them all and takes leave of each: a grader may be a container's first
+// process, or below one that takes leave of nobody. If the grader is gone, it ends the run, too.
 #pragma once
 
 #include <sys/types.h>

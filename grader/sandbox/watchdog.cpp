@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kWindow = 0.25, kWindowAtTheEnd = 0.05;
 
-// What it takes at most, on each answer, until a process that sleeps runs again, its and ours. It is in no clock of the kernel's.
+// What it takes at most, on each answer, until a process that sleeps runs again, its and ours. It is in no
+// clock of the kernel's.
 constexpr double kWakeUp = 50e-6;
 
 // Whether a thread has waited for a processor all the time: the kernel counts that when the wait is over.

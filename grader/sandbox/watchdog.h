@@ -1,14 +1,16 @@
-// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the cage bound the CPU time of a
-// worker by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
+// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the cage bound the CPU
+// time of a worker by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
 //
-// Idle is the time that we wait for it less what it computes and less what the thread that waited most waited for a processor,
-// whatever state the kernel calls them in, and less what we ourselves wait for one after its answer is there, and less
-// what it takes two processes to wake each other up: a whole run has ten thousands of answers. So a worker on a busy machine is not idle, and one that sleeps in short naps is.
-// Waking up is forgiven once for each message that we sent, and within a bound: messages that nobody asked for excuse nothing.
-// Threads that wait for a processor at the same time wait once: thirty that wake each other up excuse no more than one does.
-// The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in another. A window
-// is longer where a thread waits for a processor all through it: the kernel counts a wait when it is over. The sum begins
-// when the worker's own code does: while its cage is made, the kernel's locks may have us wait for others.
+// Idle is the time that we wait for it less what it computes and less what the thread that waited most waited
+// for a processor, whatever state the kernel calls them in, and less what we ourselves wait for one after its
+// answer is there, and less what it takes two processes to wake each other up: a whole run has ten thousands
+// of answers. So a worker on a busy machine is not idle, and one that sleeps in short naps is. Waking up is
+// forgiven once for each message that we sent, and within a bound: messages that nobody asked for excuse
+// nothing. Threads that wait for a processor at the same time wait once: thirty that wake each other up
+// excuse no more than one does. The sum is taken over windows of 0.25 s of waiting, and what is computed in
+// one hides no idling in another. A window is longer where a thread waits for a processor all through it: the
+// kernel counts a wait when it is over. The sum begins when the worker's own code does: while its cage is
+// made, the kernel's locks may have us wait for others.
 #pragma once
 
 #include <chrono>
@@ -17,8 +19,8 @@
 
 namespace grader::inline sandbox {
 
-// Between two looks: how long all threads have computed, and how long the one that waited most has waited for a processor. Threads
-// that have ended in between have computed, too: the process's own clock knows.
+// Between two looks: how long all threads have computed, and how long the one that waited most has waited for
+// a processor. Threads that have ended in between have computed, too: the process's own clock knows.
 CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
                                           const CagedProcess::Activity& now);
 
@@ -49,7 +51,8 @@ class Watchdog {
   // Looks once more, if the worker is still there.
   void look();
 
-  // What the worker has taken, as last seen; the time that we have waited for it since then counts as computing.
+  // What the worker has taken, as last seen; the time that we have waited for it since then counts as
+  // computing.
   double idle_seconds() const { return idle_; }
   double wakeup_seconds() const { return forgiven_; }  // forgiven so far
   double cpu_seconds() const { return last_.cpu_seconds + waited_; }

@@ -1,4 +1,5 @@
-// STAFF ONLY. What the watchdog ends, and what it leaves alone: processes of all kinds, on an idle and on a busy machine.
+// STAFF ONLY. What the watchdog ends, and what it leaves alone: processes of all kinds, on an idle and on a
+// busy machine.
 #include "grader/sandbox/watchdog.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +125,8 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   EXPECT_LT(watchdog.idle_seconds(), 0.2);
 }
 
-// Two processes that wake each other up idle 15 us and more an answer by the kernel's clocks: a right P2 answers 50,000 times.
+// Two processes that wake each other up idle 15 us and more an answer by the kernel's clocks: a right P2
+// answers 50,000 times.
 TEST(Watchdog, TakesNoWakingUpForIdling) {
   constexpr int kAnswers = 20000;
   Cage cage;
@@ -172,7 +174,8 @@ TEST(Watchdog, ForgivesWakingUpWithinABound) {
   EXPECT_LE(watchdog.wakeup_seconds(), 0.1);
 }
 
-// Thirty threads that wake up together queue behind each other: the sum of these waits is many times the time that passes.
+// Thirty threads that wake up together queue behind each other: the sum of these waits is many times the time
+// that passes.
 TEST(Watchdog, CountsWaitsOfThirtyThreadsOnce) {
   CagedProcess::Activity before{.alive = true, .started = true}, after = before;
   for (int thread = 1; thread <= 30; ++thread) {

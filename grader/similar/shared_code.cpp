@@ -32,7 +32,8 @@ std::string readable(std::string text) {
   return text;
 }
 
-// Leaves what a file has of its own. Given runs of one file in several given texts may overlap: a line counts once.
+// Leaves what a file has of its own. Given runs of one file in several given texts may overlap: a line counts
+// once.
 void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vector<std::string>& given,
                  int least) {
   if (given.empty()) return;
@@ -73,7 +74,8 @@ std::vector<int> tokens_of(const Sim& sim, const std::vector<std::string>& texts
   return tokens;
 }
 
-// A text that repeats itself is slow with another one that repeats the same, such as itself with a token more.
+// A text that repeats itself is slow with another one that repeats the same, such as itself with a token
+// more.
 bool repeats_itself(const Sim& sim, const std::string& text, int run_tokens) {
   try {
     sim.matches({text, text + "\nint\n"}, {}, run_tokens, kRepeatsSeconds);

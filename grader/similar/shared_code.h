@@ -1,8 +1,9 @@
 // STAFF ONLY. Code that hand-ins of one exercise share beyond what everybody was given.
 //
-// Lines that stand in given texts (stubs, samples) are blanked first: they are no part of what is compared, nor of the whole that parts
-// are taken of. A pair's part is the larger one of "this much of mine is in yours" and "of yours in mine", so that a copy in a longer
-// text counts in full. It is a hint for a person: two who solve the same short task write similar code.
+// Lines that stand in given texts (stubs, samples) are blanked first: they are no part of what is compared,
+// nor of the whole that parts are taken of. A pair's part is the larger one of "this much of mine is in
+// yours" and "of yours in mine", so that a copy in a longer text counts in full. It is a hint for a person:
+// two who solve the same short task write similar code.
 #pragma once
 
 #include <string>

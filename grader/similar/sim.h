@@ -1,5 +1,6 @@
-// STAFF ONLY. Finds runs of equal tokens in C++ sources with sim, Debian's similarity-tester. To sim all names are equal, and so are
-// all numbers and all texts; layout and comments don't exist. It reads what strangers have written, so it runs in a cage.
+// STAFF ONLY. Finds runs of equal tokens in C++ sources with sim, Debian's similarity-tester. To sim all
+// names are equal, and so are all numbers and all texts; layout and comments don't exist. It reads what
+// strangers have written, so it runs in a cage.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,8 @@ struct Lines {
   int first = 0, last = 0;  // from 1 on; both belong to it
 };
 
-// A run of tokens of one text that stands in another one, too. The runs of a text in one other text don't overlap.
+// A run of tokens of one text that stands in another one, too. The runs of a text in one other text don't
+// overlap.
 struct Match {
   std::size_t text = 0, other = 0;
   Lines lines, other_lines;
@@ -32,9 +34,9 @@ class Sim {
  public:
   explicit Sim(Isolation isolation);  // throws BadInput if sim is not installed
 
-  // Compares each text with each other one, or, if there are `given` texts, with each of those alone: then Match::other counts
-  // these. A run has `least` tokens at least. Throws std::runtime_error if sim does not end in these seconds
-  // of CPU time.
+  // Compares each text with each other one, or, if there are `given` texts, with each of those alone: then
+  // Match::other counts these. A run has `least` tokens at least. Throws std::runtime_error if sim does not
+  // end in these seconds of CPU time.
   Matches matches(const std::vector<std::string>& texts, const std::vector<std::string>& given, int least,
                   int cpu_seconds = 600) const;
 

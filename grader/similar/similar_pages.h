@@ -1,4 +1,5 @@
-// STAFF ONLY. What hand-ins share, as pages for staff: OUT/index.html, and OUT/S1-alice-bob.html with both sources side by side.
+// STAFF ONLY. What hand-ins share, as pages for staff: OUT/index.html, and OUT/S1-alice-bob.html with both
+// sources side by side.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// STAFF ONLY. Copies that are renamed, laid out anew and put in another order are found; others' own solutions are not; what was given
-// counts nowhere; what many share is told, and so is who was not compared.
+// STAFF ONLY. Copies that are renamed, laid out anew and put in another order are found; others' own
+// solutions are not; what was given counts nowhere; what many share is told, and so is who was not compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,8 @@ std::map<std::string, std::vector<SimilarFile>> honest_files() {
   return files;
 }
 
-// A copyist's work: every name that is not the language's gets another one, all comments go, and each line is cut in other places.
+// A copyist's work: every name that is not the language's gets another one, all comments go, and each line is
+// cut in other places.
 std::string renamed_and_laid_out(const std::string& text) {
   static const std::set<std::string> kept{"int",  "float",  "double", "const",   "for",       "if",
                                           "else", "return", "while",  "include", "namespace", "std",
@@ -106,8 +107,9 @@ const SharedPair* pair_of(const SharedCode& shared, const std::vector<SimilarFil
   return found == shared.pairs.end() ? nullptr : &*found;
 }
 
-// Ten copies among all honest files that there are. Samples that began as one text are told, too: they are copies. Honest pairs of two
-// files are accused, whose functions are short and dictated by the contract: the four integrators, and implicit Euler.
+// Ten copies among all honest files that there are. Samples that began as one text are told, too: they are
+// copies. Honest pairs of two files are accused, whose functions are short and dictated by the contract: the
+// four integrators, and implicit Euler.
 TEST_F(Similar, FindsTenCopiesAmongHonestFiles) {
   const std::set<std::string> dictated{"explicit_integrators.cpp", "implicit_euler.cpp"};
   const std::set<std::set<std::string>> began_as_one{{"expanded", "plain"}};
@@ -144,7 +146,8 @@ TEST_F(Similar, FindsTenCopiesAmongHonestFiles) {
   EXPECT_EQ(found, 10U);
 }
 
-// A template that students edit matches again, and left in the denominator it would keep identical work below 100 %.
+// A template that students edit matches again, and left in the denominator it would keep identical work below
+// 100 %.
 TEST_F(Similar, TakesOffWhatWasGiven) {
   const std::string stub = stub_of("conj_grad.cpp"), work = honest_files()["conj_grad.cpp"].front().text;
   const std::vector<SimilarFile> files{{"a", stub + work}, {"b", work + stub}, {"c", stub}, {"d", stub}};

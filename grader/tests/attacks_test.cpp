@@ -1,6 +1,7 @@
-// STAFF ONLY. The attack corpus, graded place by place: what each attack gets and costs, and that it reaches nobody. The
-// environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of isolation. What was graded is kept: a test that was
-// interrupted goes on where it was, as long as hairgrade and its suite are the same.
+// STAFF ONLY. The attack corpus, graded place by place: what each attack gets and costs, and that it reaches
+// nobody. The environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of isolation. What was
+// graded is kept: a test that was interrupted goes on where it was, as long as hairgrade and its suite are
+// the same.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -87,8 +88,8 @@ struct ShardRun {
   int left_behind = 0;     // processes that still ran long after it had ended
 };
 
-// What it prints is added to the file `terminal`. This process adopts what hairgrade's processes leave behind: so their
-// time is known, and that they end.
+// What it prints is added to the file `terminal`. This process adopts what hairgrade's processes leave
+// behind: so their time is known, and that they end.
 ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const double before = cpu_seconds_of_children();
@@ -278,15 +279,16 @@ TEST_F(AttackCorpus, TakesNoMoreTimeThanItMay) {
           seconds += value.get<double>();
       idle += times.at("spent_idle_seconds").get<double>();
     }
-    // A worker is looked at four times a second. A compiler that is stopped at its share then frees what it held.
+    // A worker is looked at four times a second. A compiler that is stopped at its share then frees what it
+    // held.
     const double stops = static_cast<double>(exercises.size());
     EXPECT_LE(idle, course.budget.idle_seconds + 0.25 * stops) << sample.name;
     EXPECT_LE(seconds, sample.attack->most_cpu_seconds + 0.1 * stops)
         << sample.name << ": " << sample.shows << "\n"
         << exercises;
   }
-  // With all that no file tells of: hairgrade and its suite, and the reference's files, which are compiled once in each build. The
-  // reference and those who are right take less than a minute.
+  // With all that no file tells of: hairgrade and its suite, and the reference's files, which are compiled
+  // once in each build. The reference and those who are right take less than a minute.
   EXPECT_LE(run_.cpu_seconds, bounds + 60);
   RecordProperty("cpu_seconds", std::to_string(run_.cpu_seconds));
 }

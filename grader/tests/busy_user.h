@@ -1,4 +1,5 @@
-// STAFF ONLY. Other threads of the user that student code runs as, as a desktop has them: the kernel counts them all together.
+// STAFF ONLY. Other threads of the user that student code runs as, as a desktop has them: the kernel counts
+// them all together.
 #pragma once
 
 #include <signal.h>

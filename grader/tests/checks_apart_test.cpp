@@ -1,5 +1,5 @@
-// STAFF ONLY. Checks that crash, leave or never end take no other with them. This program is the broken checks, too: it runs each of
-// them as students' checks are run, and compares what became of them.
+// STAFF ONLY. Checks that crash, leave or never end take no other with them. This program is the broken
+// checks, too: it runs each of them as students' checks are run, and compares what became of them.
 #include <gtest/gtest.h>
 
 #include <csignal>

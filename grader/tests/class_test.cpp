@@ -1,6 +1,6 @@
-// STAFF ONLY. The sample class, graded once by another test: everybody gets what they must, nothing of the staff's
-// is on a student's page, and nothing outside of the sandbox has changed. The environment's HAIR_CLASS names
-// what was graded: "showcase", as without it, or "class".
+// STAFF ONLY. The sample class, graded once by another test: everybody gets what they must, nothing of the
+// staff's is on a student's page, and nothing outside of the sandbox has changed. The environment's
+// HAIR_CLASS names what was graded: "showcase", as without it, or "class".
 #include <gtest/gtest.h>
 
 #include <algorithm>

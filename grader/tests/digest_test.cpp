@@ -1,4 +1,5 @@
-// STAFF ONLY. What the public checks tell a student: the first failure, a place to look, names, and the categories at stake.
+// STAFF ONLY. What the public checks tell a student: the first failure, a place to look, names, and the
+// categories at stake.
 #include "handout/check/digest.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT, then the sample AGAIN once more into OUT-again. What was compiled
-# stays in OUT-cache: public_checks_test looks there.
+# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT, then the sample AGAIN once more into
+# OUT-again. What was compiled stays in OUT-cache: public_checks_test looks there.
 file(REMOVE_RECURSE "${OUT}" "${OUT}-again" "${OUT}-cache")
 foreach(arguments "--out;${OUT}" "--out;${OUT}-again;--only;${AGAIN}")
   execute_process(COMMAND "${HAIRGRADE}" grade "${CLASS}" --cache "${OUT}-cache" --secret "${SECRET}" ${arguments}

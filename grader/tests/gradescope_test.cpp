@@ -1,4 +1,5 @@
-// STAFF ONLY. The package for Gradescope: it is made and unpacked, and its run_autograder grades a sample with this build's hairgrade.
+// STAFF ONLY. The package for Gradescope: it is made and unpacked, and its run_autograder grades a sample
+// with this build's hairgrade.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

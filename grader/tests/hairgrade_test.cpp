@@ -45,8 +45,8 @@ nlohmann::json two_exercises() {
   return {{"exercises", roles}};
 }
 
-// A course of S1 and S2, where nothing else is asked for. Its secret and its cache are the same for all tests: none but
-// the first compiles and draws, whichever that is.
+// A course of S1 and S2, where nothing else is asked for. Its secret and its cache are the same for all
+// tests: none but the first compiles and draws, whichever that is.
 class Hairgrade : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -138,7 +138,8 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   EXPECT_EQ(run_hairgrade({"--help"}).code, 0);
 }
 
-// Strays, names that clash and archives beside exercise files: a line each, exit code 3, and all else is graded.
+// Strays, names that clash and archives beside exercise files: a line each, exit code 3, and all else is
+// graded.
 TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   const fs::path everybody = folder_ / "class";
   for (const char* name : {"x", "alice"}) {
@@ -277,7 +278,8 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 0);
 }
 
-// The clock is no judge: a person is told, and asked to grade again. It does not end the reference, which takes a second.
+// The clock is no judge: a person is told, and asked to grade again. It does not end the reference, which
+// takes a second.
 TEST_F(Hairgrade, ListsWhatTheClockEnded) {
   nlohmann::json course = two_exercises();
   course["budget"] = {{"idle_seconds", 10000}, {"wall_seconds", 1}};  // half each

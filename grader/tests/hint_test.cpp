@@ -1,4 +1,5 @@
-// STAFF ONLY. Hints of the public checks: a mistake that numbers show is named, and other numbers get no hint.
+// STAFF ONLY. Hints of the public checks: a mistake that numbers show is named, and other numbers get no
+// hint.
 #include "handout/check/hint.h"
 
 #include <gtest/gtest.h>
@@ -151,7 +152,8 @@ TEST_F(Hints, NameNumbersThatAreStillThoseOfTheCheck) {
   EXPECT_EQ(told(actual, expected), "") << "a number may be 1000";
 }
 
-// Noise, and results that are off by a little in all entries, say nothing. What is right says nothing, either.
+// Noise, and results that are off by a little in all entries, say nothing. What is right says nothing,
+// either.
 TEST_F(Hints, AreSilentWhereNothingIsClear) {
   for (int repeat = 0; repeat < 1000; ++repeat) {
     const Numbers expected = numbers(3 + repeat % 20);

@@ -1,5 +1,5 @@
-// STAFF ONLY. The same file, built as a student builds it in an unpacked handout, and as it is graded: it builds in both or in neither, and for
-// the same reason.
+// STAFF ONLY. The same file, built as a student builds it in an unpacked handout, and as it is graded: it
+// builds in both or in neither, and for the same reason.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

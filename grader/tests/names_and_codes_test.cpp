@@ -1,5 +1,5 @@
-// STAFF ONLY. Staff read names of people beside the folders' names; where grading is blind they read codes, and no name in any file or
-// line that is for them.
+// STAFF ONLY. Staff read names of people beside the folders' names; where grading is blind they read codes,
+// and no name in any file or line that is for them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// STAFF ONLY. One folder of grades, several graders: who come at once, who are killed, who grade by other rules.
+// STAFF ONLY. One folder of grades, several graders: who come at once, who are killed, who grade by other
+// rules.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,11 +1,12 @@
-// STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise fails that exercise's
-// public checks (handout/exercises/<ID>/check.cpp), and one that gets all of them passes them. So do the wrong programs that are made of the reference:
-// tests of the reference need not ask what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one
-// sample alone. HAIR_TOLD names a folder that keeps what the checks tell of each program that fails them.
+// STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise
+// fails that exercise's public checks (handout/exercises/<ID>/check.cpp), and one that gets all of them
+// passes them. So do the wrong programs that are made of the reference: tests of the reference need not ask
+// what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one sample
+// alone. HAIR_TOLD names a folder that keeps what the checks tell of each program that fails them.
 //
-// A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in another. Wrong ones that
-// they do not catch are compiled once more with sanitizers, as students' checks are: these take longer, and tell more of memory
-// errors alone. What was compiled is kept.
+// A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in
+// another. Wrong ones that they do not catch are compiled once more with sanitizers, as students' checks are:
+// these take longer, and tell more of memory errors alone. What was compiled is kept.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
@@ -39,11 +40,13 @@ struct Exception {
   std::string_view exercise, sample, why;
 };
 
-// None. What has a place here is a bug that a whole run or its pictures alone show, or one that takes longer than checks may.
+// None. What has a place here is a bug that a whole run or its pictures alone show, or one that takes longer
+// than checks may.
 constexpr std::array<Exception, 0> kExceptions{};
 
-// What a submission can be that was compiled and ran. The others have no place here: what is not there, is the stub, or does not
-// compile has nothing to check, and what the sandbox forbids costs nothing outside of it.
+// What a submission can be that was compiled and ran. The others have no place here: what is not there, is
+// the stub, or does not compile has nothing to check, and what the sandbox forbids costs nothing outside of
+// it.
 const std::set<std::string> kLosesPoints = {"partly", "wrong", "crashed", "timed out", "out of memory"};
 
 struct Program {

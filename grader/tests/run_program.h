@@ -13,7 +13,8 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// A hairgrade that runs: the id of its process, which is also that of its process group, and the file that its errors go to.
+// A hairgrade that runs: the id of its process, which is also that of its process group, and the file that
+// its errors go to.
 struct RunningProgram {
   int process;
   std::filesystem::path errors;
@@ -23,7 +24,8 @@ struct RunningProgram {
   bool wait_until_it_says(const std::string& words) const;
 };
 
-// Runs hairgrade with these arguments, and calls `meanwhile` once it runs. A shell starts it after `script`, if there is one.
+// Runs hairgrade with these arguments, and calls `meanwhile` once it runs. A shell starts it after `script`,
+// if there is one.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(const RunningProgram&)>& meanwhile = {},
                          const std::string& script = "");

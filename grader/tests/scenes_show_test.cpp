@@ -1,8 +1,10 @@
-// STAFF ONLY. Bugs are seen: each wrong sample of an exercise moves visibly wrong in a scene of that exercise, or
-// grader/samples/unseen.txt says why no scene can show it. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one sample
-// alone. The scenes are that of show-X (exercises.json), and those that the file adds.
+// STAFF ONLY. Bugs are seen: each wrong sample of an exercise moves visibly wrong in a scene of that
+// exercise, or grader/samples/unseen.txt says why no scene can show it. The environment's HAIR_EXERCISE names
+// the exercise, and HAIR_SAMPLE one sample alone. The scenes are that of show-X (exercises.json), and those
+// that the file adds.
 //
-// A sample's file is compiled as for grading, and a worker plays the scene with it, with the reference's files for all other exercises.
+// A sample's file is compiled as for grading, and a worker plays the scene with it, with the reference's
+// files for all other exercises.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,8 +33,9 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 
-// The largest distance of a particle from the reference's, in the scene's size, that one sees at a glance. Where another right solution
-// is apart, since a hair that just touches something slides off to either side by a rounding, wrong ones are farther by kFarther.
+// The largest distance of a particle from the reference's, in the scene's size, that one sees at a glance.
+// Where another right solution is apart, since a hair that just touches something slides off to either side
+// by a rounding, wrong ones are farther by kFarther.
 constexpr double kSeen = 0.02;
 constexpr double kFarther = 5;
 
@@ -41,7 +44,8 @@ struct SceneShown {
   int frames = 0;  // its first ones; 0: all
 };
 
-// The lines of unseen.txt: "scene S1 rod-pendulum", or "scene H10 guides-to-hair 2" for its first two frames; "unseen S1 returns-norm WHY".
+// The lines of unseen.txt: "scene S1 rod-pendulum", or "scene H10 guides-to-hair 2" for its first two frames;
+// "unseen S1 returns-norm WHY".
 struct Unseen {
   std::vector<SceneShown> scenes;
   std::map<std::string, std::string> why;  // by sample
@@ -151,7 +155,8 @@ class ScenesShow : public testing::Test {
     }
   }
 
-  // How far another right solution is, in each scene. Distances mean something only if it ends as the reference does, not far from it.
+  // How far another right solution is, in each scene. Distances mean something only if it ends as the
+  // reference does, not far from it.
   std::vector<double> right_distances() const {
     const Exercise& exercise = *course_.find(id_);
     const fs::path plain = kProject / "reference" / exercise.id / "right/plain.cpp";

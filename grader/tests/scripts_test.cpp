@@ -1,4 +1,5 @@
-// STAFF ONLY. The scripts that people start, where nothing is built yet: whoever asks for help gets it at once.
+// STAFF ONLY. The scripts that people start, where nothing is built yet: whoever asks for help gets it at
+// once.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// STAFF ONLY. Groups and participants of a learning system, from the download to the gradebook, and again with the next download.
+// STAFF ONLY. Groups and participants of a learning system, from the download to the gradebook, and again
+// with the next download.
 #include <gtest/gtest.h>
 
 #include <filesystem>

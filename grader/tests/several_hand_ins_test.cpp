@@ -1,4 +1,5 @@
-// STAFF ONLY. A course with several hand-ins, from outside: one record, a folder of pages for each, and the course's page above them.
+// STAFF ONLY. A course with several hand-ins, from outside: one record, a folder of pages for each, and the
+// course's page above them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// STAFF ONLY. The same bytes, the same grade: graded twenty times, alone and beside twenty programs that want the processors, with and
-// without what was compiled before.
+// STAFF ONLY. The same bytes, the same grade: graded twenty times, alone and beside twenty programs that want
+// the processors, with and without what was compiled before.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -39,18 +39,20 @@ Csv parse_csv(std::string_view bytes, const std::string& file);
 // Throws BadInput, too, for a file that can't be read.
 Csv read_csv(const std::filesystem::path& file);
 
-// The column of this title, letters' case and blanks around it aside; npos if there is none. Two columns of it throw BadInput.
+// The column of this title, letters' case and blanks around it aside; npos if there is none. Two columns of
+// it throw BadInput.
 inline constexpr std::size_t kNoColumn = std::string::npos;
 std::size_t column_of(const Csv& table, const std::string& title);
 
 // "roster.csv, line 7"
 std::string place_of(const Csv& table, const Csv::Row& row);
 
-// A spreadsheet would run it: it begins, blanks aside, with = + - or @, also in their wide forms, has more than that, and is no number.
+// A spreadsheet would run it: it begins, blanks aside, with = + - or @, also in their wide forms, has more
+// than that, and is no number.
 bool starts_formula(std::string_view cell);
 
-// A cell that would be run begins with U+2060 instead, which nobody sees and which is no blank. A number keeps its sign. What is no
-// UTF-8 becomes U+FFFD.
+// A cell that would be run begins with U+2060 instead, which nobody sees and which is no blank. A number
+// keeps its sign. What is no UTF-8 becomes U+FFFD.
 std::string csv_line(const Cells& cells, char separator = ',', const std::string& end_of_line = "\r\n",
                      bool all_quoted = false);
 

@@ -37,8 +37,8 @@ constexpr std::array kEncodings = {Wide{"UTF-32", "UTF-32LE", "\xff\xfe\0\0"sv, 
                                    Wide{"UTF-16", "UTF-16LE", "\xff\xfe"sv, 2, true},
                                    Wide{"UTF-16", "UTF-16BE", "\xfe\xff"sv, 2, false}};
 
-// Source code is ASCII, but for comments: then all bytes of a unit but one are zero. This is the share of units where it is so. A
-// file that was cut may end within a unit.
+// Source code is ASCII, but for comments: then all bytes of a unit but one are zero. This is the share of
+// units where it is so. A file that was cut may end within a unit.
 double share_of_ascii(std::string_view bytes, const Wide& encoding) {
   const std::size_t units = bytes.size() / encoding.unit;
   if (units == 0) return 0;
@@ -63,8 +63,8 @@ std::optional<Wide> wide_encoding_of(std::string_view bytes) {
   return {};
 }
 
-// How many bytes the letter at the beginning has; 0 if it is none of UTF-8's. NUL and other control characters but those
-// between words are in no text.
+// How many bytes the letter at the beginning has; 0 if it is none of UTF-8's. NUL and other control
+// characters but those between words are in no text.
 std::size_t letter_at(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
   if (byte(0) < 0x20) return byte(0) >= '\t' && byte(0) <= '\r' ? 1 : 0;

@@ -1,5 +1,5 @@
-// STAFF ONLY. The encodings of text that others wrote. Source code must be UTF-8, of which ASCII is a part: other files are told to
-// their author in a sentence, with how to save them. Tables are decoded.
+// STAFF ONLY. The encodings of text that others wrote. Source code must be UTF-8, of which ASCII is a part:
+// other files are told to their author in a sentence, with how to save them. Tables are decoded.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ std::string told_if_wide(std::string_view bytes, const std::string& file);
 // The first byte that is no text in UTF-8, as of a name in Latin-1, or a NUL. Empty if there is none.
 std::string told_of_stray_byte(std::string_view bytes, const std::string& file);
 
-// Bytes of a code page ("CP1252", "SHIFT_JIS") as UTF-8, by the system's tables. Nothing if some have no letter there, or if the system has
-// no such table.
+// Bytes of a code page ("CP1252", "SHIFT_JIS") as UTF-8, by the system's tables. Nothing if some have no
+// letter there, or if the system has no such table.
 std::optional<std::string> from_code_page(std::string_view bytes, const char* page);
 
 // UTF-8 by default. `page` is the system's name of it.
@@ -31,8 +31,9 @@ struct Decoded {
   Encoding encoding{};
 };
 
-// UTF-8 and UTF-16, with a byte order mark and without. Windows-1252 is the guess for what is neither: spreadsheets in the west write
-// it. UTF-32, half a UTF-16 unit and what is none of these throw BadInput with `file`.
+// UTF-8 and UTF-16, with a byte order mark and without. Windows-1252 is the guess for what is neither:
+// spreadsheets in the west write it. UTF-32, half a UTF-16 unit and what is none of these throw BadInput with
+// `file`.
 Decoded decoded(std::string_view bytes, const std::string& file);
 
 // UTF-8 in another encoding, with its mark. A letter that has no place there becomes one that resembles it,

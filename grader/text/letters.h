@@ -1,5 +1,5 @@
-// STAFF ONLY. Letters of names, of people and of files. One name has several spellings as bytes: "ö" is one code point or two, and
-// learning systems write names in lower case without spaces into names of files.
+// STAFF ONLY. Letters of names, of people and of files. One name has several spellings as bytes: "ö" is one
+// code point or two, and learning systems write names in lower case without spaces into names of files.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace grader::inline text {
 
-// The composed form (NFC) as one line for people: bytes that are no UTF-8 become U+FFFD, blanks become one space, and none is at an
-// end. Letters stay.
+// The composed form (NFC) as one line for people: bytes that are no UTF-8 become U+FFFD, blanks become one
+// space, and none is at an end. Letters stay.
 std::string composed(std::string_view name);
 
 // As Canvas writes a sortable name: lower case, only letters, digits and their marks.
@@ -33,8 +33,8 @@ std::string composed_path(std::string_view path);
 // "Müller" as "Muller": letters that are one of ASCII with marks lose these. Others stay.
 std::string without_marks(std::string_view name);
 
-// One line that is safe to print and keeps its letters: control characters, bytes that are no UTF-8 and letters that change the
-// direction of others become \xNN. Cuts after about `most` bytes.
+// One line that is safe to print and keeps its letters: control characters, bytes that are no UTF-8 and
+// letters that change the direction of others become \xNN. Cuts after about `most` bytes.
 std::string legible(std::string_view text, std::size_t most = 200);
 
 // Columns of a terminal that a legible text takes: a Chinese letter has two, a mark none.

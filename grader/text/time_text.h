@@ -10,7 +10,8 @@
 //   martes, 4 de marzo de 2025, 10:15                     in Spanish
 //   2025年 03月 4日(火曜日) 10:15                          in Japanese
 //
-// Other languages are not guessed: a word may be one month here and another one there ("listopad"), or say that an hour is past noon.
+// Other languages are not guessed: a word may be one month here and another one there ("listopad"), or say
+// that an hour is past noon.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,5 @@
-// STAFF ONLY. Times are read in the forms that learning systems write, each with its offset; all else is no time.
+// STAFF ONLY. Times are read in the forms that learning systems write, each with its offset; all else is no
+// time.
 #include "grader/text/time_text.h"
 
 #include <gtest/gtest.h>

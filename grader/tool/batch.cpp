@@ -30,8 +30,8 @@ std::string names_of(const std::vector<Submission>& submissions) {
 }
 
 // Adds what an earlier run found of exercises that this one was not asked for, in the course's order, and of
-// all of them together, but for a study: that would be of code that is not this. Then no fingerprint is right for all of
-// it.
+// all of them together, but for a study: that would be of code that is not this. Then no fingerprint is right
+// for all of it.
 void keep_other_exercises(Recorded& one, const Recorded& earlier, const Course& course) {
   SubmissionResult& result = one.result;
   for (const ExerciseResult& old : earlier.result.exercises)

@@ -1,6 +1,6 @@
-// STAFF ONLY. Grades many submissions in parallel. Each result goes into the class's record as soon as it is there, so
-// that an interrupted batch leaves the finished ones. A failure in one submission does not affect others. All files are made from
-// the record, whoever graded.
+// STAFF ONLY. Grades many submissions in parallel. Each result goes into the class's record as soon as it is
+// there, so that an interrupted batch leaves the finished ones. A failure in one submission does not affect
+// others. All files are made from the record, whoever graded.
 #pragma once
 
 #include <atomic>
@@ -43,8 +43,8 @@ struct Batch {
   bool began = true;  // false: interrupted while another process had the folder
 };
 
-// Waits while another process grades into the same folder. When `interrupted` is set from outside (Ctrl-C), the
-// batch starts nothing new and ends. Throws BadInput for an `only` that names none of the submissions, as
+// Waits while another process grades into the same folder. When `interrupted` is set from outside (Ctrl-C),
+// the batch starts nothing new and ends. Throws BadInput for an `only` that names none of the submissions, as
 // FolderOfGrades::open does, and as settle_origins does.
 Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, const BatchSettings& settings,
                   const std::atomic<bool>& interrupted);

@@ -1,5 +1,6 @@
-// STAFF ONLY. Blind grading: whoever looks at grades sees codes. A code is drawn at random at first sight and stored, so that no name leads
-// to it; it is the name of folders and files, too. The record knows whose it is, and gradebooks and feedback are for people as ever.
+// STAFF ONLY. Blind grading: whoever looks at grades sees codes. A code is drawn at random at first sight and
+// stored, so that no name leads to it; it is the name of folders and files, too. The record knows whose it
+// is, and gradebooks and feedback are for people as ever.
 #pragma once
 
 #include <map>
@@ -15,7 +16,8 @@ namespace grader::inline tool {
 // Whose the submissions are, for the record.
 std::vector<HandIn> hand_ins_of(const std::vector<Submission>& submissions);
 
-// Names submissions by their codes, `known` or new ones, and sorts them by these. The names that intake found are `known_as` then.
+// Names submissions by their codes, `known` or new ones, and sorts them by these. The names that intake found
+// are `known_as` then.
 void give_codes(std::vector<Submission>& submissions, const std::map<std::string, std::string>& known);
 
 void hide(const HiddenNames& names, Intake& intake);  // in all lines

@@ -1,6 +1,7 @@
-// STAFF ONLY. The files of a folder of grades, made from its record and never read back: those of students, and those of the class,
-// with timing.json (the cost of everything, beside the reference in an identical worker) and costs.html, the page that shows it, and left-over.json.
-// The same record gives the same bytes, but for times.
+// STAFF ONLY. The files of a folder of grades, made from its record and never read back: those of students,
+// and those of the class, with timing.json (the cost of everything, beside the reference in an identical
+// worker) and costs.html, the page that shows it, and left-over.json. The same record gives the same bytes,
+// but for times.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,8 @@ namespace grader::inline tool {
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people);
 
-// All files of all students of the record's hand-in, but of those who are `written`, of the class, and of the course (course_files.h). Returns everybody's result, sorted by name.
+// All files of all students of the record's hand-in, but of those who are `written`, of the class, and of the
+// course (course_files.h). Returns everybody's result, sorted by name.
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written = {});
 

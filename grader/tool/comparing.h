@@ -15,9 +15,10 @@ struct CompareSettings {
   bool json = false;                         // on `output`, instead of the table
 };
 
-// Returns the exit code: 0, or 130 if `interrupted` was set. Of two folders, a picture that can't be read, pictures of
-// different sizes and a picture that one folder lacks are named, ranked worst, and give 3. Throws BadInput before
-// writing to `out`: as find_pairs does, for two pictures that can't be compared, and for a folder that can't be written.
+// Returns the exit code: 0, or 130 if `interrupted` was set. Of two folders, a picture that can't be read,
+// pictures of different sizes and a picture that one folder lacks are named, ranked worst, and give 3. Throws
+// BadInput before writing to `out`: as find_pairs does, for two pictures that can't be compared, and for a
+// folder that can't be written.
 int compare_pictures(const CompareSettings& settings, std::ostream& output,
                      const std::atomic<bool>& interrupted);
 

@@ -1,4 +1,5 @@
-// STAFF ONLY. The files of a course with several hand-ins: a page and a table of people and hand-ins, beside the hand-ins' folders.
+// STAFF ONLY. The files of a course with several hand-ins: a page and a table of people and hand-ins, beside
+// the hand-ins' folders.
 #pragma once
 
 #include <filesystem>

@@ -21,7 +21,8 @@ double whole_points(double points, double weight, double weights, int held, int 
 // The result without status, points and cases.
 ExerciseResult describe(const Exercise& exercise);
 
-// `job`: a folder for temporary files. `compiler_seconds`: the CPU time that compiler and linker may take. Throws for errors on our side.
+// `job`: a folder for temporary files. `compiler_seconds`: the CPU time that compiler and linker may take.
+// Throws for errors on our side.
 void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
                     const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
                     ExerciseResult& result, ExerciseTiming& timing);

@@ -1,4 +1,5 @@
-// STAFF ONLY. Points of an exercise that is right in a part of its cases, with "partial" in the course file and without.
+// STAFF ONLY. Points of an exercise that is right in a part of its cases, with "partial" in the course file
+// and without.
 #include "grader/tool/exercise_grading.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// STAFF ONLY. The right to write to a folder of grades: one process at a time has it, until the end of this object's life or of the
-// process, however that ends.
+// STAFF ONLY. The right to write to a folder of grades: one process at a time has it, until the end of this
+// object's life or of the process, however that ends.
 #pragma once
 
 #include <atomic>
@@ -20,8 +20,8 @@ inline constexpr const char* kFolderLock = ".lock";  // no submission is called 
 
 class FolderLock {
  public:
-  // While another process has it, waits, and says so once on `says`. Nothing if `interrupted` was set meanwhile. Throws BadInput for a
-  // folder that can't be written.
+  // While another process has it, waits, and says so once on `says`. Nothing if `interrupted` was set
+  // meanwhile. Throws BadInput for a folder that can't be written.
   static std::optional<FolderLock> take(const std::filesystem::path& folder,
                                         const std::atomic<bool>& interrupted, std::ostream& says);
 

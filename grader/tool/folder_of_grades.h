@@ -1,5 +1,5 @@
-// STAFF ONLY. The folder of grades as something that several people use: one hairgrade at a time writes to it, and
-// all that do agree on the course, the suite and the secret.
+// STAFF ONLY. The folder of grades as something that several people use: one hairgrade at a time writes to
+// it, and all that do agree on the course, the suite and the secret.
 #pragma once
 
 #include <atomic>
@@ -14,17 +14,18 @@
 
 namespace grader::inline tool {
 
-// Throws BadInput if the folder has results of this hand-in that were made otherwise, or that are of an older version and in no record;
-// and if a hand-in has a name here and none there. It needs no
-// lock: the record says how its results are made before the first one is there.
+// Throws BadInput if the folder has results of this hand-in that were made otherwise, or that are of an older
+// version and in no record; and if a hand-in has a name here and none there. It needs no lock: the record
+// says how its results are made before the first one is there.
 void check_made_by(const std::filesystem::path& folder, const MadeBy& mine, const std::string& hand_in = "");
 
-// The right to write to a folder, and its record, until the end of this object's life or of the process, however that ends.
+// The right to write to a folder, and its record, until the end of this object's life or of the process,
+// however that ends.
 class FolderOfGrades {
  public:
   // Makes the folder if it is not there. While another process has it, waits, and says so once on `says`.
-  // Nothing if `interrupted` was set meanwhile. Throws BadInput as check_made_by does, and for a folder that can't
-  // be written.
+  // Nothing if `interrupted` was set meanwhile. Throws BadInput as check_made_by does, and for a folder that
+  // can't be written.
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
                                             const std::atomic<bool>& interrupted, std::ostream& says,
                                             const std::string& hand_in = "");

@@ -22,8 +22,8 @@ struct GradeSettings {
   int jobs = 1;
 };
 
-// The parts of this build, the course, the secret, and how this machine isolates student code. Throws BadInput for what is missing, also
-// for a machine that can't isolate.
+// The parts of this build, the course, the secret, and how this machine isolates student code. Throws
+// BadInput for what is missing, also for a machine that can't isolate.
 GradingSettings settings_of(const GradeSettings& options);
 
 }  // namespace grader::tool

@@ -1,12 +1,13 @@
-// STAFF ONLY. A hand-in where Gradescope has put it: FOLDER/submission, with FOLDER/submission_metadata.json beside it. What is
-// found goes to FOLDER/results/results.json, which is whole at each moment: who is ended by the platform's time keeps the
-// exercises that were done, and reads which were not.
+// STAFF ONLY. A hand-in where Gradescope has put it: FOLDER/submission, with FOLDER/submission_metadata.json
+// beside it. What is found goes to FOLDER/results/results.json, which is whole at each moment: who is ended
+// by the platform's time keeps the exercises that were done, and reads which were not.
 //
-// The student is a number of Gradescope's, and the inputs are drawn from it: of a group the smallest of its members', whoever of
-// them hands in.
+// The student is a number of Gradescope's, and the inputs are drawn from it: of a group the smallest of its
+// members', whoever of them hands in.
 //
-// Where nothing can be graded (odd metadata, no isolation, a fault of ours), results.json gives no points, and says in a line that this
-// is not the student's fault. The reason is for the staff, who read hairgrade's output on the platform; students don't.
+// Where nothing can be graded (odd metadata, no isolation, a fault of ours), results.json gives no points,
+// and says in a line that this is not the student's fault. The reason is for the staff, who read hairgrade's
+// output on the platform; students don't.
 #pragma once
 
 #include <filesystem>

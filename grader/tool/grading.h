@@ -33,10 +33,12 @@ std::string hash_of_files(const Submission& submission);
 
 class Grading {
  public:
-  // Throws BadInput if `images` is set and this machine can't draw, or if the reference does not get full points.
+  // Throws BadInput if `images` is set and this machine can't draw, or if the reference does not get full
+  // points.
   explicit Grading(GradingSettings settings);
 
-  // Errors on our side are in the result, which then has no fingerprint. `after_each` sees the result so far after each exercise.
+  // Errors on our side are in the result, which then has no fingerprint. `after_each` sees the result so far
+  // after each exercise.
   using AfterEach = std::function<void(const SubmissionResult&)>;
   Graded grade(const Submission& submission, const AfterEach& after_each = {}) const;
 

@@ -1,6 +1,6 @@
-// STAFF ONLY. hairchecks FOLDER [--course FILE] [--cache DIR]: what `hairgrade gradescope` is, for the days before the deadline: it compiles a
-// hand-in as grading does and runs the public checks, which give no points. It needs no secret and no reference, and links neither.
-// Exit codes are hairgrade's.
+// STAFF ONLY. hairchecks FOLDER [--course FILE] [--cache DIR]: what `hairgrade gradescope` is, for the days
+// before the deadline: it compiles a hand-in as grading does and runs the public checks, which give no
+// points. It needs no secret and no reference, and links neither. Exit codes are hairgrade's.
 #include <locale.h>
 #include <signal.h>
 #include <sodium.h>

@@ -1,5 +1,5 @@
-// STAFF ONLY. How a program ends is told by its reason, whatever the C library makes of it: a table of what the system call filter
-// stops, by the functions that people call, and one of other ends.
+// STAFF ONLY. How a program ends is told by its reason, whatever the C library makes of it: a table of what
+// the system call filter stops, by the functions that people call, and one of other ends.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -32,7 +32,8 @@ constexpr const char* kOther = "it tried to look into or stop another process";
 constexpr const char* kLimits = "it tried to change the limits that it runs under";
 constexpr const char* kMachine = "it tried to change the machine";
 
-// The C library blocks signals around some of them, asks for other calls in their place, or ignores that they fail.
+// The C library blocks signals around some of them, asks for other calls in their place, or ignores that they
+// fail.
 constexpr Way kStopped[] = {
     {"std::system(\"pause\");", Outcome::broke_rules, kProcess},
     {"std::system(nullptr);", Outcome::broke_rules, kProcess},

@@ -8,8 +8,8 @@
 
 namespace grader::inline tool {
 
-// The kind that is asked for, or else the first of namespaces and container whose fences hold here: each is tried. Throws BadInput with
-// the fence that is open, and a remedy.
+// The kind that is asked for, or else the first of namespaces and container whose fences hold here: each is
+// tried. Throws BadInput with the fence that is open, and a remedy.
 Isolation isolation_here(const StagedKit& kit, std::optional<Isolation> asked);
 
 }  // namespace grader::tool

@@ -1,4 +1,5 @@
-// STAFF ONLY. Random classes, each followed by a later download of it, and by archives of one student that look like one.
+// STAFF ONLY. Random classes, each followed by a later download of it, and by archives of one student that
+// look like one.
 #include <functional>
 
 #include "grader/intake/question.h"

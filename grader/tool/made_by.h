@@ -1,5 +1,5 @@
-// STAFF ONLY. What a folder of grades was made with. Rows of one gradebook can be compared only if all of this is
-// the same for all of them.
+// STAFF ONLY. What a folder of grades was made with. Rows of one gradebook can be compared only if all of
+// this is the same for all of them.
 #pragma once
 
 #include <map>
@@ -29,8 +29,8 @@ struct MadeBy {
   bool operator==(const MadeBy&) const = default;
 };
 
-// Of a run with these settings. `exercise` and `study` are no part of it: they leave out or add, and change no
-// points.
+// Of a run with these settings. `exercise` and `study` are no part of it: they leave out or add, and change
+// no points.
 MadeBy made_by(const GradingSettings& settings);
 
 std::string to_json(const MadeBy& made_by);

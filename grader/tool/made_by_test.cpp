@@ -1,4 +1,5 @@
-// STAFF ONLY. A folder's memory: what it was made with comes back whole, and every difference is told in words.
+// STAFF ONLY. A folder's memory: what it was made with comes back whole, and every difference is told in
+// words.
 #include "grader/tool/made_by.h"
 
 #include <gtest/gtest.h>

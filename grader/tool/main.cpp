@@ -1,8 +1,9 @@
 // STAFF ONLY. hairgrade: what staff start. Its commands are in grader/tool/commands.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, or a
-// gate of the handout closed. 2: bad input or usage. 3: a person must look: intake left something over (a line each, all else is graded), the
-// clock on the wall ended a submission, or a picture is missing or could not be compared. 130: interrupted; what was finished is kept, and --resume goes on.
+// gate of the handout closed. 2: bad input or usage. 3: a person must look: intake left something over (a
+// line each, all else is graded), the clock on the wall ended a submission, or a picture is missing or could
+// not be compared. 130: interrupted; what was finished is kept, and --resume goes on.
 #include <locale.h>
 #include <signal.h>
 #include <sodium.h>

@@ -37,7 +37,8 @@ Earlier earlier_class(const std::string& origin, const People& people, const Row
   return most;
 }
 
-// Bytes that several handed in, such as those of a stub, prove nothing: others know them. Nor does a hand-in without files.
+// Bytes that several handed in, such as those of a stub, prove nothing: others know them. Nor does a hand-in
+// without files.
 bool has_most_as_they_were(const People& people, const std::string& earlier, const RowsByName& rows) {
   std::map<std::string, int> with_bytes;
   for (const auto& [name, row] : rows) ++with_bytes[row.files];

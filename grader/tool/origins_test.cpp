@@ -26,7 +26,8 @@ const CallersWord kNothingSaid, kClassSaid{.class_over_rows = true}, kFromSaid{.
 
 class Origins : public testing::Test {
  protected:
-  // Hand-ins of these people; "bob!" has handed in anew, "bob?" nothing that counts, and "bob=" what all such have.
+  // Hand-ins of these people; "bob!" has handed in anew, "bob?" nothing that counts, and "bob=" what all such
+  // have.
   static std::vector<Submission> from(const std::string& origin, const Names& people) {
     std::vector<Submission> submissions;
     for (const std::string& text : people) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. The progress of long work. On a terminal each step has a line, as it is done; in a file or a pipe one line a minute says
-// how far it is. Both say how long it will still take, once that is known.
+// STAFF ONLY. The progress of long work. On a terminal each step has a line, as it is done; in a file or a
+// pipe one line a minute says how far it is. Both say how long it will still take, once that is known.
 #pragma once
 
 #include <cstddef>

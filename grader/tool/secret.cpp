@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLeastBytes = 16;
 
-// False if a file is there. Written in full under its own name before it is the secret: two graders that start together agree on one.
+// False if a file is there. Written in full under its own name before it is the secret: two graders that
+// start together agree on one.
 bool keep(const std::string& secret, const fs::path& file) {
   const fs::path temporary = file.string() + "." + std::to_string(getpid());
   const int out = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);

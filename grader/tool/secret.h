@@ -14,11 +14,13 @@ std::filesystem::path default_secret_file();
 // for a file that can't be read or has fewer than 16 bytes.
 std::string read_secret(const std::optional<std::filesystem::path>& file);
 
-// Sixteen hexadecimal digits that tell two secrets apart, and nothing else: an HMAC whose key is the secret. Records keep it.
+// Sixteen hexadecimal digits that tell two secrets apart, and nothing else: an HMAC whose key is the secret.
+// Records keep it.
 std::string fingerprint(const std::string& secret);
 
-// Both write a file that its owner alone can read, in full or not at all, and replace none: they throw BadInput if `file`, or another
-// secret, is there. What is exported is the default secret; what is imported becomes it. They return its fingerprint.
+// Both write a file that its owner alone can read, in full or not at all, and replace none: they throw
+// BadInput if `file`, or another secret, is there. What is exported is the default secret; what is imported
+// becomes it. They return its fingerprint.
 std::string export_secret(const std::filesystem::path& file);
 std::string import_secret(const std::filesystem::path& file);
 

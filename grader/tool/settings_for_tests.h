@@ -1,5 +1,6 @@
-// STAFF ONLY. How tests grade: with the parts of this build, and the course as the handout has it. The program's target says where
-// they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_PLAYERS, HAIR_HIDDEN_SCENES).
+// STAFF ONLY. How tests grade: with the parts of this build, and the course as the handout has it. The
+// program's target says where they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_PLAYERS,
+// HAIR_HIDDEN_SCENES).
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr int kLeastCpuSeconds = 2;
 constexpr int kLeastRunCpuSeconds =
     3;  // a run has a bound of its own, of questions: see grader/judge/run/player.cpp
-// A worker, all workers of an exercise, and the suite while it asks them may take this many times the reference's CPU time and messages.
+// A worker, all workers of an exercise, and the suite while it asks them may take this many times the
+// reference's CPU time and messages.
 constexpr double kTimesReference = 20;
 constexpr double kTimesCompiled = 2.25, kLeastCompilerSeconds = 5;
 constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, and fit to grade

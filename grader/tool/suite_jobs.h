@@ -59,8 +59,9 @@ class SuiteJobs {
   bool ended_by_the_clock(const ExerciseTiming& timing) const;
 
   // What compiler and linker may take for a file: its share of the course's budget; and 4.5 times what the
-  // reference's file takes with sanitizers, or rather the mean of that and of an average file. The reference's
-  // own file takes 2 of these 4.5, for it is compiled twice; what others need beyond their share is spare.
+  // reference's file takes with sanitizers, or rather the mean of that and of an average file. The
+  // reference's own file takes 2 of these 4.5, for it is compiled twice; what others need beyond their share
+  // is spare.
   double compiler_seconds(const Exercise& exercise) const;
 
   // The cases of an exercise and its whole run, against an object; the suite provides its prerequisites.

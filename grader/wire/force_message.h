@@ -6,13 +6,14 @@
 
 namespace grader::inline wire {
 
-// Far from the numbers of matrices, which start at 0, because an exercise may use both. A question holds what is to
-// be added to, so that sums have the same bits wherever the force is.
+// Far from the numbers of matrices, which start at 0, because an exercise may use both. A question holds what
+// is to be added to, so that sums have the same bits wherever the force is.
 inline constexpr int kForceEnergy = 100;  // x             -> energy, one number
 inline constexpr int kForceForce = 101;   // x, v, f       -> f, 3n
 inline constexpr int kForceDfdx = 102;    // x, v, dx, df  -> df + (df/dx) dx, 3n
 inline constexpr int kForceDfdv = 103;    // x, v, dv, df  -> df + (df/dv) dv, 3n
-// x, v, by_dfdx, by_dfdv -> 1 if there is a band, 0 if there is none; then the band's 27n numbers, column by column
+// x, v, by_dfdx, by_dfdv -> 1 if there is a band, 0 if there is none; then the band's 27n numbers, column by
+// column
 inline constexpr int kForceBand = 104;
 
 // The numbers of a question, with vectors of `size` numbers.

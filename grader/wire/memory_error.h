@@ -16,7 +16,8 @@ struct MemoryErrorKind {
   const char* shown;         // what the code does, for students
 };
 
-// What costs a point. The runtime reports other things, too: memory or stack used up, which are limits of ours.
+// What costs a point. The runtime reports other things, too: memory or stack used up, which are limits of
+// ours.
 std::span<const MemoryErrorKind> memory_error_kinds();
 
 // The row of one of the runtime's names; nothing if it is none of them.

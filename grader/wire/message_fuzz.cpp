@@ -145,8 +145,8 @@ void fuzz::try_input(std::string_view bytes) {
   try_body(bytes.substr(1, length), bytes_of(bytes.substr(1 + length)));
 }
 
-// The body, what is read of it, and two texts that grow to twice their size. A stream has at most a message that
-// was announced, twice.
+// The body, what is read of it, and two texts that grow to twice their size. A stream has at most a message
+// that was announced, twice.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 10'000 + 4 * kLongestMessage + 12 * input;
 }

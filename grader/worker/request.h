@@ -1,4 +1,5 @@
-// STAFF ONLY. The request that a worker is at, and its pipes: for what can happen in the middle of student code.
+// STAFF ONLY. The request that a worker is at, and its pipes: for what can happen in the middle of student
+// code.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,9 @@ struct Current {
 
 inline Current current;
 
-// Runs it on a stack whose ends AddressSanitizer knows: where an exception unwinds it, the runtime must forget what it had
-// marked there. The main thread's ends stand in /proc, which no cage has. Only in the worker with sanitizers.
+// Runs it on a stack whose ends AddressSanitizer knows: where an exception unwinds it, the runtime must
+// forget what it had marked there. The main thread's ends stand in /proc, which no cage has. Only in the
+// worker with sanitizers.
 __attribute__((weak)) void run_on_known_stack(void (*run)());
 
 }  // namespace grader::worker

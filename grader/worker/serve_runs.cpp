@@ -1,4 +1,5 @@
-// STAFF ONLY. Plays a scene with all of a submission's files together, as often as asked, each time from its beginning.
+// STAFF ONLY. Plays a scene with all of a submission's files together, as often as asked, each time from its
+// beginning.
 //
 //   JSON, times -> trouble, work, number of bodies; what the coordinates of each are;
 //                  number of frames; of each: time, coordinates, their rates, points of dense hair    (all of the last time)

@@ -24,8 +24,8 @@ std::size_t page_size() {
   return size;
 }
 
-// Pages whose last one is protected, of buffers that are gone. A whole run asks thousands of times for the same few
-// small buffers, and to map and protect pages takes longer than most answers.
+// Pages whose last one is protected, of buffers that are gone. A whole run asks thousands of times for the
+// same few small buffers, and to map and protect pages takes longer than most answers.
 constexpr std::size_t kMostKept = 16;
 std::vector<std::span<std::byte>> kept;
 

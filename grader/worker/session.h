@@ -1,5 +1,5 @@
-// STAFF ONLY. One request, as the server of an exercise sees it. Each server is a separate shared object, made of serve.cpp.in. It is
-// loaded after the student's object and calls it through the given headers.
+// STAFF ONLY. One request, as the server of an exercise sees it. Each server is a separate shared object,
+// made of serve.cpp.in. It is loaded after the student's object and calls it through the given headers.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ class Session {
   // Computes what the suite asks of a caller's object: y, from x.
   using Callback = std::function<void(int which, std::vector<double>& x, std::vector<double>& y)>;
 
-  // Calls a function that the suite provides, grader/judge/student/provided.h. An exception of `callback` ends the call.
+  // Calls a function that the suite provides, grader/judge/student/provided.h. An exception of `callback`
+  // ends the call.
   MessageReader call(const MessageWriter& arguments, const Callback& callback);
 
   MessageReader request;
@@ -62,8 +63,8 @@ class GuardedBuffer {
 using Server = void (*)(Session& session);
 inline constexpr const char* kServerName = "serve";
 
-// The variable that each object of provided functions defines: the session of the present request, which contracts have
-// no argument for.
+// The variable that each object of provided functions defines: the session of the present request, which
+// contracts have no argument for.
 using ProvidedSession = Session*;
 inline constexpr const char* kProvidedSessionName = "provided_session";
 

@@ -3,11 +3,10 @@
 //
 //   hairworker CPU_SECONDS MEMORY_BYTES THREADS OBJECT... SERVER
 //
-// MEMORY_BYTES limits the address space; 0: the control group bounds memory, and the sanitizers have the address space
-// that they need.
-// THREADS limits the threads of its user; 0: a control group alone may bound them.
-// Objects are loaded in their order, each finding the functions of those before it. Nothing here is trusted
-// once they are in.
+// MEMORY_BYTES limits the address space; 0: the control group bounds memory, and the sanitizers have the
+// address space that they need. THREADS limits the threads of its user; 0: a control group alone may bound
+// them. Objects are loaded in their order, each finding the functions of those before it. Nothing here is
+// trusted once they are in.
 #include <dlfcn.h>
 #include <signal.h>
 #include <sys/prctl.h>

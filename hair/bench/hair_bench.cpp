@@ -1,7 +1,7 @@
 // Measures the cost of a step of hair, by method and number of strands, and by stiffness.
 //
-// All hair is human hair in segments of 1 cm that starts level and swings down for `kWarmUp` steps before it is
-// timed, so that it is bent and moves.
+// All hair is human hair in segments of 1 cm that starts level and swings down for `kWarmUp` steps before it
+// is timed, so that it is bent and moves.
 
 #include <benchmark/benchmark.h>
 
@@ -72,7 +72,8 @@ BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(1)->Iterations(40
 BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(100)->Iterations(20)->UseManualTime();
 BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(10'000)->Iterations(3)->UseManualTime();
 
-// Iterations of ConjGrad for a solve, 30 segments. Arguments: the logarithm of how many times hair's stiffness.
+// Iterations of ConjGrad for a solve, 30 segments. Arguments: the logarithm of how many times hair's
+// stiffness.
 void stiffness(benchmark::State& state, Method method) {
   hair::Material material;
   material.young_modulus *= std::pow(10, static_cast<double>(state.range(0)));

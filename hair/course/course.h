@@ -1,5 +1,5 @@
-// The exercises of a course: handout/exercises.json, with the changes of an instructor's course file. Programs read both when they
-// start.
+// The exercises of a course: handout/exercises.json, with the changes of an instructor's course file.
+// Programs read both when they start.
 //
 // A course file changes the role or the points of exercises; what it leaves out keeps its value:
 //

@@ -55,8 +55,9 @@ class BustParts {
     capsule(mirrored(from), mirrored(to), radius, blend);
   }
 
-  // A part may be left out where its value is above that of the others by its blend. What has been joined until then may still be
-  // above the surface, by as much as the joints that follow are wide, and a joint takes a quarter of its width away.
+  // A part may be left out where its value is above that of the others by its blend. What has been joined
+  // until then may still be above the surface, by as much as the joints that follow are wide, and a joint
+  // takes a quarter of its width away.
   void set_reaches() {
     double later = 0;
     for (auto part = all.rbegin(); part != all.rend(); ++part) {

@@ -31,8 +31,9 @@ std::vector<Vector3d> near_surface(const Bust& bust, double far, int count) {
   return points;
 }
 
-// A central difference over 2 s errs by s^2 / 6 times the third derivative, of at most 1 / (5 mm)^2 or so; where two parts
-// begin to blend, the second derivative jumps by up to 1 / 2k, and it errs by s / 4 times that.
+// A central difference over 2 s errs by s^2 / 6 times the third derivative, of at most 1 / (5 mm)^2 or so;
+// where two parts begin to blend, the second derivative jumps by up to 1 / 2k, and it errs by s / 4 times
+// that.
 TEST(Bust, TheGradientIsTheDerivative) {
   const Bust bust;
   constexpr double s = 1e-7;

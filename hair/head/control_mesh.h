@@ -1,6 +1,7 @@
-// Makes the control mesh of guides as they lie at the start: which of them are neighbours, what links them, and
-// the strips between them. Source: J. T. Chang, J. Jin, Y. Yu, "A Practical Model for Hair Mutual Interactions"
-// (SCA 2002): strips lie between horizontal neighbours on a scalp, and between vertical ones too on a brush.
+// Makes the control mesh of guides as they lie at the start: which of them are neighbours, what links them,
+// and the strips between them. Source: J. T. Chang, J. Jin, Y. Yu, "A Practical Model for Hair Mutual
+// Interactions" (SCA 2002): strips lie between horizontal neighbours on a scalp, and between vertical ones
+// too on a brush.
 #pragma once
 
 #include <array>
@@ -19,9 +20,9 @@ enum class Neighbours { rows, both };
 // Two guides.
 using Pair = std::array<int, 2>;
 
-// Guides grow in rows; row r holds the guides starts[r] to starts[r + 1] - 1, the last one those up to `guides` - 1.
-// Each guide is the neighbour of the next one in its row, and with Neighbours::both of the one with the same place in the
-// next row, if there is one.
+// Guides grow in rows; row r holds the guides starts[r] to starts[r + 1] - 1, the last one those up to
+// `guides` - 1. Each guide is the neighbour of the next one in its row, and with Neighbours::both of the one
+// with the same place in the next row, if there is one.
 std::vector<Pair> neighbours(const std::vector<int>& starts, int guides, Neighbours which);
 
 struct MeshSpec {
@@ -30,9 +31,9 @@ struct MeshSpec {
   std::optional<StripLaw> strips = {};
 };
 
-// A link from each particle of a pair's second guide, but its root, to the nearest particle of the first one. Its length is
-// their distance, but at least that of a hair's width, 1e-4 m. A strip has two triangles between each two segments that
-// have the same number.
+// A link from each particle of a pair's second guide, but its root, to the nearest particle of the first one.
+// Its length is their distance, but at least that of a hair's width, 1e-4 m. A strip has two triangles
+// between each two segments that have the same number.
 ControlMesh control_mesh(std::span<const StrandStart> guides, std::span<const Pair> pairs,
                          const MeshSpec& spec);
 

@@ -1,8 +1,8 @@
 // STAFF ONLY. What interpolation does to curls, and extrapolation does not.
 //
-// A curl with the phase p is a helix of radius r about an axis; between guides with the weights w_k the helices add up
-// to one of radius r |sum of w_k e^(i p_k)|. With phases by chance the mean of its square is r^2 times the mean of the sum
-// of w_k^2: a third in the middle of a triangle, a half on average over it.
+// A curl with the phase p is a helix of radius r about an axis; between guides with the weights w_k the
+// helices add up to one of radius r |sum of w_k e^(i p_k)|. With phases by chance the mean of its square is
+// r^2 times the mean of the sum of w_k^2: a third in the middle of a triangle, a half on average over it.
 #include <gtest/gtest.h>
 
 #include "hair/head/test_guides.h"
@@ -15,7 +15,8 @@ using hair::Synthesis, hair::SynthesisMode;
 constexpr int kCurlPoints = 25, kChildren = 4000;
 constexpr double kCurl = 0.005;
 
-// The root of the mean square distance of a strand's points from the straight line through their mean along z.
+// The root of the mean square distance of a strand's points from the straight line through their mean along
+// z.
 double radius_of(const double* strand) {
   double sum = 0;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
@@ -57,7 +58,8 @@ TEST(Curls, InterpolatedHaveTheRadiusOfTheMeanOfTheirPhases) {
   }
   const double left = std::sqrt(squares) / kCurl;
   RecordProperty("radius", std::to_string(left));
-  // Over 100 guides the mean is not that of all phases; 180 triangles, each of which differs by about a third.
+  // Over 100 guides the mean is not that of all phases; 180 triangles, each of which differs by about a
+  // third.
   EXPECT_NEAR(left, std::sqrt(0.5), 0.1) << "the radius that is left of the guides'";
   EXPECT_NEAR(weights, 0.5, 0.02) << "the mean of the sum of the squares of weights";
 }

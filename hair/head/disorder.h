@@ -1,8 +1,8 @@
 // What makes dense hair look grown: strands that gather to locks, and a few that fly away.
 //
-// By chance some children are the middles of clumps, one of `clump`. Each child's tip goes a part, `gathered`, of the way to that of the
-// nearest middle, and its points less, the nearer they are to the root. A fly-away is in no clump; it goes aside as the square of
-// how far a point is along the strand.
+// By chance some children are the middles of clumps, one of `clump`. Each child's tip goes a part,
+// `gathered`, of the way to that of the nearest middle, and its points less, the nearer they are to the root.
+// A fly-away is in no clump; it goes aside as the square of how far a point is along the strand.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,11 +15,12 @@ namespace hair {
 
 class Disorder {
  public:
-  // Of the description's children; the same seed gives the same. Empty, and free, without clumps and fly-aways.
+  // Of the description's children; the same seed gives the same. Empty, and free, without clumps and
+  // fly-aways.
   explicit Disorder(const SynthesisDescription& description);
 
-  // Moves a child's points, 3 x points, but its first. `turn`: of the scalp since the start. `turns`: of the guide of its wisp, a point
-  // each, or empty.
+  // Moves a child's points, 3 x points, but its first. `turn`: of the scalp since the start. `turns`: of the
+  // guide of its wisp, a point each, or empty.
   void apply(int child, const RootFrame& root, const ScalpTurn& turn, std::span<const Eigen::Matrix3d> turns,
              Eigen::Ref<Eigen::VectorXd> points) const;
 

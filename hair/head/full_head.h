@@ -1,9 +1,11 @@
-// STAFF ONLY. Every strand of a head, simulated: the interface of the fast engine, which reference/engine implements. It does the
-// physics of H1, H2, H4 and H5, many strands at a time, with a direct solve instead of ConjGrad.
+// STAFF ONLY. Every strand of a head, simulated: the interface of the fast engine, which reference/engine
+// implements. It does the physics of H1, H2, H4 and H5, many strands at a time, with a direct solve instead
+// of ConjGrad.
 //
-// A strand has n >= 2 points with equal distances l0 at rest, is straight at rest, and has the masses of a uniform
-// strand: lambda l0 of each point (lambda the line density), half of that at the tip. Its root is held by the head. A strand of a
-// groom whose segments differ in length is resampled first (hair/head/resample.h).
+// A strand has n >= 2 points with equal distances l0 at rest, is straight at rest, and has the masses of a
+// uniform strand: lambda l0 of each point (lambda the line density), half of that at the tip. Its root is
+// held by the head. A strand of a groom whose segments differ in length is resampled first
+// (hair/head/resample.h).
 //
 // A step of h seconds, with x, v the state before it, and v0 = (root's new place - x_0) / h:
 //
@@ -24,10 +26,11 @@
 //
 // Without bending, correction or a head, what belongs to it is left out of the compiled loops.
 //
-// Strands do not touch each other. Those that are neighbours on the head should follow each other: they are then stepped side by
-// side, and meet the head together. The result of a strand depends neither on the other strands nor on the number of
-// threads, to the last bit. It differs in rounding between instruction sets; and of one set between makers of processors, as their
-// approximate reciprocals do (AVX-512 takes these everywhere, AVX2 in contact with the head, scalars nowhere).
+// Strands do not touch each other. Those that are neighbours on the head should follow each other: they are
+// then stepped side by side, and meet the head together. The result of a strand depends neither on the other
+// strands nor on the number of threads, to the last bit. It differs in rounding between instruction sets; and
+// of one set between makers of processors, as their approximate reciprocals do (AVX-512 takes these
+// everywhere, AVX2 in contact with the head, scalars nowhere).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -56,8 +59,8 @@ struct FullHeadSettings {
   int threads = 1;
 };
 
-// m, a fiftieth of a hair's radius. A last push shorter than ten times this is not checked: where a grid's cells differ in slope by
-// more than a tenth, a point may stay a little deeper for a step.
+// m, a fiftieth of a hair's radius. A last push shorter than ten times this is not checked: where a grid's
+// cells differ in slope by more than a tenth, a point may stay a little deeper for a step.
 inline constexpr double kContactDepth = 1e-6;
 
 class FullHead {
@@ -73,20 +76,21 @@ class FullHead {
   int strands() const;
   std::int64_t particles() const;
 
-  // Strand k in the head's axes, which are the world's until the first step: l0 (m, > 0), the direction of its root (of
-  // length 1), x and v (3n, m and m/s). Before the first step this is due for each strand. Throws std::invalid_argument.
+  // Strand k in the head's axes, which are the world's until the first step: l0 (m, > 0), the direction of
+  // its root (of length 1), x and v (3n, m and m/s). Before the first step this is due for each strand.
+  // Throws std::invalid_argument.
   void set_strand(int k, double rest_length, const Vector3d& root_tangent, particles::Input x,
                   particles::Input v);
 
-  // One step of h seconds, h > 0, at whose end the head is at `pose`: it turns and moves from where it was to there. The
-  // first step starts at the identity. Allocates nothing.
+  // One step of h seconds, h > 0, at whose end the head is at `pose`: it turns and moves from where it was to
+  // there. The first step starts at the identity. Allocates nothing.
   void step(double h, const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity());
 
   // The state of strand k, 3n numbers each.
   void get_strand(int k, particles::Output x, particles::Output v) const;
 
-  // The step, counted from 1, at whose end strand k had a number that is not finite, or whose matrix was not positive
-  // definite; 0: none. Such a strand stays as it is; others do not notice.
+  // The step, counted from 1, at whose end strand k had a number that is not finite, or whose matrix was not
+  // positive definite; 0: none. Such a strand stays as it is; others do not notice.
   std::int64_t broke_at(int k) const;
   int broken() const;  // strands that broke
 

@@ -1,5 +1,5 @@
-// The bytes of a groom's file, little-endian: where they are read, and how they are written. A complaint names
-// the file and the byte.
+// The bytes of a groom's file, little-endian: where they are read, and how they are written. A complaint
+// names the file and the byte.
 #pragma once
 
 #include <string>
@@ -44,8 +44,8 @@ class GroomBytes {
 void put_number(std::string& bytes, std::uint32_t number, int size = 4);
 void put_real(std::string& bytes, float number);
 
-// Every writer calls this before it writes. Throws BadInput for a groom without strands, for one with too many
-// points, for a strand without points, and for a number that 32 bits can't hold.
+// Every writer calls this before it writes. Throws BadInput for a groom without strands, for one with too
+// many points, for a strand without points, and for a number that 32 bits can't hold.
 void check_writable(const Groom& groom);
 
 }  // namespace hair

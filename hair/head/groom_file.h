@@ -13,7 +13,8 @@
 
 namespace hair {
 
-// Thrown instead by a program that has no readers (the library hair_no_groom_files): it names another program.
+// Thrown instead by a program that has no readers (the library hair_no_groom_files): it names another
+// program.
 struct GroomFilesElsewhere {
   std::string file;
 };
@@ -25,13 +26,13 @@ Groom read_groom(const std::filesystem::path& file, Numbers numbers = Numbers::f
 // Throws BadInput for a name with another ending.
 void check_groom_name(const std::filesystem::path& file);
 
-// Names the parts of the groom's file that a file with this name can't hold, such as "text", and the parts of a look that
-// are not known, such as "thickness". Both throw as check_groom_name does.
+// Names the parts of the groom's file that a file with this name can't hold, such as "text", and the parts of
+// a look that are not known, such as "thickness". Both throw as check_groom_name does.
 std::vector<std::string> lost_in(const std::filesystem::path& file, const Groom& groom);
 std::vector<std::string> unknown_in(const std::filesystem::path& file, const Groom& groom);
 
-// The whole file appears, or nothing. `ascii` makes a .ply file text. Throws BadInput for a name with another ending, a
-// file that can't be written, and what its format can't hold, with the file's name.
+// The whole file appears, or nothing. `ascii` makes a .ply file text. Throws BadInput for a name with another
+// ending, a file that can't be written, and what its format can't hold, with the file's name.
 void write_groom(const Groom& groom, const std::filesystem::path& file, bool ascii = false);
 
 }  // namespace hair

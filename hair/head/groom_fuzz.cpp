@@ -1,5 +1,5 @@
-// Hostile bytes as a groom, of each format that is read. What is accepted can be written: as .hair byte for byte
-// as it was, as PLY with points as 32 bits hold them.
+// Hostile bytes as a groom, of each format that is read. What is accepted can be written: as .hair byte for
+// byte as it was, as PLY with points as 32 bits hold them.
 #include <numeric>
 
 #include "hair/head/groom_bytes.h"

@@ -34,8 +34,8 @@ struct GroomBox {
 struct GroomMeasures {
   long strands = 0, points = 0;  // of all
   Spread points_of_strand, length, segment;
-  // At each point between two segments without length 0: the inverse radius of the circle through the three points
-  // (Menger's curvature), and the angle in degrees by which the line turns.
+  // At each point between two segments without length 0: the inverse radius of the circle through the three
+  // points (Menger's curvature), and the angle in degrees by which the line turns.
   Spread curvature, bend;
   GroomBox box, roots;  // of all points, and of all roots, that are finite
   // Metres that a unit has if the roots' box is as long as a scalp, 0.2 m; 0: there are too few to say.

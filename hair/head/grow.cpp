@@ -40,7 +40,8 @@ class Grower {
         clumps_{{}, {}, NearestPoints({})} {
     step_ = std::min(0.004, style.length / 48);
     if (style.radius > 0) step_ = std::min(step_, style.pitch / 16);
-    // A chord of the layer that is this high stays outside a head of the radius 7 cm, wherever the hair begins.
+    // A chord of the layer that is this high stays outside a head of the radius 7 cm, wherever the hair
+    // begins.
     const double chord = (style.length + (style.tie ? 0.2 : 0)) / (points - 1);
     clearance_ = std::clamp(0.6 * chord * chord / 0.07, 0.003, 0.02);
   }

@@ -22,8 +22,8 @@ double curl_radius(const HairStyle& style, const StrandTraits& traits, double s)
   return style.radius > 0 ? style.radius * traits.size * smooth_step(s / style.pitch) : 0;
 }
 
-// Where a strand turns to. On a part of the head that looks up it goes on as it is combed, for it rests there, and so on the
-// face, which hair is kept off; elsewhere it falls.
+// Where a strand turns to. On a part of the head that looks up it goes on as it is combed, for it rests
+// there, and so on the face, which hair is kept off; elsewhere it falls.
 Vector3d way_down(const Head& head, const HairStyle& style, const Vector3d& x, const Surface& here, double s,
                   double clearance) {
   const double begun = std::exp(-(s / style.comb) * (s / style.comb));
@@ -33,8 +33,8 @@ Vector3d way_down(const Head& head, const HairStyle& style, const Vector3d& x, c
   return combed * head.combed(x) - (1 - combed) * Vector3d::UnitZ();
 }
 
-// Across to the line of its clump, by as much as its share grows in this step, and by half a step at most. It is not
-// drawn along the line, for that would make steps shorter or longer, and gather nothing.
+// Across to the line of its clump, by as much as its share grows in this step, and by half a step at most. It
+// is not drawn along the line, for that would make steps shorter or longer, and gather nothing.
 Vector3d drawn_to(const Line& clump, std::size_t k, double gathered, const Vector3d& x, double step) {
   if (k >= clump.size()) return Vector3d::Zero();
   const double all = static_cast<double>(clump.size() - 1);

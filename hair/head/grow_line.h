@@ -25,8 +25,8 @@ struct LineSettings {
   double clearance;  // m, of the layer of hair
 };
 
-// Grows until it is traits.length long; tied hair, until it is so long behind the tie. `clump` is the middle line of its
-// clump, grown with the same step; null: it is in none.
+// Grows until it is traits.length long; tied hair, until it is so long behind the tie. `clump` is the middle
+// line of its clump, grown with the same step; null: it is in none.
 Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root, const StrandTraits& traits,
                  const LineSettings& settings, const Line* clump);
 

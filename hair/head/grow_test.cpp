@@ -63,10 +63,12 @@ TEST_P(Styles, StrandsStartOnTheScalpAndHaveEqualPiecesAndTheirLength) {
   }
   const GroomMeasures measures = measure_groom(groom);
   for (const Oddity& one : measures.odd) ADD_FAILURE() << one.count << " " << one.what;
-  // Chords of curls with eight or more of them to a turn are shorter than their arcs by up to (pi / 4)^2 / 24, 2.6 %.
+  // Chords of curls with eight or more of them to a turn are shorter than their arcs by up to (pi / 4)^2 /
+  // 24, 2.6 %.
   const double shortest = style_.length * (1 - style_.varies), longest = style_.length * (1 + style_.varies);
   EXPECT_GE(measures.length.min, 0.97 * shortest);
-  // Tied hair has its way to the tie before that: at most the half of the head's largest circle, and the layer of hair.
+  // Tied hair has its way to the tie before that: at most the half of the head's largest circle, and the
+  // layer of hair.
   EXPECT_LE(measures.length.max, 1.01 * longest + (style_.tie ? 0.36 : 0));
   if (!style_.tie) {
     EXPECT_NEAR(measures.length.mean, style_.length, 0.03 * style_.length);
@@ -123,8 +125,8 @@ TEST_P(Styles, TipsGatherAtTheirClumpsLine) {
     // Drawn across, and not along: a gap of 2 cm makes 27 cm longer by 0.7 mm, less than a step.
     longer.push_back(std::abs(static_cast<double>(drawn.size()) - static_cast<double>(alone.size())));
   }
-  // At nine tenths of the clump's length 0.972 of the 0.8 is done, and 0.22 of the gap is left; behind a tie, where much
-  // is done before hair falls, more of it.
+  // At nine tenths of the clump's length 0.972 of the 0.8 is done, and 0.22 of the gap is left; behind a tie,
+  // where much is done before hair falls, more of it.
   EXPECT_GT(left.size(), 20U);
   EXPECT_LE(spread_of(longer).median, 1);
   EXPECT_LT(spread_of(left).median, style_.tie ? 0.5 : 0.3);

@@ -8,11 +8,12 @@
 //   2           f32 x 3 for each point, strand after strand, from the root; this array is required
 //   4, 8, 16    f32 thickness, f32 transparency, f32 x 3 colour of each point
 //
-// A strand without segments is a bald root, a single point. A thickness of 0 in the header means that it is not known, as
-// hair without thickness is not seen.
+// A strand without segments is a bald root, a single point. A thickness of 0 in the header means that it is
+// not known, as hair without thickness is not seen.
 //
-// Nothing is lost: a file that is read and written is the same, byte for byte. A groom from elsewhere loses what 32 bits
-// can't hold of its points. Where its look is not known, the header says thickness 0, transparency 0 and white.
+// Nothing is lost: a file that is read and written is the same, byte for byte. A groom from elsewhere loses
+// what 32 bits can't hold of its points. Where its look is not known, the header says thickness 0,
+// transparency 0 and white.
 #pragma once
 
 #include <string>
@@ -27,8 +28,8 @@ namespace hair {
 // for what the header says before the file's length agrees.
 Groom parse_hair_file(std::string_view bytes, const std::string& name, Numbers numbers = Numbers::finite);
 
-// Throws BadInput for a groom that can't be written (groom_bytes.h); a strand has 65,535 segments at most, unless all
-// have the same number of them.
+// Throws BadInput for a groom that can't be written (groom_bytes.h); a strand has 65,535 segments at most,
+// unless all have the same number of them.
 std::string hair_file_of(const Groom& groom);
 
 }  // namespace hair

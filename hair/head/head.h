@@ -18,10 +18,12 @@ class Head : public Solid {
   // Whether hair grows at a point of the surface.
   virtual bool has_hair(const Vector3d& point) const = 0;
 
-  // The direction in which the hair of a point near the scalp is combed: a smooth field along the surface, of length 1.
+  // The direction in which the hair of a point near the scalp is combed: a smooth field along the surface, of
+  // length 1.
   virtual Vector3d combed(const Vector3d& point) const = 0;
 
-  // How much a point near the surface is on the face, 0 to 1: from there hair is combed away, and does not fall over it.
+  // How much a point near the surface is on the face, 0 to 1: from there hair is combed away, and does not
+  // fall over it.
   virtual double on_face(const Vector3d&) const { return 0; }
 };
 

@@ -1,5 +1,6 @@
-// Surface nets that are kept in a file: a bust's takes seconds to make. A file contains its key, which depends on the solid's own
-// values, and ends with a digest of itself. One with another key, cut short or changed, is ignored.
+// Surface nets that are kept in a file: a bust's takes seconds to make. A file contains its key, which
+// depends on the solid's own values, and ends with a digest of itself. One with another key, cut short or
+// changed, is ignored.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,8 @@
 
 namespace hair {
 
-// surface_net(solid, cells), from a file of this folder or made and kept there. Without a folder, or where nothing can be kept, it is
-// made.
+// surface_net(solid, cells), from a file of this folder or made and kept there. Without a folder, or where
+// nothing can be kept, it is made.
 SurfaceMesh kept_surface_net(const Solid& solid, int cells,
                              const std::optional<std::filesystem::path>& folder);
 

@@ -1,4 +1,5 @@
-// STAFF ONLY. Surface nets that are kept: what comes from a file is what was made, and a file that is not whole is not taken.
+// STAFF ONLY. Surface nets that are kept: what comes from a file is what was made, and a file that is not
+// whole is not taken.
 #include "hair/head/kept_net.h"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,10 @@
 //   strand   nsegs: its segments, 0 for a bald root; nsegs + 1 vertices follow those of the strand before
 //   edge     vertex1, vertex2: the segments once more, for programs that know no strands; not read
 //
-// Colours and alpha are whole numbers, u8 or u16, whose largest value is 1, or floats. As hairutil has it, alpha is the
-// transparency of .hair files: 0 is opaque. Groom::not_read names other elements and properties. A groom is written with
-// colours and alpha as u8 if these hold them, else as floats. It loses its text, and what 32 bits of a point can't hold.
+// Colours and alpha are whole numbers, u8 or u16, whose largest value is 1, or floats. As hairutil has it,
+// alpha is the transparency of .hair files: 0 is opaque. Groom::not_read names other elements and properties.
+// A groom is written with colours and alpha as u8 if these hold them, else as floats. It loses its text, and
+// what 32 bits of a point can't hold.
 #pragma once
 
 #include <string>

@@ -54,8 +54,8 @@ TEST(PlyFile, AStrandWithoutSegmentsIsABaldRoot) {
   EXPECT_EQ(groom.strands[1].size(), 12);
 }
 
-// What hairutil writes has u8, and other programs other types. Each row: the properties, a vertex, and colour, transparency
-// and thickness that it has.
+// What hairutil writes has u8, and other programs other types. Each row: the properties, a vertex, and
+// colour, transparency and thickness that it has.
 TEST(PlyFile, ALookOfEachVertexIsRead) {
   struct Row {
     std::string properties, vertex;

@@ -61,8 +61,8 @@ bool can_be(double value, PlyType type) {
   return value == std::floor(value) && value >= low && value < low + values;
 }
 
-// The number that the word is, and nothing else; none for one that double can't hold. Not every standard library has
-// std::from_chars for double.
+// The number that the word is, and nothing else; none for one that double can't hold. Not every standard
+// library has std::from_chars for double.
 std::optional<double> number_in(std::string_view word) {
   // strtod also takes a plus and hexadecimal digits.
   if (word.empty() || word.front() == '+' || word.find_first_of("xX") != std::string_view::npos) return {};

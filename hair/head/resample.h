@@ -5,9 +5,9 @@
 
 namespace hair {
 
-// `points` >= 2 points of the line through x at equal distances along it. Both ends are kept as they are, and so is
-// a point of x that is there but for rounding: points that are at equal distances already stay. A line without length
-// gives its first point and its last.
+// `points` >= 2 points of the line through x at equal distances along it. Both ends are kept as they are, and
+// so is a point of x that is there but for rounding: points that are at equal distances already stay. A line
+// without length gives its first point and its last.
 Eigen::VectorXd resampled(const Eigen::VectorXd& x, int points);
 
 // The same for all strands but bald roots, and for what they look like at their points.

@@ -1,4 +1,5 @@
-// A box that holds a strand, as its root's frame sees it: along axis, side and axis x side, with the root at 0.
+// A box that holds a strand, as its root's frame sees it: along axis, side and axis x side, with the root at
+// 0.
 #pragma once
 
 #include "hair/strand/rest_shape.h"

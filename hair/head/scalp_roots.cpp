@@ -21,8 +21,8 @@ Vector3d direction_at(double height, double turn) {
   return {across * std::cos(turn), across * std::sin(turn), height};
 }
 
-// The areas of a head's surface, by the direction from its centre: bands of equal height of the sphere of directions,
-// which have cells of equal width. All cells have the same solid angle (Archimedes).
+// The areas of a head's surface, by the direction from its centre: bands of equal height of the sphere of
+// directions, which have cells of equal width. All cells have the same solid angle (Archimedes).
 class SurfaceAreas {
  public:
   explicit SurfaceAreas(const Head& head) {
@@ -33,8 +33,8 @@ class SurfaceAreas {
         const Vector3d way = direction_at(-1 + 2 * (static_cast<double>(band) + 0.5) / kBands,
                                           2 * std::numbers::pi * (static_cast<double>(cell) + 0.5) / kCells);
         const Vector3d point = head.surface_towards(way);
-        // The surface is farther than a unit sphere's, and not at a right angle to the ray. Away from the scalp a ray may
-        // touch it, and there no area is needed.
+        // The surface is farther than a unit sphere's, and not at a right angle to the ray. Away from the
+        // scalp a ray may touch it, and there no area is needed.
         const double area = solid_angle * (point - head.centre()).squaredNorm() /
                             std::max(0.1, head.surface_at(point).normal.dot(way));
         along[cell + 1] = along[cell] + area;
@@ -47,7 +47,8 @@ class SurfaceAreas {
     }
   }
 
-  // Whether there is hair in the cell of a direction or beside it: quicker to know than where the head's surface is.
+  // Whether there is hair in the cell of a direction or beside it: quicker to know than where the head's
+  // surface is.
   bool may_have_hair(const Vector3d& direction) const {
     const double turn = std::atan2(direction.y(), direction.x()) / (2 * std::numbers::pi);
     const auto band =

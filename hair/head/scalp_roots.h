@@ -1,10 +1,10 @@
 // Roots that are evenly distributed over a scalp, for any number of them.
 //
-// The points of a Fibonacci lattice (R. Swinbank and R. J. Purser, "Fibonacci grids: A novel approach to global
-// modelling", Quarterly Journal of the Royal Meteorological Society 132 (2006)) lie in a square; the inverses of the
-// surface's cumulative areas bring them to a head's surface, so that equal areas have equal numbers of them. What
-// lies outside the scalp is left out, and the seed moves each of the others by up to a fifth of the
-// usual distance.
+// The points of a Fibonacci lattice (R. Swinbank and R. J. Purser, "Fibonacci grids: A novel approach to
+// global modelling", Quarterly Journal of the Royal Meteorological Society 132 (2006)) lie in a square; the
+// inverses of the surface's cumulative areas bring them to a head's surface, so that equal areas have equal
+// numbers of them. What lies outside the scalp is left out, and the seed moves each of the others by up to a
+// fifth of the usual distance.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,12 @@ namespace hair {
 
 class Scalp {
  public:
-  // Keeps a reference to the head. It measures the surface once, which takes longer than some thousand roots do.
+  // Keeps a reference to the head. It measures the surface once, which takes longer than some thousand roots
+  // do.
   explicit Scalp(const Head& head);
 
-  // `count` frames: axis is the surface's normal, side the combed direction. The same for the same head, count and
-  // seed. Throws std::invalid_argument for a count below 0, and for a head without a scalp.
+  // `count` frames: axis is the surface's normal, side the combed direction. The same for the same head,
+  // count and seed. Throws std::invalid_argument for a count below 0, and for a head without a scalp.
   std::vector<RootFrame> roots(int count, std::uint64_t seed) const;
 
   double area() const;  // m^2, to a percent

@@ -50,8 +50,8 @@ TEST_P(Roots, AreFramesOnTheScalp) {
   }
 }
 
-// Of random points, the next one is at 0.5 of the spacing on average, and some are at nearly 0. A lattice's are at 0.8
-// to 1.05; a move of 0.2 at each end takes at most 0.4.
+// Of random points, the next one is at 0.5 of the spacing on average, and some are at nearly 0. A lattice's
+// are at 0.8 to 1.05; a move of 0.2 at each end takes at most 0.4.
 TEST_P(Roots, AreEvenlyApart) {
   const double spacing = std::sqrt(Scalp(head_).area() / GetParam());
   std::vector<Vector3d> points;

@@ -66,13 +66,14 @@ class CornerGrid {
   std::vector<double> distances_;
 };
 
-// An edge of a cube goes along an axis. Around the axis, the cube's four edges are at 0 or 1 of the two other axes.
+// An edge of a cube goes along an axis. Around the axis, the cube's four edges are at 0 or 1 of the two other
+// axes.
 constexpr int edge_number(int axis, int u, int v) {
   return 4 * axis + u + 2 * v;
 }
 
-// The sheets of the surface in one cube: crossings of edges are of one sheet if faces join them. Where a face has
-// four, each pair around an inner corner is joined, which both cubes of a face see alike.
+// The sheets of the surface in one cube: crossings of edges are of one sheet if faces join them. Where a face
+// has four, each pair around an inner corner is joined, which both cubes of a face see alike.
 class Sheets {
  public:
   Sheets(const CornerGrid& grid, const Lattice& cube) : grid_(grid), cube_(cube) {

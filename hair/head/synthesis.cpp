@@ -146,8 +146,8 @@ class Synthesis::Parts {
             turn_ * start.axis, turn_ * start.side};
   }
 
-  // How far a child goes from its root along `direction`, at most. What is a mean of guides, as roots see them, goes as far
-  // as the mean of their boxes does; a wisp's strand is beside its guide.
+  // How far a child goes from its root along `direction`, at most. What is a mean of guides, as roots see
+  // them, goes as far as the mean of their boxes does; a wisp's strand is beside its guide.
   double reach_of(int child, const RootFrame& root, const Vector3d& direction) const {
     const Parents& parents = parents_[child];
     double reach = -std::numeric_limits<double>::infinity();

@@ -1,9 +1,11 @@
-// Synthesis: dense hair of guides. Each strand that is drawn, a child, grows at a root of its own between three guides and
-// is made from them by the functions of H10 (hair/strand_synthesis.h). Which guides those are is found once, by a
-// triangulation of the guides' roots along the scalp; then each frame makes all children anew, from the guides as they
-// lie then, in one pass over threads. A frame allocates nothing, and its bits do not depend on the number of threads.
+// Synthesis: dense hair of guides. Each strand that is drawn, a child, grows at a root of its own between
+// three guides and is made from them by the functions of H10 (hair/strand_synthesis.h). Which guides those
+// are is found once, by a triangulation of the guides' roots along the scalp; then each frame makes all
+// children anew, from the guides as they lie then, in one pass over threads. A frame allocates nothing, and
+// its bits do not depend on the number of threads.
 //
-// A frame leaves out what nobody sees: children outside of the view, and guides that none of the others needs.
+// A frame leaves out what nobody sees: children outside of the view, and guides that none of the others
+// needs.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +19,13 @@
 
 namespace hair {
 
-// interpolate: between three guides. extrapolate: beside the nearest of them, as a strand of its wisp. blend: the first at
-// the root, the second at the tip.
+// interpolate: between three guides. extrapolate: beside the nearest of them, as a strand of its wisp. blend:
+// the first at the root, the second at the tip.
 enum class SynthesisMode { interpolate, extrapolate, blend };
 
 struct SynthesisDescription {
-  // Where guides and children grow at the start, m. Of a root's frame, axis is the scalp's outward normal; sides are
-  // chosen here.
+  // Where guides and children grow at the start, m. Of a root's frame, axis is the scalp's outward normal;
+  // sides are chosen here.
   std::vector<RootFrame> guides = {}, children = {};
   int points = 2;  // of each guide and each child, n >= 2
   SynthesisMode mode = SynthesisMode::blend;
@@ -31,7 +33,8 @@ struct SynthesisDescription {
   double jitter = 0;  // a child's own spread is the spread times 1 - jitter to 1 + jitter
   double length = 0;  // a child's size is 1 - length to 1 + length times that of what its guides make
   std::uint64_t seed = 0;
-  // The sides of all roots are how hair is combed there: no strand is made of guides on the other side of a parting.
+  // The sides of all roots are how hair is combed there: no strand is made of guides on the other side of a
+  // parting.
   bool combed = false;
   // Locks beside the guides' own: about so many strands grow towards a common one of them. 0: none.
   int clump = 0;
@@ -49,8 +52,8 @@ struct SynthesisCounts {
 
 class Synthesis {
  public:
-  // Throws std::invalid_argument for less than one guide, two points or one thread, and for guides or children that are not
-  // finite; and if the course leaves H10 out. Calls root_weights for each child.
+  // Throws std::invalid_argument for less than one guide, two points or one thread, and for guides or
+  // children that are not finite; and if the course leaves H10 out. Calls root_weights for each child.
   explicit Synthesis(SynthesisDescription description, int threads = 1);
   ~Synthesis();
   Synthesis(const Synthesis&) = delete;
@@ -62,10 +65,10 @@ class Synthesis {
   // How far clumps and fly-aways move a child's points at most, whose guides end at most `far` from its root.
   double disorder(int child, double far) const;
 
-  // The children that are in the view, one after the other, n points each: their coordinates go to `strands`, which has
-  // room for all children, and their numbers to in_view(). guides: guide after guide, n points each. view: the half-spaces
-  // whose common part is seen; none: everything is. A child is left out if a box that holds it lies outside of
-  // one.
+  // The children that are in the view, one after the other, n points each: their coordinates go to `strands`,
+  // which has room for all children, and their numbers to in_view(). guides: guide after guide, n points
+  // each. view: the half-spaces whose common part is seen; none: everything is. A child is left out if a box
+  // that holds it lies outside of one.
   SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
                        std::span<double> strands);
   SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
@@ -79,8 +82,8 @@ class Synthesis {
   std::unique_ptr<Parts> parts_;
 };
 
-// A frame for each normal along a scalp, without a jump between neighbours: the frame of `pole`, turned by the least
-// rotation that takes the pole to the normal. Only opposite to the pole there is none that fits.
+// A frame for each normal along a scalp, without a jump between neighbours: the frame of `pole`, turned by
+// the least rotation that takes the pole to the normal. Only opposite to the pole there is none that fits.
 Vector3d side_along_scalp(const Vector3d& pole, const Vector3d& normal);
 
 }  // namespace hair

@@ -135,8 +135,8 @@ TEST(Synthesis, AFrameAllocatesNothing) {
   }
 }
 
-// Strands of a clump end nearer to each other than they begin; a tip goes the part `gathered` of the way to a common one, where
-// guides are straight and parallel.
+// Strands of a clump end nearer to each other than they begin; a tip goes the part `gathered` of the way to a
+// common one, where guides are straight and parallel.
 TEST(Synthesis, ClumpsGatherTips) {
   SynthesisDescription description{
       .guides = roots_on_disc(80, 0.1), .children = roots_on_disc(1000, 0.08), .points = kPoints};

@@ -41,7 +41,8 @@ inline double some_phase(std::size_t guide) {
   return hair::Variation(7, guide).uniform(0, 2 * std::numbers::pi);
 }
 
-// A curl along the normal, each with a phase of its own: radius `curl`, a turn takes six points and advances by `pitch`.
+// A curl along the normal, each with a phase of its own: radius `curl`, a turn takes six points and advances
+// by `pitch`.
 inline VectorXd curls(const std::vector<RootFrame>& roots, int n, double curl, double pitch) {
   VectorXd points(static_cast<Eigen::Index>(roots.size()) * 3 * n);
   for (std::size_t g = 0; g < roots.size(); ++g) {

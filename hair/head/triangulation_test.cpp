@@ -64,7 +64,8 @@ TEST(Triangulation, CoversWhatLiesBetweenPoints) {
     double area = 0;
     for (const Triangulation::Triangle& triangle : triangulation.triangles)
       area += area_of(triangulation, triangle);
-    // At each of four sides a circle of 1000 widths through far corners may hold others: a segment of 2/3 / 8000.
+    // At each of four sides a circle of 1000 widths through far corners may hold others: a segment of 2/3 /
+    // 8000.
     EXPECT_NEAR(area, count == 3 ? 0.5 : 1, 4e-4) << count << " points";
   }
 }

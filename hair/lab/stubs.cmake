@@ -1,5 +1,6 @@
-# Writes OUT, the C++ file of which of a program's functions are stubs: each says its name, NotImplemented("H1 stretch_energy"). FILES: those
-# of its exercises. A comment does not count. Where nothing is new, OUT stays as it is, and nothing is compiled.
+# Writes OUT, the C++ file of which of a program's functions are stubs: each says its name, NotImplemented("H1
+# stretch_energy"). FILES: those of its exercises. A comment does not count. Where nothing is new, OUT stays
+# as it is, and nothing is compiled.
 set(stubs)
 foreach(file ${FILES})
   file(READ "${file}" text)

@@ -31,8 +31,8 @@ class Child {
   // Whoever asks was stopped meanwhile: the silence before does not count.
   void forgive_silence() { heard_ = std::chrono::steady_clock::now(); }
 
-  // Ends it if it was silent for `longest`, and for ten times as long as between two messages so far: its steps may take long. Before its
-  // first message it has three times `longest`. A sentence about that, once.
+  // Ends it if it was silent for `longest`, and for ten times as long as between two messages so far: its
+  // steps may take long. Before its first message it has three times `longest`. A sentence about that, once.
   std::optional<std::string> stop_if_silent(std::chrono::seconds longest);
 
  private:

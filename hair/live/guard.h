@@ -1,6 +1,6 @@
-// Requests that the live server answers. It listens on this machine alone, but any page in a browser and any user of the machine can send
-// something there: a page of another site names itself in Origin, a name that was made to point here stands in Host, and nobody else has the
-// token.
+// Requests that the live server answers. It listens on this machine alone, but any page in a browser and any
+// user of the machine can send something there: a page of another site names itself in Origin, a name that
+// was made to point here stands in Host, and nobody else has the token.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// `hairlab live`: a server for a page, and a process that plays for it (player.h). Whatever happens to that process, page and server stay.
+// `hairlab live`: a server for a page, and a process that plays for it (player.h). Whatever happens to that
+// process, page and server stay.
 #pragma once
 
 #include <atomic>

@@ -17,7 +17,8 @@ struct LiveSettings {
   std::string method;    // a method's id; empty: the scene's
 };
 
-// "2 0.5 implicit_euler"; "1 1" leaves the scene as it is. Throws BadInput for other texts, and for numbers out of bounds.
+// "2 0.5 implicit_euler"; "1 1" leaves the scene as it is. Throws BadInput for other texts, and for numbers
+// out of bounds.
 LiveSettings read_settings(const std::string& text);
 
 // The methods that move what is in the scene, and whose exercises the course has.
@@ -26,7 +27,8 @@ std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& cour
 // The method that moves it; null if its toys have several.
 const MethodRow* method_of(const Scene& scene);
 
-// Afterwards each frame of the scene is one step. Throws BadInput for a method that is not one of `methods_for`.
+// Afterwards each frame of the scene is one step. Throws BadInput for a method that is not one of
+// `methods_for`.
 void change(Scene& scene, const LiveSettings& settings, const Course& course);
 
 }  // namespace hair

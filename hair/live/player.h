@@ -1,5 +1,6 @@
-// Plays a scene for a page: the process that runs the exercises' code. It reads lines from its standard input, first one of settings, then "go",
-// "pause", "step" and "rate 0.5", and ends when the input does. It writes lines to its standard output:
+// Plays a scene for a page: the process that runs the exercises' code. It reads lines from its standard
+// input, first one of settings, then "go", "pause", "step" and "rate 0.5", and ends when the input does. It
+// writes lines to its standard output:
 //
 //   {"kind":"start", ...}   the motion (hair/view/motion.h) at the start, steps and methods
 //   {"kind":"frame", ...}   "time", s; "steps"; "values", one of each series; "last" (MotionFrames::last_json)

@@ -11,7 +11,8 @@ class ProgramFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // True once for each other file that lies there. A file that is still being written does not count: call it some times a second.
+  // True once for each other file that lies there. A file that is still being written does not count: call it
+  // some times a second.
   bool is_new();
 
  private:

@@ -14,8 +14,9 @@ inline constexpr const char* kPageOpened = "opened";
 
 class LiveServer {
  public:
-  // Listens on 127.0.0.1; port 0: one that is free. Messages of the log go to pages as they come. `command` gets a page's commands, in threads of
-  // the server: "pause"; and kPageOpened for each page that listens. Throws BadInput if the port is taken. The log must outlive the server.
+  // Listens on 127.0.0.1; port 0: one that is free. Messages of the log go to pages as they come. `command`
+  // gets a page's commands, in threads of the server: "pause"; and kPageOpened for each page that listens.
+  // Throws BadInput if the port is taken. The log must outlive the server.
   LiveServer(std::string page, int port, const MessageLog& log,
              std::function<void(const std::string&)> command);
   ~LiveServer();  // close the log before

@@ -1,5 +1,5 @@
-// A control mesh: links and triangle strips between guides of masses and springs. Particles are counted through all
-// strands: those of strand 0, of strand 1, ... Source: the lecture, "Control Mesh".
+// A control mesh: links and triangle strips between guides of masses and springs. Particles are counted
+// through all strands: those of strand 0, of strand 1, ... Source: the lecture, "Control Mesh".
 #pragma once
 
 #include <array>

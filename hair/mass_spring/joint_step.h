@@ -16,7 +16,8 @@ class JointStep {
   JointStep(const JointStep&) = delete;
   JointStep& operator=(const JointStep&) = delete;
 
-  // One step of all strands, including collisions. broke[i]: nothing, or the stage in which strand i broke. Adds to `work`.
+  // One step of all strands, including collisions. broke[i]: nothing, or the stage in which strand i broke.
+  // Adds to `work`.
   virtual void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) = 0;
 
   // The strands start anew: what was remembered is forgotten.

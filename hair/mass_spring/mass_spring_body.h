@@ -14,8 +14,8 @@ namespace hair {
 
 class MassSpringBody final : public Body {
  public:
-  // `start` has passed check_start. With `collides`, steps keep a copy of their start positions; with `watched`,
-  // sizes() tells what a step did.
+  // `start` has passed check_start. With `collides`, steps keep a copy of their start positions; with
+  // `watched`, sizes() tells what a step did.
   MassSpringBody(const StrandStart& start, const StepMethod& method, const ForceOptions& options,
                  bool collides, bool watched);
 
@@ -30,7 +30,8 @@ class MassSpringBody final : public Body {
   void set_root_frame(const Vector3d& tangent, const Vector3d& normal);
   const Vector3d& root_normal() const { return root_normal_; }
 
-  // A step that was made elsewhere, to x and v: its collisions, and what it did. On return x and v are what was before.
+  // A step that was made elsewhere, to x and v: its collisions, and what it did. On return x and v are what
+  // was before.
   std::optional<Stage> step_to(const BodyStep& step, particles::Output x, particles::Output v,
                                const StepOutcome& outcome, Work& work);
 

@@ -35,8 +35,8 @@ struct MovingStrand {
   particles::Particles particles;
   particles::State state;
   particles::ForceSum force;
-  // Parts of `force`: rest curvature, if the strand is curved at rest; external forces, if some act on it; those whose
-  // energy is that of lengths, those of bends, and the air's drag, if there is one.
+  // Parts of `force`: rest curvature, if the strand is curved at rest; external forces, if some act on it;
+  // those whose energy is that of lengths, those of bends, and the air's drag, if there is one.
   RestCurvature* rest_curvature = nullptr;
   PointForces* point_forces = nullptr;
   std::vector<const particles::Force*> stretching, bending;

@@ -14,12 +14,13 @@ namespace hair {
 namespace rest_bend {
 namespace {
 
-// The product of Gauss and Newton, J^T J dx, joint by joint from the root. J is the derivative of what E is the sum of squares of,
+// The product of Gauss and Newton, J^T J dx, joint by joint from the root. J is the derivative of what E is
+// the sum of squares of,
 //
 //   sqrt(s) (kappa - rest),   sqrt(1 - s) kappa,   sqrt(1 - s) |rest|.
 //
-// Of the second only what its length does must count. What else kappa does is let in by max(cos(phi), 0), so that
-// J is exact on straight hair, and bounded at the fold.
+// Of the second only what its length does must count. What else kappa does is let in by max(cos(phi), 0), so
+// that J is exact on straight hair, and bounded at the fold.
 class Squares {
  public:
   explicit Squares(Input dx) : dx_(dx) {}

@@ -1,14 +1,15 @@
-// The energy of a strand of masses and springs in the frame that moves with its root, for the watch (hair/strand/energy_watch.h):
+// The energy of a strand of masses and springs in the frame that moves with its root, for the watch
+// (hair/strand/energy_watch.h):
 //
 //   E = sum_i m_i |v_i - V|^2 / 2 - sum_i m_i g . (x_i - x_0) + bending (+ stretching)      J, V the root's velocity
 //
-// A step's work is that of drag, F(v1) . ((v0 + v1) / 2 - V) h, and that of contacts, impulse . (an obstacle's velocity - V). When
-// the root changes its velocity, the kinetic energy is read anew, and when its frame turns, the bending energy: that is work that
-// came in.
+// A step's work is that of drag, F(v1) . ((v0 + v1) / 2 - V) h, and that of contacts, impulse . (an
+// obstacle's velocity - V). When the root changes its velocity, the kinetic energy is read anew, and when its
+// frame turns, the bending energy: that is work that came in.
 //
-// Stretching is left out where a method moves particles straight on instead of round (H4): for moments it holds a
-// hundred times the energy that drives the motion, which never gets it. Where it holds as much all the time, springs
-// hold the strand, and it does not move as hair does: that is what its mean shows.
+// Stretching is left out where a method moves particles straight on instead of round (H4): for moments it
+// holds a hundred times the energy that drives the motion, which never gets it. Where it holds as much all
+// the time, springs hold the strand, and it does not move as hair does: that is what its mean shows.
 #pragma once
 
 #include "hair/mass_spring/moving_strand.h"
@@ -18,8 +19,8 @@ namespace hair {
 
 class SpringEnergy {
  public:
-  // `with_stretching`: see above. `every`: so many steps are read as one, where a step costs no more than reading. Keeps a
-  // reference to the strand.
+  // `with_stretching`: see above. `every`: so many steps are read as one, where a step costs no more than
+  // reading. Keeps a reference to the strand.
   SpringEnergy(const MovingStrand& moving, const Vector3d& gravity, double drag, bool with_stretching,
                int every);
 
@@ -30,7 +31,8 @@ class SpringEnergy {
 
   void root_turned() { turned_ = true; }
 
-  // Around a step. `v_before`: the velocities at its start, for the drag; `contacts`: null if there were none.
+  // Around a step. `v_before`: the velocities at its start, for the drag; `contacts`: null if there were
+  // none.
   void before_step();
   void moved(
       double h,

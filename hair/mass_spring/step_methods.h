@@ -46,7 +46,8 @@ struct StepMethod {
   // Its steps keep lengths.
   bool keeps_lengths = false;
 
-  // It moves particles straight on instead of round: the books of energy leave stretching out (spring_energy.h).
+  // It moves particles straight on instead of round: the books of energy leave stretching out
+  // (spring_energy.h).
   bool goes_straight_on = false;
 
   // So many steps are read as one by these books.

@@ -95,8 +95,8 @@ double StripContacts::side_of(int strip, int point, const std::array<int, 3>& tr
   return from.height_times_area() < 0 ? -1 : 1;
 }
 
-// Of a particle that does not touch now, and belonged to `side`. When it met the triangle's plane is found as if heights
-// over it changed evenly.
+// Of a particle that does not touch now, and belonged to `side`. When it met the triangle's plane is found as
+// if heights over it changed evenly.
 bool StripContacts::passed(int point, const std::array<int, 3>& triangle, double side, Input x) const {
   Tetrahedron now(x, point, triangle);
   const double height = side * now.height_times_area();

@@ -1,12 +1,14 @@
 // Which particles of guides are near strips that are not their own, and on which side of them.
 //
-// Contacts are looked for once a step, within the strip's thickness r of it. A particle that moves by more than that in a step,
+// Contacts are looked for once a step, within the strip's thickness r of it. A particle that moves by more
+// than that in a step,
 //
 //   h |v . n| > r         v: relative to the strip, n: the strip's normal
 //
-// may be on its other side before it touched. If it is near the strip then, it still belongs to the side that it came from, and
-// is pushed back. If it is farther away, which takes h |v . n| > 2r where it came from outside of r, it has gone through: that is
-// counted (passes), and nothing pulls it back. A particle that was pushed too softly, and leaves at the wrong side, counts, too.
+// may be on its other side before it touched. If it is near the strip then, it still belongs to the side that
+// it came from, and is pushed back. If it is farther away, which takes h |v . n| > 2r where it came from
+// outside of r, it has gone through: that is counted (passes), and nothing pulls it back. A particle that was
+// pushed too softly, and leaves at the wrong side, counts, too.
 #pragma once
 
 #include <span>
@@ -22,9 +24,9 @@ class StripContacts {
   // Particles of guide g: first[g] to first[g + 1] - 1. Keeps a reference to the mesh.
   StripContacts(const ControlMesh& mesh, std::vector<int> first);
 
-  // The contacts at x. A particle touches a strip at most once, and not by its root. As long as it touches, it
-  // belongs to the side where it was before it first did: what goes through is pushed back. The order is that of strips,
-  // then of particles. Memory grows when more touch than ever did.
+  // The contacts at x. A particle touches a strip at most once, and not by its root. As long as it touches,
+  // it belongs to the side where it was before it first did: what goes through is pushed back. The order is
+  // that of strips, then of particles. Memory grows when more touch than ever did.
   void find(Input x, Input tangents);
 
   std::span<const StripContact> all() const { return contacts_; }

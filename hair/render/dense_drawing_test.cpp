@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kGuides = 30, kChildren = 200;
 
-// A tuft that a motion turns, in which each strand has four points, and a strand of three points that nobody makes dense. The camera
-// sees a part of the tuft, from -y; z is up.
+// A tuft that a motion turns, in which each strand has four points, and a strand of three points that nobody
+// makes dense. The camera sees a part of the tuft, from -y; z is up.
 Scene tuft(bool shadows) {
   return parse_scene(R"({"shows": "a tuft", "frames": 10,
     "motions": [{"name": "hand", "keys": [{"time": 0}, {"time": 1, "axis": [0, 1, 0], "degrees": 90}]}],
@@ -82,8 +82,8 @@ TEST(DenseDrawing, TurnsWithItsMotion) {
   }
 }
 
-// What is left out on the picture's left and below throws no shadow into it from there; light comes from the left and
-// from above, so with shadows those sides are no limits.
+// What is left out on the picture's left and below throws no shadow into it from there; light comes from the
+// left and from above, so with shadows those sides are no limits.
 TEST(DenseDrawing, LeavesOutWhatNobodySees) {
   const Scene plain = tuft(false), shaded = tuft(true);
   const SceneDrawing without(plain, kSizes), with(shaded, kSizes);
@@ -132,7 +132,8 @@ TEST(DenseDrawing, KeepsFineHairOutOfObstaclesAndLeavesRibbonsAsH10MakesThem) {
   EXPECT_GT(deepest_in_ball("ribbons", false), 0.05);
 }
 
-// Hair that only is drawn goes with its head, and each strand keeps its number, whatever else the camera sees.
+// Hair that only is drawn goes with its head, and each strand keeps its number, whatever else the camera
+// sees.
 TEST(DenseDrawing, StillHairGoesWithItsHead) {
   const Scene scene = parse_scene(R"({"shows": "a tail", "frames": 1,
     "motions": [{"name": "walk", "keys": [{"time": 0}, {"time": 1, "position": [0, 1, 0], "axis": [0, 0, 1], "degrees": 90}]}],
@@ -153,7 +154,8 @@ TEST(DenseDrawing, StillHairGoesWithItsHead) {
   }
 }
 
-// A row of tufts' guides on a disc of 40 cm that moves aside and turns a little; the camera sees a part of it.
+// A row of tufts' guides on a disc of 40 cm that moves aside and turns a little; the camera sees a part of
+// it.
 Scene wide_tuft(const std::string& hair = "", const std::string& more = "", int guides = 200,
                 double length = 0.04) {
   return parse_scene(
@@ -201,7 +203,8 @@ TEST(IdleGuides, NoPictureShowsThem) {
   }
 }
 
-// Short hair in clumps whose middles are far apart: its tips are drawn into the picture from several lengths away.
+// Short hair in clumps whose middles are far apart: its tips are drawn into the picture from several lengths
+// away.
 TEST(IdleGuides, AreNotThoseWhoseStrandsGatherOrFlyIntoThePicture) {
   for (const char* const disorder :
        {R"(, "clump": 150, "gathered": 0.9)",

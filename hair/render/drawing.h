@@ -18,10 +18,11 @@ struct StrandsDrawing {
   std::vector<Vector3d> points;  // m, strand after strand
   double width = 1e-4;           // m, of a strand
   Colour root = {0.10f, 0.05f, 0.02f}, tip = {0.22f, 0.12f, 0.05f};
-  // As fine hair: as thin as it is, with tapered tips and colours that differ (hair_layer.h); else as ribbons, which are never thinner than
-  // half a pixel.
+  // As fine hair: as thin as it is, with tapered tips and colours that differ (hair_layer.h); else as
+  // ribbons, which are never thinner than half a pixel.
   bool fine = false;
-  // Of fine hair: a number for each strand that it keeps from picture to picture; empty: its place among the strands.
+  // Of fine hair: a number for each strand that it keeps from picture to picture; empty: its place among the
+  // strands.
   std::vector<std::uint32_t> ids = {};
 };
 

@@ -1,5 +1,5 @@
-// Fine hair in a picture, step by step: strands, then how they throw shadows, then the layer that is seen. The processor draws it,
-// in all of its threads; OpenGL draws the rest.
+// Fine hair in a picture, step by step: strands, then how they throw shadows, then the layer that is seen.
+// The processor draws it, in all of its threads; OpenGL draws the rest.
 #pragma once
 
 #include <memory>

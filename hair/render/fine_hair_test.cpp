@@ -40,17 +40,17 @@ double covered(const HairLayer& layer, int x, int y) {
   return 1 - layer.pixels[4 * static_cast<std::size_t>(y * layer.width + x) + 3];
 }
 
-// A long strand through the picture's middle, `shift` pixels beside it, at `angle` from upright. Its tip is far outside, so that it is
-// not tapered where it is seen.
+// A long strand through the picture's middle, `shift` pixels beside it, at `angle` from upright. Its tip is
+// far outside, so that it is not tapered where it is seen.
 StrandsDrawing slanted(double width, double shift, double angle) {
   const Vector3d along(std::sin(angle), 0, std::cos(angle)), across(std::cos(angle), 0, -std::sin(angle));
   const Vector3d middle = shift * kFinePixel * across;
   return fine({{middle + 0.4 * along, middle - 4 * along}}, width * kFinePixel);
 }
 
-// Each row (or column) that a strand crosses is covered by the length of its cut, w / cos(angle), in all: the tents of a
-// row's pixels add up to 1 everywhere. Rounding: positions have errors of 2^-24 of some hundred pixels, as floats have, and a tent's slope is
-// at most 1.
+// Each row (or column) that a strand crosses is covered by the length of its cut, w / cos(angle), in all: the
+// tents of a row's pixels add up to 1 everywhere. Rounding: positions have errors of 2^-24 of some hundred
+// pixels, as floats have, and a tent's slope is at most 1.
 TEST(FineHair, CoversItsWidthWhereverItLies) {
   for (const double width : {0.02, 0.2, 0.9, 1.0, 3.7})
     for (const double angle : {0.0, 0.2, 0.7})
@@ -65,8 +65,9 @@ TEST(FineHair, CoversItsWidthWhereverItLies) {
       }
 }
 
-// As above, of a strand whose pieces meet in the picture: a joint is neither gap nor bead. The bend is slight, so that all pieces are
-// more upright than level, and a cut's length is between those of both ends' angles.
+// As above, of a strand whose pieces meet in the picture: a joint is neither gap nor bead. The bend is
+// slight, so that all pieces are more upright than level, and a cut's length is between those of both ends'
+// angles.
 TEST(FineHair, HasNoBeadsWherePiecesMeet) {
   std::vector<Vector3d> arc;
   for (int i = 0; i <= 40; ++i) {
@@ -102,7 +103,8 @@ TEST(FineHair, TapersToItsTip) {
     return covered(layer, 63, y) + covered(layer, 64, y);
   };
   EXPECT_NEAR(at(0.5), 0.8, 0.01);
-  // Half of the width is left in the middle of the taper. A row's middle is up to one and a half pixels from where it is asked for.
+  // Half of the width is left in the middle of the taper. A row's middle is up to one and a half pixels from
+  // where it is asked for.
   const double pixel = 0.8 / (FineStrands::kTaper * 120);
   EXPECT_NEAR(at(1 - FineStrands::kTaper / 2), 0.4, 1.5 * pixel);
   EXPECT_LT(at(0.99), (0.01 * 120 + 1.5) * pixel);
@@ -136,9 +138,10 @@ TEST(FineHair, HasTheSameBitsWithAnyThreads) {
   EXPECT_EQ(layers[0].pixels, layers[1].pixels);
 }
 
-// Sheets of parallel strands across the light, one behind the other. Strands of width w, s apart, cover the part w / s of the light: the opacity
-// behind k sheets is k w / s, and exp(-k w / s) comes through. A sheet is rounded to 1/16384 of a texel for each strand in
-// a texel, and 20 strands to a texel's width make the map even to about one in 20.
+// Sheets of parallel strands across the light, one behind the other. Strands of width w, s apart, cover the
+// part w / s of the light: the opacity behind k sheets is k w / s, and exp(-k w / s) comes through. A sheet
+// is rounded to 1/16384 of a texel for each strand in a texel, and 20 strands to a texel's width make the map
+// even to about one in 20.
 TEST(OpacityMap, OfAStackOfSheetsIsTheSum) {
   const Eigen::Vector3d light = kKeyLight.cast<double>();
   // The camera's axes: x, z up, -y back; the view's light (x, y, z) is (x, -z, y) in space.
@@ -201,8 +204,8 @@ TEST(KajiyaKay, DiffuseLightIsTheSine) {
   EXPECT_NEAR(sum, std::numbers::pi / 4, 1e-5);
 }
 
-// A highlight is brightest where light leaves in the mirrored direction; shifting the tangent by s moves this by
-// atan(s); and at an angle a from there it is cos(a)^p.
+// A highlight is brightest where light leaves in the mirrored direction; shifting the tangent by s moves this
+// by atan(s); and at an angle a from there it is cos(a)^p.
 TEST(KajiyaKay, HighlightsAreOnTheCone) {
   const Eigen::Vector3f t(0, 0, 1), across(1, 0, 0);
   for (const double shift : {-0.12, 0.0, 0.16})
@@ -241,7 +244,8 @@ TEST(FineHair, IsDrawnWithTheSameBytesAgain) {
   EXPECT_TRUE(Renderer({.width = 160, .height = 120}).draw(drawing, kAhead) == first);
 }
 
-// A red ball before a wall of black hair: at its edge pixels are between red and black, and never as bright as the background.
+// A red ball before a wall of black hair: at its edge pixels are between red and black, and never as bright
+// as the background.
 TEST(FineHair, LeavesNoFringeAtASolidsEdge) {
   Drawing drawing;
   drawing.balls.push_back({Vector3d(0, 0, 0), 0.1, Colour(0.3F, 0, 0)});

@@ -1,4 +1,5 @@
-// What OpenGL needs of fine hair, as textures: its shadow on what OpenGL draws, and the layer that comes over the picture.
+// What OpenGL needs of fine hair, as textures: its shadow on what OpenGL draws, and the layer that comes over
+// the picture.
 #pragma once
 
 #include <optional>

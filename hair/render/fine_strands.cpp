@@ -6,8 +6,8 @@
 namespace hair {
 namespace {
 
-// A piece turns by at most this (radians), so that highlights are round, and is at most so many pixels long, so that
-// shadows along it are seen.
+// A piece turns by at most this (radians), so that highlights are round, and is at most so many pixels long,
+// so that shadows along it are seen.
 constexpr float kPieceTurn = 0.12F, kPieceLength = 24;
 
 }  // namespace

@@ -24,7 +24,8 @@ class FineStrands {
     return curve_segment({at_.data() + first_[strand], static_cast<std::size_t>(size(strand))}, i);
   }
 
-  // In how many straight pieces a segment of a strand is drawn, 1 to kMostPieces: as many as make its bends round.
+  // In how many straight pieces a segment of a strand is drawn, 1 to kMostPieces: as many as make its bends
+  // round.
   static constexpr int kMostPieces = 16;
   int pieces(const CurveSegment& segment) const;
 

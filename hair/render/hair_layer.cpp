@@ -79,7 +79,8 @@ class HairPainter {
   // Calls visit(tile) for each tile that the piece may touch.
   template <class Visit>
   void for_tiles(const Piece& piece, const Visit& visit) const {
-    // An upright or level strand reaches half a width and a pixel aside, a slanted one up to sqrt(2) of the half.
+    // An upright or level strand reaches half a width and a pixel aside, a slanted one up to sqrt(2) of the
+    // half.
     const float reach = 1 + 1.5F * std::max(piece.half[0], piece.half[1]);
     const auto range = [&](const std::array<float, 2>& ends, int size) {
       const float low = std::min(ends[0], ends[1]) - reach, high = std::max(ends[0], ends[1]) + reach;
@@ -194,14 +195,16 @@ class HairPainter {
     Piece piece{};
     if (!project(segment, of, piece)) return;
 
-    // Columns of a strand that is more level than upright, and rows of one that is more upright: `major` goes along it.
+    // Columns of a strand that is more level than upright, and rows of one that is more upright: `major` goes
+    // along it.
     const float dx = piece.x[1] - piece.x[0], dy = piece.y[1] - piece.y[0];
     const int major = std::abs(dx) >= std::abs(dy) ? 0 : 1, minor = 1 - major;
     const std::array<float, 2>&a = major == 0 ? piece.x : piece.y, &b = major == 0 ? piece.y : piece.x;
     const float along = a[1] - a[0];
     if (along == 0) return;
     const float slope = (b[1] - b[0]) / along, slanted = std::sqrt(1 + slope * slope);
-    // Pixels whose middle is at or beyond the one end, and before the other: what is next begins where this ends.
+    // Pixels whose middle is at or beyond the one end, and before the other: what is next begins where this
+    // ends.
     const auto first_middle = [&](float end) {
       return static_cast<int>(std::clamp(std::ceil(end - 0.5F), static_cast<float>(box.min()[major]),
                                          static_cast<float>(box.max()[major])));

@@ -1,10 +1,11 @@
 // The light that a point of a hair throws to the eye.
 //
-// J. T. Kajiya and T. L. Kay, "Rendering Fur with Three Dimensional Textures", SIGGRAPH 1989: it depends on the strand's
-// tangent alone. Diffuse: the sine of the angle between tangent T and light L (their equation 14). Highlights: with the half-way vector H
-// between light and eye, sin(T, H)^p, as T. Scheuermann, "Practical Real-Time Hair Rendering and Shading" (SIGGRAPH 2004 sketches), writes
-// it. There are two of them, whose tangents are shifted: one to the root and white, one to the tip and of the hair's colour, as S. R.
-// Marschner et al., "Light Scattering from Human Hair Fibers" (SIGGRAPH 2003) found them.
+// J. T. Kajiya and T. L. Kay, "Rendering Fur with Three Dimensional Textures", SIGGRAPH 1989: it depends on
+// the strand's tangent alone. Diffuse: the sine of the angle between tangent T and light L (their equation
+// 14). Highlights: with the half-way vector H between light and eye, sin(T, H)^p, as T. Scheuermann,
+// "Practical Real-Time Hair Rendering and Shading" (SIGGRAPH 2004 sketches), writes it. There are two of
+// them, whose tangents are shifted: one to the root and white, one to the tip and of the hair's colour, as S.
+// R. Marschner et al., "Light Scattering from Human Hair Fibers" (SIGGRAPH 2003) found them.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +17,13 @@ namespace hair {
 // sin(T, L); both of length 1.
 float kajiya_diffuse(const Eigen::Vector3f& tangent, const Eigen::Vector3f& light);
 
-// sin(T', H)^sharpness, where T' is T shifted by `shift` along `across`, which is of length 1 and perpendicular to T.
+// sin(T', H)^sharpness, where T' is T shifted by `shift` along `across`, which is of length 1 and
+// perpendicular to T.
 float shifted_highlight(const Eigen::Vector3f& tangent, const Eigen::Vector3f& across,
                         const Eigen::Vector3f& half_way, float shift, float sharpness);
 
-// What is a strand's own: its colour, and where its highlights are. The same strand has the same in each picture.
+// What is a strand's own: its colour, and where its highlights are. The same strand has the same in each
+// picture.
 struct StrandTint {
   Colour root, tip;
   float shift;  // of its highlights

@@ -1,9 +1,10 @@
 // The guides of dense hair that no picture of a run shows: nobody needs to simulate them.
 //
-// A strand that is drawn is out of view for the whole run if a ball that holds it lies outside of one side of the view, in all poses of
-// its root's motion: as far as its guides are long, half as much for what springs may stretch, and as wide as its wisp spreads. A guide
-// is idle if each strand that is made of it is, or if there is none. Where links or strips couple guides, none is: each moves
-// others. Nor is hair that is drawn as it is, whatever the camera sees: it is its own strand, and states are asked for.
+// A strand that is drawn is out of view for the whole run if a ball that holds it lies outside of one side of
+// the view, in all poses of its root's motion: as far as its guides are long, half as much for what springs
+// may stretch, and as wide as its wisp spreads. A guide is idle if each strand that is made of it is, or if
+// there is none. Where links or strips couple guides, none is: each moves others. Nor is hair that is drawn
+// as it is, whatever the camera sees: it is its own strand, and states are asked for.
 #pragma once
 
 #include <vector>

@@ -25,7 +25,8 @@ Footprint footprint(float x, float y) {
       static_cast<int>(left), static_cast<int>(below), {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
 }
 
-// Calls visit(texel, depth, share) for each texel that a piece of hair is in, with the area of its shadow there.
+// Calls visit(texel, depth, share) for each texel that a piece of hair is in, with the area of its shadow
+// there.
 template <class Visit>
 void splat(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float width, int size,
            const Visit& visit) {

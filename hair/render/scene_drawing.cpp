@@ -26,8 +26,8 @@ constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035, kThread = 0.0006;
 
 constexpr std::uint32_t kFirstStillId = 1U << 30;  // beyond the numbers of what moves
 
-// The four sides of what the camera sees. With shadows those through which light falls into the picture are no limits:
-// what is beyond them may throw a shadow on what is seen.
+// The four sides of what the camera sees. With shadows those through which light falls into the picture are
+// no limits: what is beyond them may throw a shadow on what is seen.
 std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows) {
   const Eigen::Matrix3d axes = view_axes((camera.eye - camera.target).normalized(), camera.up);
   const double y = std::tan(camera.field_of_view / 2), x = aspect * y;

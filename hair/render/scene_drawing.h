@@ -23,8 +23,8 @@ inline constexpr int kCellsOfPicture = 220, kCellsOfPage = 48;
 // A scene without a look gets the default one. Calls H10 if the scene has dense hair.
 class SceneDrawing {
  public:
-  // strands: the number of points of each strand's centre line (Playback::strands). cache: a folder where surface nets of heads are kept.
-  // Keeps a reference to the scene, which must outlive it.
+  // strands: the number of points of each strand's centre line (Playback::strands). cache: a folder where
+  // surface nets of heads are kept. Keeps a reference to the scene, which must outlive it.
   SceneDrawing(const Scene& scene, std::vector<int> strands,
                const std::optional<std::filesystem::path>& cache = {}, int cells = kCellsOfPicture);
 
@@ -34,12 +34,13 @@ class SceneDrawing {
   const std::vector<Plane>& view() const { return view_; }
   const Synthesis& dense(std::size_t group) const { return *dense_.at(group); }  // of the scene's dense hair
 
-  // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at `time`, s.
-  // Throws std::invalid_argument for a state of another size. Not for two threads at a time.
+  // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at
+  // `time`, s. Throws std::invalid_argument for a state of another size. Not for two threads at a time.
   //
-  // Dense hair that is drawn as fine hair is kept out of obstacles (strand_clearance.h); ribbons are as H10 makes them.
-  // With Look::links, links of the control mesh are tubes, but not those that `mesh` has as broken (null: none is), and not those of guides
-  // that dense hair is drawn in place of. In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
+  // Dense hair that is drawn as fine hair is kept out of obstacles (strand_clearance.h); ribbons are as H10
+  // makes them. With Look::links, links of the control mesh are tubes, but not those that `mesh` has as
+  // broken (null: none is), and not those of guides that dense hair is drawn in place of. In a toy, springs
+  // and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
   Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,
              const MeshRecord* mesh = nullptr) const;
 

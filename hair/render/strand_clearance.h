@@ -1,9 +1,10 @@
-// Keeps drawn strands out of solids. Guides stay outside of a head, but what is interpolated between them cuts corners, and so do
-// clumps and fly-aways. What is inside moves along the distance's gradient to the surface, and a little beyond it; its neighbours go
-// along, so that there is no kink, and lengths are restored as far as there is room. Roots stay, for they are on the scalp.
+// Keeps drawn strands out of solids. Guides stay outside of a head, but what is interpolated between them
+// cuts corners, and so do clumps and fly-aways. What is inside moves along the distance's gradient to the
+// surface, and a little beyond it; its neighbours go along, so that there is no kink, and lengths are
+// restored as far as there is room. Roots stay, for they are on the scalp.
 //
-// It has no effect on the motion, and costs only strands that are near a solid: a coarse grid, made once, says where that is. Without
-// obstacles nothing is looked at.
+// It has no effect on the motion, and costs only strands that are near a solid: a coarse grid, made once,
+// says where that is. Without obstacles nothing is looked at.
 #pragma once
 
 #include <array>
@@ -18,14 +19,17 @@ namespace hair {
 
 class StrandClearance {
  public:
-  // How far from a surface strands are kept, m: each has a place of its own in this layer. Up to the first, nearer to their roots.
+  // How far from a surface strands are kept, m: each has a place of its own in this layer. Up to the first,
+  // nearer to their roots.
   static constexpr double kLow = 0.0008, kHigh = 0.0025;
 
-  // obstacles: those of which `move_out` is told where they are now. threads >= 1; the result is the same with any number.
+  // obstacles: those of which `move_out` is told where they are now. threads >= 1; the result is the same
+  // with any number.
   explicit StrandClearance(const std::vector<Obstacle>& obstacles, int threads = 1);
 
-  // Of the drawing's strands from `first` on, whose points begin at `first_point`. Afterwards no point but a root is inside of an
-  // obstacle by more than kTolerance, if obstacles leave room between them. Returns how many strands moved.
+  // Of the drawing's strands from `first` on, whose points begin at `first_point`. Afterwards no point but a
+  // root is inside of an obstacle by more than kTolerance, if obstacles leave room between them. Returns how
+  // many strands moved.
   long move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
                 std::size_t first_point);
   static constexpr double kTolerance = 1e-5;  // m

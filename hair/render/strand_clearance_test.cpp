@@ -88,8 +88,9 @@ TEST(StrandClearance, LeavesAloneWhatIsClear) {
   EXPECT_EQ(strands.points, before);
 }
 
-// A strand that dips into a ball by a few millimetres slides over it: it keeps its length to the square of the angle that it turns by,
-// and bends by no more at one joint than its points would turn along the ball, and once as much again for how it comes and goes.
+// A strand that dips into a ball by a few millimetres slides over it: it keeps its length to the square of
+// the angle that it turns by, and bends by no more at one joint than its points would turn along the ball,
+// and once as much again for how it comes and goes.
 TEST(StrandClearance, KeepsLengthsAndMakesNoKink) {
   constexpr double radius = 0.1, depth = 0.004, piece = 0.01;
   const std::vector<Obstacle> ball = {{Sphere{{0, 0, 0}, radius}}};
@@ -115,9 +116,10 @@ TEST(StrandClearance, KeepsLengthsAndMakesNoKink) {
   EXPECT_GT(bend, 0);
 }
 
-// Hair that would go into the ground at 45 degrees lies on it. Where it only moved up, a piece would have cos 45 degrees of its length.
-// Moves are smoothed over nine points either way, so from the tenth on after the corner, and up to the tenth before the tip,
-// nothing bends: lengths are exact but for the rounding of coordinates below 1 m.
+// Hair that would go into the ground at 45 degrees lies on it. Where it only moved up, a piece would have cos
+// 45 degrees of its length. Moves are smoothed over nine points either way, so from the tenth on after the
+// corner, and up to the tenth before the tip, nothing bends: lengths are exact but for the rounding of
+// coordinates below 1 m.
 TEST(StrandClearance, RestoresTheLengthsOfWhatLiesOnTheGround) {
   constexpr double piece = 0.01;
   constexpr int count = 61, corner = 10, smoothed = 10;

@@ -1,21 +1,22 @@
-// A spring and a damper at a joint. The energy of a spherical joint that is turned by the vector theta (rad, at most pi
-// long) against its rest is
+// A spring and a damper at a joint. The energy of a spherical joint that is turned by the vector theta (rad,
+// at most pi long) against its rest is
 //
 //   E = theta^T K theta / 2      theta = 2 atan2(|v|, w) v / |v|  of its quaternion, w + v, with w >= 0
 //
-// theta has the same components along the axes at rest (q = 0) and along the turned ones: the spring treats its two
-// links alike. As w, the angular velocity between the links, turns the joint,
+// theta has the same components along the axes at rest (q = 0) and along the turned ones: the spring treats
+// its two links alike. As w, the angular velocity between the links, turns the joint,
 //
 //   theta' = A w,   A = 1 - theta~ / 2 + g theta~^2,   g = (1 - |theta| / 2 cot(|theta| / 2)) / |theta|^2
 //
-// (J. E. Bortz, "A New Mathematical Formulation for Strapdown Inertial Navigation", IEEE Transactions on Aerospace and
-// Electronic Systems 7 (1971)), so its torque is -A^T K theta. At half a turn the torque
+// (J. E. Bortz, "A New Mathematical Formulation for Strapdown Inertial Navigation", IEEE Transactions on
+// Aerospace and Electronic Systems 7 (1971)), so its torque is -A^T K theta. At half a turn the torque
 // changes its sign, because then the other way back is shorter.
 //
 // A revolute or prismatic joint has the number K[0, 0].
 //
-// A limit is a spring of its own, which acts beyond it: an elastic buffer that a joint runs into. Its energy is limit_stiffness
-// (|theta| - upper)^2 / 2 for |theta| > upper; for revolute and prismatic joints the same below `lower`.
+// A limit is a spring of its own, which acts beyond it: an elastic buffer that a joint runs into. Its energy
+// is limit_stiffness (|theta| - upper)^2 / 2 for |theta| > upper; for revolute and prismatic joints the same
+// below `lower`.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,9 +1,11 @@
-// The energy of a strand of rigid links in the frame that moves with its root, for the watch (hair/strand/energy_watch.h):
+// The energy of a strand of rigid links in the frame that moves with its root, for the watch
+// (hair/strand/energy_watch.h):
 //
 //   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs and limits      J, V the root's velocity
 //
-// A step's work is that of drag and of dampers, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a root that turns:
-// the torque that it gives, which H7's second pass finds, times its turn, and that of a root that goes faster by dV. All mass feels this,
+// A step's work is that of drag and of dampers, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a
+// root that turns: the torque that it gives, which H7's second pass finds, times its turn, and that of a root
+// that goes faster by dV. All mass feels this,
 // -dV . (p0 + p1) / 2, p the momentum in the frame of its time; V is the mean of the root's velocities then.
 #pragma once
 

@@ -1,7 +1,8 @@
-// A chain or tree of rigid links: what stays the same while it moves. The base is link 0; shapes()[i] is link i's.
+// A chain or tree of rigid links: what stays the same while it moves. The base is link 0; shapes()[i] is link
+// i's.
 //
-// A link's axes are its principal axes, fixed in it. At rest (q = 0) they are turned by `rest` against those of
-// the parent, then the joint turns or moves it:
+// A link's axes are its principal axes, fixed in it. At rest (q = 0) they are turned by `rest` against those
+// of the parent, then the joint turns or moves it:
 //
 //   orientation_i = orientation_parent * rest * (the joint's turn)
 #pragma once
@@ -25,15 +26,16 @@ struct LinkShape {
 
 class LinkTree {
  public:
-  // shapes[i] becomes link i + 1. Throws std::invalid_argument for values that are out of bounds or not finite: a link
-  // without mass, a joint that turns nothing (a link of no length and no moments), a parent that comes later.
+  // shapes[i] becomes link i + 1. Throws std::invalid_argument for values that are out of bounds or not
+  // finite: a link without mass, a joint that turns nothing (a link of no length and no moments), a parent
+  // that comes later.
   explicit LinkTree(const std::vector<LinkShape>& shapes);
 
   const std::vector<LinkShape>& shapes() const { return shapes_; }  // shapes()[0], the base's, is empty
   int links() const { return static_cast<int>(shapes_.size()); }    // with the base
 
-  // A revolute joint has an angle (rad), a prismatic joint a distance (m), a spherical joint a unit quaternion, x y z w.
-  // coordinate(i) and rate(i) are where those of link i begin.
+  // A revolute joint has an angle (rad), a prismatic joint a distance (m), a spherical joint a unit
+  // quaternion, x y z w. coordinate(i) and rate(i) are where those of link i begin.
   int coordinates() const { return coordinates_; }
   int rates() const { return rates_; }
   int coordinate(int i) const { return places_[i].coordinate; }

@@ -1,5 +1,6 @@
-// A strand of rigid links as a body. Its coordinates are the root's position and each link's turn: the rotation vector, rad,
-// from where the link lies in the rest shape to where it lies now. Inside it keeps the joints' quaternions and rates.
+// A strand of rigid links as a body. Its coordinates are the root's position and each link's turn: the
+// rotation vector, rad, from where the link lies in the rest shape to where it lies now. Inside it keeps the
+// joints' quaternions and rates.
 //
 // Rods: point i of the centre line is the inner end of link i + 1, the last one is the tip.
 #pragma once
@@ -19,8 +20,8 @@ using TreeStep = void (TreeSteps::*)(const TreeBase& base, double h, std::span<c
 
 class RigidLinksBody final : public Body {
  public:
-  // Obstacles are for linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at the start, and moves
-  // with root_velocity from then on. watched: sizes() tells of energies, too.
+  // Obstacles are for linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at
+  // the start, and moves with root_velocity from then on. watched: sizes() tells of energies, too.
   RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method, bool watched = false);
 
   int size() const override { return 3 * points(); }
@@ -55,8 +56,8 @@ class RigidLinksBody final : public Body {
   Root root_;          // where the base goes
   bool told_ = false;  // by set_root, for the next step
   std::vector<LinkForce> more_;
-  // In steps with obstacles: the middle and the outer end of each rod, as they are and from its middle, and their velocities
-  // after the step.
+  // In steps with obstacles: the middle and the outer end of each rod, as they are and from its middle, and
+  // their velocities after the step.
   std::vector<ContactPoint> rod_points_;
   std::vector<Vector3d> arms_, after_;
   ImplicitContacts contacts_;

@@ -7,8 +7,8 @@
 
 namespace hair {
 
-// The base, which moves as it is told. Its velocity and acceleration are those of its own origin, along the axes of the
-// world.
+// The base, which moves as it is told. Its velocity and acceleration are those of its own origin, along the
+// axes of the world.
 struct TreeBase {
   Vector3d position = Vector3d::Zero();  // m
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
@@ -31,15 +31,17 @@ class TreeMotion {
   const LinkTree& tree() const { return tree_; }
   const std::vector<LinkFrame>& frames() const { return frames_; }
 
-  // For forces: those that depend on places alone go to links[i].external and to links[i].stiffening before the
-  // passes, and those that depend on velocities into passes[i].bias, with the other sign, between the first two.
+  // For forces: those that depend on places alone go to links[i].external and to links[i].stiffening before
+  // the passes, and those that depend on velocities into passes[i].bias, with the other sign, between the
+  // first two.
   std::vector<Link> links;
   std::vector<LinkPass> passes;
 
   // Sets frames() and the links' geometry and inertia. External forces and stiffening become 0.
   void place(const TreeBase& base, Input q);
 
-  // Of the coordinates q as they were placed: moves them for h seconds at constant rates; their derivative by time.
+  // Of the coordinates q as they were placed: moves them for h seconds at constant rates; their derivative by
+  // time.
   void turn(Input rates, double h, Output q) const;
   void derivative(Input q, Input rates, Output dq) const;
 

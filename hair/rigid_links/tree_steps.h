@@ -1,5 +1,5 @@
-// Time steps of a tree of links. Each takes q and rates from t to t + h; the base moves on its own, with the acceleration
-// that it has at t.
+// Time steps of a tree of links. Each takes q and rates from t to t + h; the base moves on its own, with the
+// acceleration that it has at t.
 //
 //                              order   passes   holds for
 //   symplectic_euler             1        1     h omega < 2 of the fastest joint spring: 2e-5 s for a centimetre of hair

@@ -1,21 +1,24 @@
-// A tree of links with all its forces: its joints' accelerations, for explicit steps and for linearly implicit ones.
+// A tree of links with all its forces: its joints' accelerations, for explicit steps and for linearly
+// implicit ones.
 //
 // A linearly implicit step of h seconds takes the forces that grow with q and q' at its end:
 //
 //   Q(q + h q' + h^2 q", q' + h q") = Q(q, q') - h K q' - (h^2 K + h C) q"       K = -dQ/dq, C = -dQ/dq'
 //
-// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K + h C adds to s^'I^A s^. Forces at
-// links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point adds h^2 S. So the
-// recursion stays as it is, and linear.
+// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K + h C adds to s^'I^A s^.
+// Forces at links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point
+// adds h^2 S. So the recursion stays as it is, and linear.
 //
-// A joint feels its limit if it is beyond it at the end of the step, which the step itself decides: it is made again with the
-// limits that were met, and without those that would have to pull, until nothing changes. Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation"
-// (SIGGRAPH 1998), section 3, there for particles.
+// A joint feels its limit if it is beyond it at the end of the step, which the step itself decides: it is
+// made again with the limits that were met, and without those that would have to pull, until nothing changes.
+// Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section
+// 3, there for particles.
 //
-// Weight and the terms of velocities remain explicit. The tension T that they cause holds a strand across: per metre of hair
-// its waves of the wave number k have the mass rho A, and the stiffness T k^2 (explicit) + EI k^4 (implicit). A mode
-// with these three is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k that is T <= 4 sqrt(EI rho A) / h; of hair at
-// h = 1/60 s, 9.3e-5 N, the weight of 0.93 m of it. Longer hair needs smaller steps: h ~ 1 / length.
+// Weight and the terms of velocities remain explicit. The tension T that they cause holds a strand across:
+// per metre of hair its waves of the wave number k have the mass rho A, and the stiffness T k^2 (explicit) +
+// EI k^4 (implicit). A mode with these three is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k that
+// is T <= 4 sqrt(EI rho A) / h; of hair at h = 1/60 s, 9.3e-5 N, the weight of 0.93 m of it. Longer hair
+// needs smaller steps: h ~ 1 / length.
 #pragma once
 
 #include <span>
@@ -26,8 +29,8 @@
 
 namespace hair {
 
-// Forces that are there as long as the tree is. All are optional: a vector has one entry for each link, the base included,
-// or none.
+// Forces that are there as long as the tree is. All are optional: a vector has one entry for each link, the
+// base included, or none.
 struct TreeForces {
   Vector3d gravity = Vector3d::Zero();  // m/s^2
   std::vector<JointSpring> springs;

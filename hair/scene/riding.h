@@ -9,8 +9,8 @@
 
 namespace hair {
 
-// The reference point of an obstacle: a plane's point, a sphere's centre, a capsule's first end, a placed solid's
-// origin.
+// The reference point of an obstacle: a plane's point, a sphere's centre, a capsule's first end, a placed
+// solid's origin.
 Vector3d place_of(const Obstacle& obstacle);
 
 class Riding {

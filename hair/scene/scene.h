@@ -41,14 +41,16 @@ struct Rider {
   std::vector<int> strands, obstacles;
 };
 
-// Strands that are drawn in the place of a group's strands, which are their guides (H10). It has no effect on the motion.
+// Strands that are drawn in the place of a group's strands, which are their guides (H10). It has no effect on
+// the motion.
 struct DenseHair {
   int first = 0;                     // the scene's strand that is the first guide; the others follow it
   SynthesisDescription description;  // `points` are those of the guides' centre lines
   std::optional<Motion> motion;      // of the scalp
 };
 
-// Hair that is drawn and does not move on its own: it keeps the shape in which it grows, and goes with the head.
+// Hair that is drawn and does not move on its own: it keeps the shape in which it grows, and goes with the
+// head.
 struct StillHair {
   std::shared_ptr<const Head> head;
   Vector3d at = Vector3d::Zero();  // m, of the head's origin at the start

@@ -1,6 +1,6 @@
-// Hostile bytes as a scene. What is accepted is finite, can be assembled, and is the same when its JSON is written and
-// read again, as the grader does with hidden scenes. Scenes here have few particles: more take time, and are no
-// different.
+// Hostile bytes as a scene. What is accepted is finite, can be assembled, and is the same when its JSON is
+// written and read again, as the grader does with hidden scenes. Scenes here have few particles: more take
+// time, and are no different.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -112,9 +112,9 @@ void fuzz::try_input(std::string_view bytes) {
   }
 }
 
-// A particle is some 30 numbers, in the scene, in the one that is read again, and in what is assembled of it. A value of
-// JSON takes two bytes at the least, and two hundred in a list of values that know their place; two such lists are there
-// at once, and grow by doubling.
+// A particle is some 30 numbers, in the scene, in the one that is read again, and in what is assembled of it.
+// A value of JSON takes two bytes at the least, and two hundred in a list of values that know their place;
+// two such lists are there at once, and grow by doubling.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 4'000'000 + 800 * input;
 }

@@ -1,6 +1,7 @@
-// The energy of a toy for the watch (hair/strand/energy_watch.h): kinetic, of weight, of springs. The force that drag and dampers give
-// is all force less that which the toy would have if everything were at rest. Its work is that of the velocities before and after a
-// step. Rods and wires do no work; what their feedback does is the method's.
+// The energy of a toy for the watch (hair/strand/energy_watch.h): kinetic, of weight, of springs. The force
+// that drag and dampers give is all force less that which the toy would have if everything were at rest. Its
+// work is that of the velocities before and after a step. Rods and wires do no work; what their feedback does
+// is the method's.
 #pragma once
 
 #include "hair/strand/energy_watch.h"

@@ -35,8 +35,8 @@ struct Description {
   // Links and strips between `strands`, which are one system then: implicit_euler only, and clamped strands.
   std::optional<ControlMesh> mesh;
   bool point_forces = false;  // steps also apply forces at points of strands
-  // Watches for numbers that are finite and wrong (hair/strand/watch.h). False where energies may not be written
-  // yet: then nobody asks for them.
+  // Watches for numbers that are finite and wrong (hair/strand/watch.h). False where energies may not be
+  // written yet: then nobody asks for them.
   bool watched = true;
 
   int jobs = 1;  // threads that step strands, >= 1; exercises' code then runs in all of them at a time

@@ -1,5 +1,6 @@
-// The table of time methods: a row holds everything that the rest of the project knows about a method, and its step of masses and
-// springs. Where it moves another model, its step is in the model's room and has a place in the table of <model>_strand.cpp.
+// The table of time methods: a row holds everything that the rest of the project knows about a method, and
+// its step of masses and springs. Where it moves another model, its step is in the model's room and has a
+// place in the table of <model>_strand.cpp.
 #pragma once
 
 #include <optional>
@@ -40,8 +41,9 @@ struct MethodRow {
 
   Method method() const;  // its place in the table
 
-  // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no such term.
-  // But 1 - l0/l rounds, to a positive mean once the filter takes its negative values away: a drag of about u k h^2 / m.
+  // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no
+  // such term. But 1 - l0/l rounds, to a positive mean once the filter takes its negative values away: a drag
+  // of about u k h^2 / m.
   GeometricTerm usual_term() const {
     return keeps_lengths ? GeometricTerm::dropped : GeometricTerm::filtered;
   }

@@ -1,6 +1,7 @@
-// The table of strand models: a row holds everything that the rest of the project knows about a model. A new model is its name in
-// hair/CMakeLists.txt, which makes the table; <model>_strand.cpp beside this file, whose function <model>_model() returns
-// the row; a body in a room of its own; and its exercise's contract in hair/.
+// The table of strand models: a row holds everything that the rest of the project knows about a model. A new
+// model is its name in hair/CMakeLists.txt, which makes the table; <model>_strand.cpp beside this file, whose
+// function <model>_model() returns the row; a body in a room of its own; and its exercise's contract in
+// hair/.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +19,13 @@ namespace hair {
 struct ModelRow {
   const char* id;  // in scenes: "mass_spring"
 
-  // The meaning of the numbers in a body's q, in states on disk and in replies: a number that no other model has, and its name. A
-  // reader rejects a number that it does not know.
+  // The meaning of the numbers in a body's q, in states on disk and in replies: a number that no other model
+  // has, and its name. A reader rejects a number that it does not know.
   std::uint32_t coordinates;
   const char* coordinates_name;
 
-  // The exercises that such a strand calls, except those of its method, which it calls only if `calls_method`.
+  // The exercises that such a strand calls, except those of its method, which it calls only if
+  // `calls_method`.
   std::vector<std::string> (*exercises)(const StrandSpec& spec);
 
   bool calls_method;

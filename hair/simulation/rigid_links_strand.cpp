@@ -52,7 +52,8 @@ LinkStrand links_of(const StrandSpec& spec, const Description& description) {
   return strand;
 }
 
-// Turns: the root's position, m, and for each link the rotation vector, rad, from where the rest shape has it.
+// Turns: the root's position, m, and for each link the rotation vector, rad, from where the rest shape has
+// it.
 ModelRow rigid_links_model() {
   return {.id = "rigid_links",
           .coordinates = 1,

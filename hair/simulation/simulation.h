@@ -2,9 +2,10 @@
 //
 // A strand of masses and springs has a stretch part if EA > 0, a bending part if EI > 0, springs that skip a
 // particle if skip_rigidity > 0, and a rest curvature instead of angular springs if it has a rest shape;
-// gravity and drag if they are not 0. A simulation without obstacles has no collision stage. Without a control mesh nothing
-// couples strands, so each is stepped separately, by any of the threads that the description asks for. The result is the
-// same bit by bit for any number of them. With a mesh one thread steps all strands as one system.
+// gravity and drag if they are not 0. A simulation without obstacles has no collision stage. Without a
+// control mesh nothing couples strands, so each is stepped separately, by any of the threads that the
+// description asks for. The result is the same bit by bit for any number of them. With a mesh one thread
+// steps all strands as one system.
 #pragma once
 
 #include <memory>
@@ -32,8 +33,9 @@ class Simulation {
   // NaN. After a blow-up, later calls do nothing and return the same BlowUp.
   std::optional<BlowUp> step();
 
-  // From now on these strands are not stepped: they stay as they are, and break nothing. Whoever knows that nobody looks at them
-  // calls it. Throws std::invalid_argument if a control mesh couples strands, std::out_of_range for one that is not there.
+  // From now on these strands are not stepped: they stay as they are, and break nothing. Whoever knows that
+  // nobody looks at them calls it. Throws std::invalid_argument if a control mesh couples strands,
+  // std::out_of_range for one that is not there.
   void leave_out(std::span<const int> strands);
 
   // Makes `steps` steps, or fewer if a strand breaks.
@@ -50,8 +52,8 @@ class Simulation {
   const Work& work() const { return work_; }
   const Watch& watch() const { return watch_; }
 
-  // With a control mesh: J, of its links and strips, at positions of all strands, one after the other. Of links with what
-  // they remember now; of strips with the contacts of the last step.
+  // With a control mesh: J, of its links and strips, at positions of all strands, one after the other. Of
+  // links with what they remember now; of strips with the contacts of the last step.
   double mesh_energy(particles::Input x) const { return joint_ ? joint_->energy(x) : 0; }
   const MeshRecord* mesh_record() const { return joint_ ? &joint_->record() : nullptr; }  // null without
 

@@ -26,9 +26,9 @@ class StrandThreads {
 
   int count() const { return static_cast<int>(others_.size()) + 1; }
 
-  // Calls task(thread, i) once for each i from 0 to `tasks` - 1, and returns when all have returned. `thread` counts
-  // from 0; no two calls at a time have the same one. If tasks throw, the others are not begun any more, and the
-  // exception of the smallest i that threw is thrown here. Allocates nothing.
+  // Calls task(thread, i) once for each i from 0 to `tasks` - 1, and returns when all have returned. `thread`
+  // counts from 0; no two calls at a time have the same one. If tasks throw, the others are not begun any
+  // more, and the exception of the smallest i that threw is thrown here. Allocates nothing.
   using Task = std::function<void(int thread, int i)>;
   void run(int tasks, const Task& task);
 

@@ -22,7 +22,8 @@ std::unique_ptr<Body> make_helix(const StrandSpec& spec, const Description& desc
 
 }  // namespace
 
-// Curvatures: the root's position, m, the turn of its frame, rad, and for each element two curvatures and the torsion, 1/m.
+// Curvatures: the root's position, m, the turn of its frame, rad, and for each element two curvatures and the
+// torsion, 1/m.
 ModelRow super_helix_model() {
   return {.id = "super_helix",
           .coordinates = 2,

@@ -55,8 +55,8 @@ struct BodyMeasures {
   double energy() const { return kinetic + potential; }
 };
 
-// What q of masses and springs, and of toys, means in files and replies: positions of the centre line's points, m. Other models
-// have numbers of their own (ModelRow::coordinates).
+// What q of masses and springs, and of toys, means in files and replies: positions of the centre line's
+// points, m. Other models have numbers of their own (ModelRow::coordinates).
 inline constexpr std::uint32_t kPositions = 0;
 
 class Body {
@@ -69,8 +69,8 @@ class Body {
   virtual int size() const = 0;    // of q, and of its rate: a multiple of 3
   virtual int points() const = 0;  // of the centre line
 
-  // The arc lengths of these points at rest, from the root, m: by them lines with different numbers of points are compared
-  // (hair/strand/centre_line.h). Empty: the points lie on no line.
+  // The arc lengths of these points at rest, from the root, m: by them lines with different numbers of points
+  // are compared (hair/strand/centre_line.h). Empty: the points lie on no line.
   virtual Eigen::VectorXd arc_lengths() const = 0;
 
   // The memory that a step needs: bodies share one matrix of at least `scratch_rows` x `scratch_columns`.

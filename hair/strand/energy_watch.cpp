@@ -6,7 +6,8 @@ namespace hair {
 
 namespace {
 
-// m/s. The energy of a body that moves as slowly counts as had: rounding alone is far below it, and is no gain.
+// m/s. The energy of a body that moves as slowly counts as had: rounding alone is far below it, and is no
+// gain.
 constexpr double kUnseen = 1e-3;
 
 }  // namespace

@@ -1,18 +1,19 @@
-// The books of a body's energy, in the frame that moves with its root: the energy that it has, and the work that came in. A step
-// changes E, its kinetic energy and its potential, by
+// The books of a body's energy, in the frame that moves with its root: the energy that it has, and the work
+// that came in. A step changes E, its kinetic energy and its potential, by
 //
 //   the work of drag, dampers, obstacles and of a root that turns     the body knows it
 //   energy that nothing gave or took                                  the method's error: what is watched
 //
-// The latter is summed in two rows: of steps without contacts, and of steps with them. A gain is how far a row has risen above its
-// lowest point, so that no gain hides behind an earlier loss. A loss is how far the first row has fallen below its highest: contacts
-// may take energy by right. Drag takes energy, too, at the rate 2 c / mu (c: its coefficient, mu: mass, both of a metre). So the air would
-// soon have had what a method lost, and a loss fades at this rate.
+// The latter is summed in two rows: of steps without contacts, and of steps with them. A gain is how far a
+// row has risen above its lowest point, so that no gain hides behind an earlier loss. A loss is how far the
+// first row has fallen below its highest: contacts may take energy by right. Drag takes energy, too, at the
+// rate 2 c / mu (c: its coefficient, mu: mass, both of a metre). So the air would soon have had what a method
+// lost, and a loss fades at this rate.
 //
-// Gains and losses are relative to all that there was to lose: E at the start, m |g| L, and all work that came in since. Two bounds
-// follow (hair/strand/watch.cpp). A gain of 0.05 lifts a hair's middle by a twentieth of its length, which is seen. And hair that is let go
-// level and comes to rest has lost a half: so much a method of order one may take. Nothing but a motion that a step does not resolve takes more
-// than 0.6.
+// Gains and losses are relative to all that there was to lose: E at the start, m |g| L, and all work that
+// came in since. Two bounds follow (hair/strand/watch.cpp). A gain of 0.05 lifts a hair's middle by a
+// twentieth of its length, which is seen. And hair that is let go level and comes to rest has lost a half: so
+// much a method of order one may take. Nothing but a motion that a step does not resolve takes more than 0.6.
 #pragma once
 
 #include <Eigen/Core>
@@ -61,7 +62,8 @@ class EnergyRow {
 
 class EnergyWatch {
  public:
-  // Of a body of this mass, kg, and length, m, under the weight |g|, m/s^2, with this drag, N s/m^2, for each metre.
+  // Of a body of this mass, kg, and length, m, under the weight |g|, m/s^2, with this drag, N s/m^2, for each
+  // metre.
   EnergyWatch(double mass, double length, double gravity, double drag = 0);
 
   bool begun() const { return begun_; }
@@ -72,7 +74,8 @@ class EnergyWatch {
   // Before the first step. What is aside then may move the body later.
   void begin(const Energies& now);
 
-  // Before another step: the root has changed its velocity or its frame, so that E is another one. That is work that came in.
+  // Before another step: the root has changed its velocity or its frame, so that E is another one. That is
+  // work that came in.
   void root_moved(const Energies& now);
 
   // After a step of h seconds, in which this work came in, J.
@@ -84,7 +87,8 @@ class EnergyWatch {
   double loss() const { return loss_; }
   // The mean of `aside` over all steps, relative to the same; over kFewSteps, if there are fewer.
   double aside() const { return aside_ / static_cast<double>(std::max(steps_, kFewSteps)); }
-  // The sum of `unmoved` over all steps, relative to that of kinetic energies and of a hundredth of m |g| L; over kFewSteps at least.
+  // The sum of `unmoved` over all steps, relative to that of kinetic energies and of a hundredth of m |g| L;
+  // over kFewSteps at least.
   double unmoved() const {
     return unmoved_ / (moving_ + static_cast<double>(std::max(steps_, kFewSteps)) * unit_ / 100);
   }

@@ -1,17 +1,19 @@
 // Contact of a strand's points with obstacles, as forces for linearly implicit steps.
 //
-// A point that is inside an obstacle, or would be after the step, is pressed out. With the gap g to the surface (negative
-// inside) and the normal n where the point is now, and u its velocity beside the obstacle's,
+// A point that is inside an obstacle, or would be after the step, is pressed out. With the gap g to the
+// surface (negative inside) and the normal n where the point is now, and u its velocity beside the
+// obstacle's,
 //
 //   N = max(-k (g + h n . u), 0)                            the pressure at the end of the step, see kContactRate
 //   friction = -mu N_before u_t / max(|u_t|, kCreep)        u_t the part of u along the surface, at the end of the step
 //
-// so that a point comes to rest on the surface within a step, without a bounce. Both grow with the point's velocity: they add
-// h^2 k n n^T and h c (1 - n n^T) to what resists its acceleration. A step is made again without the points that the surface
-// would have to pull. The friction's size is that of the pressure one step before: a point sticks as long as that
-// suffices, but for creep below kCreep.
+// so that a point comes to rest on the surface within a step, without a bounce. Both grow with the point's
+// velocity: they add h^2 k n n^T and h c (1 - n n^T) to what resists its acceleration. A step is made again
+// without the points that the surface would have to pull. The friction's size is that of the pressure one
+// step before: a point sticks as long as that suffices, but for creep below kCreep.
 //
-// Between these points a strand can go into an obstacle, and an obstacle smaller than a step's way can be missed.
+// Between these points a strand can go into an obstacle, and an obstacle smaller than a step's way can be
+// missed.
 #pragma once
 
 #include <span>
@@ -24,8 +26,8 @@ namespace hair {
 
 inline constexpr double kContactRate = 1e4;  // 1/s: k is the point's mass times the square of this
 inline constexpr double kCreep = 1e-5;       // m/s
-// m: what is deeper was brought there by a long step, not by weight. Friction leaves that part of the pressure out; otherwise
-// it would hold the point inside.
+// m: what is deeper was brought there by a long step, not by weight. Friction leaves that part of the
+// pressure out; otherwise it would hold the point inside.
 inline constexpr double kRestingDepth = 2e-5;
 inline constexpr double kPushOut = 0.3;  // m/s: what is deep inside comes out no faster
 
@@ -58,8 +60,8 @@ class ImplicitContacts {
   // Of all points that touch.
   std::span<const ContactForce> forces(std::span<const ContactPoint> points);
 
-  // With the points' velocities after the step, as the step has them: lets go of the points that would be pulled. False:
-  // there are none.
+  // With the points' velocities after the step, as the step has them: lets go of the points that would be
+  // pulled. False: there are none.
   bool let_go(std::span<const Vector3d> velocities);
 
   // What the obstacles did in the step, with these velocities at its end.

@@ -5,8 +5,8 @@
 
 namespace hair {
 
-// A homogeneous round fibre. The default is human hair (C. R. Robbins, "Chemical and Physical Behavior of Human
-// Hair", 5th edition, 2012, chapter 9).
+// A homogeneous round fibre. The default is human hair (C. R. Robbins, "Chemical and Physical Behavior of
+// Human Hair", 5th edition, 2012, chapter 9).
 struct Material {
   double radius = 50e-6;         // m
   double density = 1300;         // kg/m^3

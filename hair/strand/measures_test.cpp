@@ -43,7 +43,8 @@ TEST(Measures, EnergyAndMomentaAreSumsOverTheParticles) {
   EXPECT_DOUBLE_EQ(measures.angular_momentum[1], -9 * tip);  // (0, 0, -3) x (3, 0, 0)
 }
 
-// A turn about the root stretches nothing; a growth by 3 / s stretches all segments by that, whatever their lengths.
+// A turn about the root stretches nothing; a growth by 3 / s stretches all segments by that, whatever their
+// lengths.
 TEST(Measures, TheStretchRateIsThatOfTheLargestGrowth) {
   Strand strand;
   strand.mass = Eigen::VectorXd::Ones(3);

@@ -7,7 +7,8 @@ namespace hair {
 
 namespace {
 
-// The smallest s >= 0 with |from + s way| = radius, of vectors from something round's middle, if the way enters there.
+// The smallest s >= 0 with |from + s way| = radius, of vectors from something round's middle, if the way
+// enters there.
 std::optional<double> enters(const Vector3d& from, const Vector3d& way, double radius) {
   const double squared = way.squaredNorm(), half = from.dot(way);
   const double root = half * half - squared * (from.squaredNorm() - radius * radius);
@@ -43,7 +44,8 @@ std::optional<double> share_of_way(const Capsule& capsule, const Vector3d& from,
   return first;
 }
 
-// Goes on by the half of the distance, which ends outside, and looks closer where that goes below the surface.
+// Goes on by the half of the distance, which ends outside, and looks closer where that goes below the
+// surface.
 std::optional<double> share_of_way(const PlacedSolid& placed, const Vector3d& from, const Vector3d& way) {
   constexpr double shortest = 1e-3;  // m: what is thinner may be passed
   const Eigen::Quaterniond back = placed.rotation.conjugate();

@@ -12,8 +12,8 @@ struct Meeting {
   Vector3d point, normal;  // m; from the obstacle, of length 1
 };
 
-// The path is straight, from `from` to `to`, in the frame of the obstacle, and begins outside or on the surface.
-// Nothing if it does not enter, and for planes: nobody gets to the other side of one.
+// The path is straight, from `from` to `to`, in the frame of the obstacle, and begins outside or on the
+// surface. Nothing if it does not enter, and for planes: nobody gets to the other side of one.
 std::optional<Meeting> first_meeting(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to);
 
 }  // namespace hair

@@ -99,7 +99,8 @@ double rounding(const Vector3d& point) {
   return 1e-14 * (1 + point.cwiseAbs().maxCoeff());
 }
 
-// A particle that is as near to a surface at a step's beginning slides on it; it may cut off a part of what is round.
+// A particle that is as near to a surface at a step's beginning slides on it; it may cut off a part of what
+// is round.
 constexpr double kTouching = 1e-6;  // m
 constexpr double kCutOff = 0.5;     // up to 60 degrees of it
 
@@ -107,9 +108,9 @@ bool is_inside(const Obstacle& obstacle, const Vector3d& point) {
   return surface_at(obstacle, point).distance < -rounding(point);
 }
 
-// Where a particle goes through an obstacle in a step, instead of into it: it ends where the nearest surface is
-// not the one that it met. `way`: of the particle to x, in the obstacle's frame; `end`: the surface at x. Nothing if it
-// was inside an obstacle, or another one is in the way.
+// Where a particle goes through an obstacle in a step, instead of into it: it ends where the nearest surface
+// is not the one that it met. `way`: of the particle to x, in the obstacle's frame; `end`: the surface at x.
+// Nothing if it was inside an obstacle, or another one is in the way.
 std::optional<Meeting> passes(const std::vector<Obstacle>& obstacles, const Obstacle& obstacle, double h,
                               const Vector3d& x, const Vector3d& way, const Surface& end) {
   if (!(end.normal.dot(way) > 0) || end.distance > way.norm()) return {};

@@ -6,8 +6,8 @@
 //
 // Only particles collide, not the segments between them: with segments of length l a sphere of radius r
 // sticks out of the hair by l^2 / 8r, and an obstacle smaller than a segment may slip between two particles.
-// A particle collides along its way, which is straight during a step, in the frame of the moving obstacle: none is so
-// fast that it passes through.
+// A particle collides along its way, which is straight during a step, in the frame of the moving obstacle:
+// none is so fast that it passes through.
 #pragma once
 
 #include <memory>
@@ -55,8 +55,8 @@ Surface surface_at(const Obstacle& obstacle, const Vector3d& point);
 // How fast the obstacle moves at a point.
 Vector3d velocity_at(const Obstacle& obstacle, const Vector3d& point);
 
-// Throws std::invalid_argument for no solid, for a radius or friction out of bounds, a normal or rotation that is not of length 1, and
-// values that are not finite.
+// Throws std::invalid_argument for no solid, for a radius or friction out of bounds, a normal or rotation
+// that is not of length 1, and values that are not finite.
 void check_obstacle(const Obstacle& obstacle);
 
 // Moves the obstacle for h seconds.
@@ -77,9 +77,9 @@ struct CollisionReport {
 //        seconds) gets shorter by at most mu depth;
 //   u -= (u . n) n if u . n < 0, and its component along the surface gets shorter by at most mu |u . n|.
 //
-// A particle that goes through an obstacle, and ends outside or nearer to another side, meets the plane that touches the
-// obstacle where it enters: depth and n are that plane's. Sliding on a surface, it may cut off up to 60 degrees of it.
-// What is inside at the start is pushed out to the nearest side.
+// A particle that goes through an obstacle, and ends outside or nearer to another side, meets the plane that
+// touches the obstacle where it enters: depth and n are that plane's. Sliding on a surface, it may cut off up
+// to 60 degrees of it. What is inside at the start is pushed out to the nearest side.
 //
 // So a particle rests on a slope whose tangent is at most mu, without creeping, and slides down a steeper one
 // with the acceleration g (sin - mu cos). Obstacles are handled one after the other, repeatedly, until no

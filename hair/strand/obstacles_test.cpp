@@ -63,8 +63,8 @@ TEST(Obstacles, NothingIsInsideAfterwards) {
   }
   const CollisionReport report = collide(obstacles, particles, 0.01, before, state);
   EXPECT_GT(report.contacts, n / 4);
-  // Each pass takes at least the part 1 - cos^2 of what two surfaces leave that meet at an angle; 1e-9 m is far
-  // below a hair's radius.
+  // Each pass takes at least the part 1 - cos^2 of what two surfaces leave that meet at an angle; 1e-9 m is
+  // far below a hair's radius.
   EXPECT_LE(report.penetration, 1e-9);
   for (int i = 0; i < n; ++i)
     for (const Obstacle& obstacle : obstacles)
@@ -107,7 +107,8 @@ TEST(Obstacles, FrictionIsMuTimesTheBlowAlongTheSurface) {
 
 // --- Along the way ---
 
-// The particle goes from `from` to `to` in a step, and ends where the plane that touches the obstacle at `meets` lets it.
+// The particle goes from `from` to `to` in a step, and ends where the plane that touches the obstacle at
+// `meets` lets it.
 void expect_stopped(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to,
                     const Vector3d& meets) {
   constexpr double h = 0.01;
@@ -294,8 +295,9 @@ TEST(PlacedSolid, TurnsAndMovesAndMeetsLikeTheBallThatItIs) {
   EXPECT_FALSE(first_meeting(placed, from, {0.7, 2.5, 5}));
 }
 
-// Particles on all sides, inside and outside, slow and fast: pushed out, dragged along and slowed down by friction as by a sphere.
-// The two differ by rounding: of the turn there and back, and of where the way of a fast one meets the surface, to 1e-11 m.
+// Particles on all sides, inside and outside, slow and fast: pushed out, dragged along and slowed down by
+// friction as by a sphere. The two differ by rounding: of the turn there and back, and of where the way of a
+// fast one meets the surface, to 1e-11 m.
 TEST(PlacedSolid, CollidesAndDragsAlongAsTheBallThatItIs) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -1,4 +1,5 @@
-// A solid that is known by its distance, in axes of its own. Hair collides with it (obstacles.h), and it is drawn as triangles.
+// A solid that is known by its distance, in axes of its own. Hair collides with it (obstacles.h), and it is
+// drawn as triangles.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,8 +17,8 @@ class Solid {
  public:
   virtual ~Solid() = default;
 
-  // The distance has the right sign everywhere, and is right to first order near the surface. Outside, it is at most
-  // about twice the true one.
+  // The distance has the right sign everywhere, and is right to first order near the surface. Outside, it is
+  // at most about twice the true one.
   virtual Surface surface_at(const Vector3d& point) const = 0;
 
   // Axis-aligned; all of it lies inside.

@@ -58,8 +58,8 @@ struct StrandSpec {
   Vector3d root_velocity = Vector3d::Zero();  // m/s
 };
 
-// Throws std::invalid_argument as straight_shape, wavy_shape and curly_shape do. A drawn strand leaves its root along its
-// first piece.
+// Throws std::invalid_argument as straight_shape, wavy_shape and curly_shape do. A drawn strand leaves its
+// root along its first piece.
 RestShape rest_shape(const StrandSpec& spec);
 
 // Where the rest curve begins, with its tangent and its normal; also of curls that the elements can't follow.
@@ -69,9 +69,10 @@ RestShape root_of_curve(const StrandSpec& spec);
 StrandSpec finely_divided(const StrandSpec& spec);
 
 // The curve's curvature and torsion, 1/m, at the arc length s from its root. They refer to the frame that
-// starts with the tangent and the normal of rest_shape and turns with the torsion; curvature is towards this normal. A
-// planar curve has a curvature of either sign and no torsion; a helix bends towards its own axis, away from the normal, with
-// constant curvature and torsion. Drawn strands have points, and no such curve: throws std::invalid_argument.
+// starts with the tangent and the normal of rest_shape and turns with the torsion; curvature is towards this
+// normal. A planar curve has a curvature of either sign and no torsion; a helix bends towards its own axis,
+// away from the normal, with constant curvature and torsion. Drawn strands have points, and no such curve:
+// throws std::invalid_argument.
 struct Bend {
   double curvature = 0, torsion = 0;
 };

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-// The tangent's angle to the axis is the integral of the curvature. By Simpson's rule: its error falls with the fourth
-// power of the step, and 4,000 of them in two waves leave less than 1e-9.
+// The tangent's angle to the axis is the integral of the curvature. By Simpson's rule: its error falls with
+// the fourth power of the step, and 4,000 of them in two waves leave less than 1e-9.
 TEST(StrandSpec, AWavesCurvatureTurnsItsTangent) {
   const Wavy wave{0.004, 0.03};
   const double length = 0.06, k = kTurn / wave.wavelength;

@@ -14,8 +14,8 @@ class Variation {
  public:
   explicit Variation(std::uint64_t seed) : state_(seed) {}
 
-  // One of many independent sequences of a seed: that of a strand has nothing to do with how many others there are, nor
-  // with their order.
+  // One of many independent sequences of a seed: that of a strand has nothing to do with how many others
+  // there are, nor with their order.
   Variation(std::uint64_t seed, std::uint64_t sequence);
 
   double uniform(double low, double high);

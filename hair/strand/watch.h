@@ -1,5 +1,5 @@
-// What a simulation watches beside blow-ups: numbers that are finite and wrong. Each concern has a size, of one strand
-// after one step, and a bound; above it there is a warning.
+// What a simulation watches beside blow-ups: numbers that are finite and wrong. Each concern has a size, of
+// one strand after one step, and a bound; above it there is a warning.
 #pragma once
 
 #include <algorithm>

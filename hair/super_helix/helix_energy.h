@@ -1,10 +1,12 @@
-// The energy of a super-helix in the frame that moves with its root, for the watch (hair/strand/energy_watch.h):
+// The energy of a super-helix in the frame that moves with its root, for the watch
+// (hair/strand/energy_watch.h):
 //
 //   E = sum over points of m |v - V|^2 / 2 - m g . (x - x_0) + strain energy      J, V the root's velocity
 //
-// A step's work is that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a root that goes faster
-// (hair/rigid_links/link_energy.h), and that of a root that turns: the torque that it gives, times its turn. The strand's own forces have no torque about the root. So the root's is what moves the points
-// beside all other force,
+// A step's work is that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a
+// root that goes faster (hair/rigid_links/link_energy.h), and that of a root that turns: the torque that it
+// gives, times its turn. The strand's own forces have no torque about the root. So the root's is what moves
+// the points beside all other force,
 //
 //   h torque = sum over points of (x - x_0) x (inertia dv - h force)              dv: what the step adds to the velocity
 #pragma once
@@ -31,15 +33,15 @@ class HelixEnergy {
   // The next step begins anew, from where the strand is then.
   void restart() { watch_.restart(); }
 
-  // Before a step, with the strand placed and moved as it was after the last one, if it begins, and with the root's velocities before and in
-  // the step.
+  // Before a step, with the strand placed and moved as it was after the last one, if it begins, and with the
+  // root's velocities before and in the step.
   void before_step(const HelixMotion& motion, Input q, const Vector3d& before, const Vector3d& after);
 
   // Within the step: velocities as they are with the rates that it begins with.
   void moved(const HelixMotion& motion);
 
-  // What the step found, with the strand still placed as it was and `motion`'s velocities those that `change` adds to it; spin: the mean of
-  // the root's before and in the step.
+  // What the step found, with the strand still placed as it was and `motion`'s velocities those that `change`
+  // adds to it; spin: the mean of the root's before and in the step.
   void found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
              const ContactWork* contacts);
 

@@ -31,8 +31,8 @@ struct Relative {
   Vector3d spin_acceleration;  // rad/s^2, of the frame
 };
 
-// The second derivatives of (2) by time, p' = s (kappa1', kappa2', tau'), p" = 0. For a frame that is turned by
-// V p', V = 1 + c_2 [p] + c_3 [p]^2, that is V' p'.
+// The second derivatives of (2) by time, p' = s (kappa1', kappa2', tau'), p" = 0. For a frame that is turned
+// by V p', V = 1 + c_2 [p] + c_3 [p]^2, that is V' p'.
 Relative relative_acceleration(const Vector3d& curvature, const Vector3d& rate, double s) {
   const Vector3d p = s * curvature, v = s * rate, e(0, 0, 1);
   const double x = p.squaredNorm(), dx = 2 * p.dot(v), ddx = 2 * v.squaredNorm();

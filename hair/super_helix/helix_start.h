@@ -1,8 +1,8 @@
 // A strand's specification as a super-helix: its elements' natural curvatures and torsions, and its root.
 //
-// An element takes the mean curvature and torsion of its piece of the rest curve, so that a helix is exact with any number of
-// elements, and a wave turns as it should in each of them. Of a groom's points, the bend at a point is spread over the two
-// halves beside it, without twist.
+// An element takes the mean curvature and torsion of its piece of the rest curve, so that a helix is exact
+// with any number of elements, and a wave turns as it should in each of them. Of a groom's points, the bend
+// at a point is spread over the two halves beside it, without twist.
 #pragma once
 
 #include "hair/strand/strand_spec.h"

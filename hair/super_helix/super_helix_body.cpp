@@ -150,8 +150,8 @@ void SuperHelixBody::add_point_force(const PointForce& one, double h) {
   motion_.points[j].inertia += h * h * one.stiffness;
 }
 
-// With the damping t K the step is (M + (h^2 + h t) K) change = h (Q - K (q + h q' - q^n) - t K q'). That is the step of a strand
-// that is 1 + t/h times as stiff, with a natural shape as much nearer to q.
+// With the damping t K the step is (M + (h^2 + h t) K) change = h (Q - K (q + h q' - q^n) - t K q'). That is
+// the step of a strand that is 1 + t/h times as stiff, with a natural shape as much nearer to q.
 const HelixStrand& SuperHelixBody::strand_of_step(double h) {
   const HelixStrand& strand = motion_.strand();
   if (surroundings_.relaxation_time == 0) return strand;

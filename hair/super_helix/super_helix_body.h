@@ -1,8 +1,9 @@
-// A strand that is a super-helix as a body. Its coordinates are the root's position, m, the turn of the root's frame, as a vector,
-// rad, from where it was at the start, and for each element the curvatures kappa1, kappa2 and the torsion tau, 1/m. It moves by
-// H8's semi-implicit step; what pulls and holds it at the points of its centre line (drag, contacts, forces of others) is taken at
-// the end of the step. What the motion itself asks for are the momenta of the step before (helix_momentum.h); they are no part of
-// the coordinates, so that what is written moves on as before to the order of h^2.
+// A strand that is a super-helix as a body. Its coordinates are the root's position, m, the turn of the
+// root's frame, as a vector, rad, from where it was at the start, and for each element the curvatures kappa1,
+// kappa2 and the torsion tau, 1/m. It moves by H8's semi-implicit step; what pulls and holds it at the points
+// of its centre line (drag, contacts, forces of others) is taken at the end of the step. What the motion
+// itself asks for are the momenta of the step before (helix_momentum.h); they are no part of the coordinates,
+// so that what is written moves on as before to the order of h^2.
 #pragma once
 
 #include <vector>
@@ -17,7 +18,8 @@ namespace hair {
 
 class SuperHelixBody final : public Body {
  public:
-  // The root is at rest at the start, and moves with root_velocity from then on. watched: sizes() tells of energies, too.
+  // The root is at rest at the start, and moves with root_velocity from then on. watched: sizes() tells of
+  // energies, too.
   SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings, const Vector3d& root_velocity,
                  bool watched = false);
 

@@ -21,8 +21,8 @@ namespace hair {
 
 namespace {
 
-// A full matrix that is larger costs more than all the rest. So does that of links, whose oscillations allow no long
-// steps: BDF takes ten times as long.
+// A full matrix that is larger costs more than all the rest. So does that of links, whose oscillations allow
+// no long steps: BDF takes ten times as long.
 constexpr double kLargestMatrix = 2e5;  // entries
 
 using Ways = std::array<CvodeWay, 2>;
@@ -63,8 +63,8 @@ double disagreement(const Ode& ode, const Trajectory& a, const Trajectory& b) {
   return largest;
 }
 
-// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0 to 1.6
-// where it was let go, 2.4 where its root is carried about. Not derived, and so with room.
+// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0
+// to 1.6 where it was let go, 2.4 where its root is carried about. Not derived, and so with room.
 constexpr double kOfStretch = 4;
 
 }  // namespace

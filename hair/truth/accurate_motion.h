@@ -28,8 +28,9 @@ inline constexpr double kHardToStretch = 100;  // times the EA of hair of the sa
 
 struct AccurateMotion {
   Trajectory states;
-  // m, the largest distance of a particle (of links: of a joint) at any moment between the two solutions; or, if larger, between the
-  // inextensible limit and the strand that stretches (four times the stretch by the tensions).
+  // m, the largest distance of a particle (of links: of a joint) at any moment between the two solutions; or,
+  // if larger, between the inextensible limit and the strand that stretches (four times the stretch by the
+  // tensions).
   double agreement = 0;
   std::string method;  // "CVODE 6.4.1: Adams at 1e-12, beside BDF at 1e-12"
   bool inextensible = false;

@@ -31,7 +31,8 @@ Values values(N_Vector vector) {
   return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
 }
 
-// What callbacks see. No exception may pass through CVODE, which is C: it is kept, and thrown when CVODE returned.
+// What callbacks see. No exception may pass through CVODE, which is C: it is kept, and thrown when CVODE
+// returned.
 struct Call {
   Ode& ode;
   const std::atomic<bool>& interrupted;

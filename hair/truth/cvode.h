@@ -1,5 +1,6 @@
-// SUNDIALS' CVODE on a system of ordinary differential equations. A. C. Hindmarsh et al., "SUNDIALS: Suite of Nonlinear
-// and Differential/Algebraic Equation Solvers", ACM Transactions on Mathematical Software 31 (2005).
+// SUNDIALS' CVODE on a system of ordinary differential equations. A. C. Hindmarsh et al., "SUNDIALS: Suite of
+// Nonlinear and Differential/Algebraic Equation Solvers", ACM Transactions on Mathematical Software 31
+// (2005).
 #pragma once
 
 #include <atomic>

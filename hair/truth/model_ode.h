@@ -1,4 +1,5 @@
-// The equations of motion of strands that their models divide into elements: of each model that has them here.
+// The equations of motion of strands that their models divide into elements: of each model that has them
+// here.
 #pragma once
 
 #include <memory>
@@ -15,7 +16,8 @@ struct OdeRow {
   std::unique_ptr<Ode> (*make)(const Problem& problem);
 };
 
-// Those of all files <model>_ode.cpp here: each defines the function <model>_ode, which is such a row's `make`.
+// Those of all files <model>_ode.cpp here: each defines the function <model>_ode, which is such a row's
+// `make`.
 std::span<const OdeRow> model_odes();
 
 bool has_ode(const ModelRow& model);

@@ -42,11 +42,12 @@ struct Problem {
 // The body of a modelled strand, at the start.
 std::unique_ptr<Body> modelled_body(const Problem& problem);
 
-// Throws BadInput for a strand that the scene does not have, and for a problem that can't be studied. A modelled strand's
-// method is one that moves its model.
+// Throws BadInput for a strand that the scene does not have, and for a problem that can't be studied. A
+// modelled strand's method is one that moves its model.
 Problem make_problem(const Scene& scene, const ProblemSettings& settings);
 
-// The segments of a scene's strand, if it is one and can be divided anew. None: a strand that rests curved, or no strand.
+// The segments of a scene's strand, if it is one and can be divided anew. None: a strand that rests curved,
+// or no strand.
 std::optional<int> segments_to_divide(const Scene& scene, int strand);
 
 // The same strand in `segments` >= 1 equal segments: the mass per metre, the length, the rigidities, the root

@@ -1,6 +1,7 @@
-// A strand of rigid links as a system of ordinary differential equations. y has the quaternions of all joints, four numbers
-// each, then their rates, three each (hair/rigid_links/link_tree.h); the accelerations are those of explicit steps. The
-// base moves independently. Everything depends on everything: df/dy is a full matrix.
+// A strand of rigid links as a system of ordinary differential equations. y has the quaternions of all
+// joints, four numbers each, then their rates, three each (hair/rigid_links/link_tree.h); the accelerations
+// are those of explicit steps. The base moves independently. Everything depends on everything: df/dy is a
+// full matrix.
 //
 // A root that starts with a velocity is at rest until then: the blow turns the links at once.
 #pragma once

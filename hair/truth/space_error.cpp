@@ -37,7 +37,8 @@ std::string why_not(const Problem& problem) {
   return "";
 }
 
-// The places at the arc lengths `wanted`, of all moments after the start, in one column. `at`: those of the particles.
+// The places at the arc lengths `wanted`, of all moments after the start, in one column. `at`: those of the
+// particles.
 Eigen::VectorXd places_of(const Trajectory& states, const Eigen::VectorXd& at,
                           const Eigen::VectorXd& wanted) {
   const Eigen::Index moments = static_cast<Eigen::Index>(states.size()) - 1, size = 3 * wanted.size();

@@ -80,7 +80,8 @@ void StrandOde::rates(double t, particles::Input y, particles::Output dy) {
   }
 }
 
-// Row 6i + 3 + a has df/dx of particles i - kReach to i + kReach: columns 6 (i +- kReach) + b, with a and b from 0 to 2.
+// Row 6i + 3 + a has df/dx of particles i - kReach to i + kReach: columns 6 (i +- kReach) + b, with a and b
+// from 0 to 2.
 int StrandOde::above() const {
   return std::min(6 * kReach - 1, size() - 1);
 }
@@ -88,9 +89,9 @@ int StrandOde::below() const {
   return std::min(6 * kReach + 5, size() - 1);
 }
 
-// Particles that are 2 kReach + 1 apart change no force together: one product for all of them, and each axis. A. R.
-// Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of Sparse Jacobian Matrices", J. Inst. Maths Applics 13
-// (1974).
+// Particles that are 2 kReach + 1 apart change no force together: one product for all of them, and each axis.
+// A. R. Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of Sparse Jacobian Matrices", J. Inst.
+// Maths Applics 13 (1974).
 bool StrandOde::jacobian(double t, particles::Input y, BandMatrix& df) {
   unpack(t, y);
   const particles::Force& force = simulation_.force(0);

@@ -35,7 +35,8 @@ Eigen::VectorXd ToyOde::start() const {
   return y;
 }
 
-// The size of the whole toy, with what it hangs on; and that in the time that it has, or what it has at the start.
+// The size of the whole toy, with what it hangs on; and that in the time that it has, or what it has at the
+// start.
 Eigen::VectorXd ToyOde::scales() const {
   const Toy& toy = moving_.toy;
   Eigen::Array3d low = toy.start.x.head<3>(), high = low;

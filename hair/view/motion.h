@@ -1,5 +1,5 @@
-// A run's motion as pages show it: all that is drawn, frame by frame, in 16 bits a coordinate, and what was measured. motion.json is one
-// object:
+// A run's motion as pages show it: all that is drawn, frame by frame, in 16 bits a coordinate, and what was
+// measured. motion.json is one object:
 //
 //   name, shows, ended  texts
 //   blow_up             {"text", "strand"} (-1: none of them), or null
@@ -28,7 +28,8 @@
 
 namespace hair {
 
-// More points in all frames together leave strands out: a page of at most 12 MB, 8 bytes a point and 0.8 MB for what else there is.
+// More points in all frames together leave strands out: a page of at most 12 MB, 8 bytes a point and 0.8 MB
+// for what else there is.
 inline constexpr std::size_t kMostPointsShown = 1'400'000;
 
 // The same of a run that comes along with the handout: half a megabyte at most.
@@ -53,20 +54,21 @@ class MotionFrames {
   explicit MotionFrames(int frames, std::size_t most_points = kMostPointsShown)
       : frames_(frames), most_points_(most_points) {}
 
-  // The first drawing says what there is; things that a later one lacks stay where they were, and new ones are not shown. A point that is
-  // not finite stays, too.
+  // The first drawing says what there is; things that a later one lacks stay where they were, and new ones
+  // are not shown. A point that is not finite stays, too.
   void add(const Drawing& drawing);
 
   // The strands of the first drawing that are not shown, by their ids; and how many it has.
   const std::vector<int>& unseen() const { return unseen_; }
   std::size_t strands_in_all() const { return strands_in_all_; }
 
-  // A point's error is at most 1 / 131070 of the box, which is as large as all that was drawn, but for what flew further than ten times the
-  // first frame's size: that is at its border.
+  // A point's error is at most 1 / 131070 of the box, which is as large as all that was drawn, but for what
+  // flew further than ten times the first frame's size: that is at its border.
   std::string json(const MotionStory& story) const;
 
-  // The last frame alone, for a page that is open while it is computed: {"data", "planes"}, whose data are base64 of 3 x points floats of 32
-  // bits, m, the lowest byte first, and whose planes are as above. Call add first.
+  // The last frame alone, for a page that is open while it is computed: {"data", "planes"}, whose data are
+  // base64 of 3 x points floats of 32 bits, m, the lowest byte first, and whose planes are as above. Call add
+  // first.
   std::string last_json() const;
   void keep_last();  // frames before it are not kept
 

@@ -1,4 +1,5 @@
-// The page that plays motions (motion.h): one file, which opens from disk, without a network. Its scripts are in page/, and come along.
+// The page that plays motions (motion.h): one file, which opens from disk, without a network. Its scripts are
+// in page/, and come along.
 #pragma once
 
 #include <string>

@@ -9,18 +9,20 @@
 
 namespace checks {
 
-// CPU seconds that a check may take before its process is ended. Right programs take one or two for all checks together.
+// CPU seconds that a check may take before its process is ended. Right programs take one or two for all
+// checks together.
 inline constexpr unsigned kMostSeconds = 20;
 
-// Runs the findings' checks, all of one suite, in their order, and fills in states and failures. After two checks that
-// never ended the others are left waiting. The standard output stays this program's.
+// Runs the findings' checks, all of one suite, in their order, and fills in states and failures. After two
+// checks that never ended the others are left waiting. The standard output stays this program's.
 void run_apart(std::vector<Finding*> checks, unsigned seconds = kMostSeconds);
 
-// Makes a call in a process of its own, and returns the sentence of the NotImplemented that it throws; "" if it throws none.
+// Makes a call in a process of its own, and returns the sentence of the NotImplemented that it throws; "" if
+// it throws none.
 std::string not_implemented_by(const std::function<void()>& call, unsigned seconds = kMostSeconds);
 
-// The sentence for a process that ended in the middle of a check: by a signal (0: none), with the text that it wrote to the
-// standard error. A sanitizer's report becomes its first line, and the line of your file.
+// The sentence for a process that ended in the middle of a check: by a signal (0: none), with the text that
+// it wrote to the standard error. A sanitizer's report becomes its first line, and the line of your file.
 std::string how_it_ended(int signal, const std::string& written);
 
 }  // namespace checks

@@ -1,4 +1,5 @@
-// The categories of an exercise's points, as its categories.json declares them: cmake/categories.cmake makes initializers of them.
+// The categories of an exercise's points, as its categories.json declares them: cmake/categories.cmake makes
+// initializers of them.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,8 @@ struct Category {
       rows;  // a failure points to the first, unless its check names another (look_at in check.h)
 };
 
-// The category of a test suite: it has its id, or, of a suite with parameters, "Midpoint/Integrator", one of its parts has it. Null:
-// there is none.
+// The category of a test suite: it has its id, or, of a suite with parameters, "Midpoint/Integrator", one of
+// its parts has it. Null: there is none.
 inline const Category* category_of(const std::vector<Category>& categories, const std::string& suite) {
   const std::size_t stroke = suite.rfind('/');
   const auto found = std::ranges::find(categories, suite.substr(stroke + 1), &Category::id);  // npos + 1 is 0

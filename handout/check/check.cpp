@@ -18,8 +18,8 @@
 #include "hint.h"
 #include "solver/matrix_market.h"
 
-// The sanitizers ask for this: memory that nobody frees is no error here, and costs nothing in grading. What nobody sets holds
-// 0xfe, however much it is, as in grading.
+// The sanitizers ask for this: memory that nobody frees is no error here, and costs nothing in grading. What
+// nobody sets holds 0xfe, however much it is, as in grading.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
   return "detect_leaks=0:detect_container_overflow=0:print_legend=0:"
@@ -205,8 +205,8 @@ std::vector<Finding> all_checks(const std::vector<Category>& categories,
   return findings;
 }
 
-// The function that this suite's checks wait for: one that they ask with, or that this one waits for itself; or "". The checks of its
-// first category count: who fails a special case can go on.
+// The function that this suite's checks wait for: one that they ask with, or that this one waits for itself;
+// or "". The checks of its first category count: who fails a special case can go on.
 std::string waits_for(const std::string& suite, const std::vector<Category>& categories,
                       const Functions& functions, const std::vector<Finding>& findings) {
   for (const Function& function : functions) {

@@ -1,6 +1,6 @@
 // Shared by the public checks: a matrix that counts its products, vectors in words, an error beside its
-// bound, the data in golden/, a main program that names the functions that are not written yet and tells of the
-// first failure, and how often a function is asked that must always answer the same.
+// bound, the data in golden/, a main program that names the functions that are not written yet and tells of
+// the first failure, and how often a function is asked that must always answer the same.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -87,25 +87,28 @@ struct Golden {
 // Throws std::runtime_error if a file is missing.
 std::vector<Golden> read_golden(const std::string& exercise);
 
-// Points a failure of the running check to this row of its category (categories.json) in place of the first one; "-": to none.
+// Points a failure of the running check to this row of its category (categories.json) in place of the first
+// one; "-": to none.
 void look_at(const std::string& row);
 
-// A function of the exercise, and a call of it that any version survives. The checks of the categories that ask it wait until those of
-// the functions in `needs` pass, since they ask with these.
+// A function of the exercise, and a call of it that any version survives. The checks of the categories that
+// ask it wait until those of the functions in `needs` pass, since they ask with these.
 struct Function {
   std::string name;
   std::function<void()> call;
   std::vector<std::string> needs = {};
 };
 
-// Runs the tests, whose suites are named as the categories' ids. Of a function that is not implemented it says so, in one line, and
-// fails; the categories that ask it wait. Each suite runs in a process of its own (apart.h), and digest.h tells what they found. With
-// any of GoogleTest's own options (--gtest_filter=...) this is a plain GoogleTest program, for a debugger.
+// Runs the tests, whose suites are named as the categories' ids. Of a function that is not implemented it
+// says so, in one line, and fails; the categories that ask it wait. Each suite runs in a process of its own
+// (apart.h), and digest.h tells what they found. With any of GoogleTest's own options (--gtest_filter=...)
+// this is a plain GoogleTest program, for a debugger.
 //
 //   --full      tells all failures, each whole
 //   --tell      ends with 0 whatever it found: for the target check-X, so that the build tool adds nothing
 //
-// HAIR_RESULT names a file for the numbers of checks and failures; HAIR_SHOW says how to see what the exercise does.
+// HAIR_RESULT names a file for the numbers of checks and failures; HAIR_SHOW says how to see what the
+// exercise does.
 int run_checks(int argc, char** argv, const std::string& exercise, const std::vector<Category>& categories,
                const std::vector<Function>& functions);
 

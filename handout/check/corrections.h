@@ -1,4 +1,5 @@
-// The strands that the checks of H5 correct, what is wrong with them, and each of H5's functions as one of what it corrects.
+// The strands that the checks of H5 correct, what is wrong with them, and each of H5's functions as one of
+// what it corrects.
 #pragma once
 
 #include <Eigen/Geometry>

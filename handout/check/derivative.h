@@ -39,8 +39,9 @@ void expect_force(const Eigen::VectorXd& actual, const Energy& energy, const Eig
 void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eigen::VectorXd& x,
                     const Eigen::VectorXd& dx, double length, double scale);
 
-// No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst. Three entries
-// are a vector's, more are those of particles. `before`, if given: the input, or what stood there before the call.
+// No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst.
+// Three entries are a vector's, more are those of particles. `before`, if given: the input, or what stood
+// there before the call.
 void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
                     const std::string& what, const std::string& source_of_bound,
                     const Eigen::VectorXd& before = {});

@@ -20,7 +20,8 @@ std::string count_in_words(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-// A check that broke off has these words in it, of an assertion of Eigen's or the library's, or of the sanitizer.
+// A check that broke off has these words in it, of an assertion of Eigen's or the library's, or of the
+// sanitizer.
 struct Ending {
   const char *words, *told;
 };

@@ -1,4 +1,5 @@
-// The findings of an exercise's checks, for a terminal: the first failure in full, the others by name, the categories at stake.
+// The findings of an exercise's checks, for a terminal: the first failure in full, the others by name, the
+// categories at stake.
 #pragma once
 
 #include <string>

@@ -93,7 +93,8 @@ std::size_t sizes_in(Numbers numbers, double rounding) {
   return sizes.size();
 }
 
-// One factor for all numbers, if there is one: the best in the sense of least squares leaves no more than rounding.
+// One factor for all numbers, if there is one: the best in the sense of least squares leaves no more than
+// rounding.
 Hint factor_of(Numbers actual, Numbers expected, double bound) {
   const double squared = dot(expected, expected);
   double largest = 0;

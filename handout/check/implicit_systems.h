@@ -16,8 +16,9 @@
 
 namespace checks {
 
-// A strand of about 1e-7 kg a particle and 1 cm a segment, its first particle pinned and at rest; springs between neighbours, of about
-// `stiffness` N/m, stretched by up to a tenth. With 1e-3 N/m and h = 1/60 s, h^2 k/m is 1 to 10.
+// A strand of about 1e-7 kg a particle and 1 cm a segment, its first particle pinned and at rest; springs
+// between neighbours, of about `stiffness` N/m, stretched by up to a tenth. With 1e-3 N/m and h = 1/60 s, h^2
+// k/m is 1 to 10.
 struct Chain {
   hair::Strand strand;
   particles::Particles particles;
@@ -41,7 +42,8 @@ struct Chain {
   }
 };
 
-// Springs, and the band of those between neighbours; with a reach of 2, of those between neighbours' neighbours, too.
+// Springs, and the band of those between neighbours; with a reach of 2, of those between neighbours'
+// neighbours, too.
 class BandedSprings : public particles::DampedSprings {
  public:
   explicit BandedSprings(const std::vector<particles::Spring>& springs, int reach = 1)

@@ -1,9 +1,9 @@
-// Ordinary inputs: these checks, and those of grading, ask about them wherever a special value is not what they are about. No number
-// is 1, no two are equal, nothing grows evenly, and no direction lies along an axis. So a factor that is left out, or a value
-// that is a neighbour's, changes the answer.
+// Ordinary inputs: these checks, and those of grading, ask about them wherever a special value is not what
+// they are about. No number is 1, no two are equal, nothing grows evenly, and no direction lies along an
+// axis. So a factor that is left out, or a value that is a neighbour's, changes the answer.
 //
-// Numbers come out of a `source`: of a Scatter here, of the secret's in grading. Each statement draws once, since compilers evaluate
-// two draws of one expression in either order.
+// Numbers come out of a `source`: of a Scatter here, of the secret's in grading. Each statement draws once,
+// since compilers evaluate two draws of one expression in either order.
 #pragma once
 
 #include <Eigen/Core>
@@ -85,8 +85,8 @@ hair::Strand ordinary_strand(Source& source, int count) {
   return strand;
 }
 
-// Positions of a strand whose segments are as long as at rest, times `shortest` to `longest`. Each leaves the direction of the one before
-// by up to `bend`, over its length; the root is anywhere.
+// Positions of a strand whose segments are as long as at rest, times `shortest` to `longest`. Each leaves the
+// direction of the one before by up to `bend`, over its length; the root is anywhere.
 template <class Source>
 Eigen::VectorXd ordinary_positions(Source& source, const hair::Strand& strand, double shortest,
                                    double longest, double bend) {

@@ -1,5 +1,5 @@
-// What the checks of H4 and H6 share: two particles and a spring between them, the first one pinned, and how its
-// revolution comes out.
+// What the checks of H4 and H6 share: two particles and a spring between them, the first one pinned, and how
+// its revolution comes out.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -67,8 +67,8 @@ struct Revolution {
   double radial;    // the largest velocity along the spring after a step, m/s
 };
 
-// A mass of 0.7 kg turns on a spring of 0.3 m around its anchor, at rest length and Omega = 2 pi: one revolution with
-// h = 1/60 s and k/m = 1e8 / s^2. Prints its row of the table in the assignment.
+// A mass of 0.7 kg turns on a spring of 0.3 m around its anchor, at rest length and Omega = 2 pi: one
+// revolution with h = 1/60 s and k/m = 1e8 / s^2. Prints its row of the table in the assignment.
 inline Revolution revolve(const char* method, hair::GeometricTerm term, const StepOf& step) {
   const double m = 0.7, l0 = 0.3, turn = 2 * std::numbers::pi, h = 1.0 / 60;
   const Spring spring(1e8 * m, l0, term);

@@ -33,8 +33,8 @@ struct Case {
   Eigen::VectorXd x;
 };
 
-// Where lengths are in a unit of their own, all numbers are those of before times a power of two. `power`: of the unit, in the answer.
-// Only a length of 0 is 0.
+// Where lengths are in a unit of their own, all numbers are those of before times a power of two. `power`: of
+// the unit, in the answer. Only a length of 0 is 0.
 template <class Answer>
 void expect_in_units(const Answer& answer, const Case& c, std::initializer_list<int> units, int power,
                      double relative, const std::string& what) {

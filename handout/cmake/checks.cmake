@@ -16,8 +16,9 @@ if(NOT GTest_FOUND)
   message(FATAL_ERROR "GoogleTest is missing. ${how}")
 endif()
 
-# With the same errors in view as in grading; the staff's builds choose for themselves. A check stops at the first error, and the
-# sanitizers say where it is. They cost some seconds of compiling, and the checks stay quick.
+# With the same errors in view as in grading; the staff's builds choose for themselves. A check stops at the
+# first error, and the sanitizers say where it is. They cost some seconds of compiling, and the checks stay
+# quick.
 set(sanitised ON)
 if(HAIR_STAFF)
   set(sanitised OFF)
@@ -34,7 +35,8 @@ if(HAIR_SANITIZED_CHECKS)
   endif()
 endif()
 
-# The checks themselves are compiled without sanitizers, as the code around your files is in grading, and with less optimisation.
+# The checks themselves are compiled without sanitizers, as the code around your files is in grading, and with
+# less optimisation.
 function(hair_check_code TARGET)
   if(HAIR_STAFF)
     hair_own_code(${TARGET})
@@ -53,7 +55,8 @@ if(NOT HAIR_STAFF)
   endif()
 endif()
 
-# Without the macro Eigen allocates in them as in all that is compiled without sanitizers: what one allocates the other may free.
+# Without the macro Eigen allocates in them as in all that is compiled without sanitizers: what one allocates
+# the other may free.
 function(hair_sanitise TARGET)
   if(HAIR_SANITIZED_CHECKS AND HAIR_HAS_SANITIZERS)
     # GCC compiles calls for checks faster than the checks themselves.

@@ -18,8 +18,9 @@
 #                                  SANITISED: with the sanitizers that find memory errors (checks.cmake), too
 #   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
 
-# Programs with AddressSanitizer are linked at fixed addresses. Where the kernel moves memory by 32 random bits (vm.mmap_rnd_bits),
-# GCC's runtime before version 14 and clang's before 17 find no room for themselves in a quarter of all starts of a movable program.
+# Programs with AddressSanitizer are linked at fixed addresses. Where the kernel moves memory by 32 random
+# bits (vm.mmap_rnd_bits), GCC's runtime before version 14 and clang's before 17 find no room for themselves
+# in a quarter of all starts of a movable program.
 set(HAIR_FIXED_ADDRESSES)
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set(HAIR_FIXED_ADDRESSES -no-pie)
@@ -29,8 +30,9 @@ if("${CMAKE_CXX_FLAGS}" MATCHES "-fsanitize=[^ ]*address")
 endif()
 
 set(HAIR_HANDOUT_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
-# In the project the given code lies beside the handout. Students have contracts on top, and the rest below given/, so that an include
-# line says the same in both. given/student/ is empty: by it "../hair/..." in a student's file finds what lies below given/.
+# In the project the given code lies beside the handout. Students have contracts on top, and the rest below
+# given/, so that an include line says the same in both. given/student/ is empty: by it "../hair/..." in a
+# student's file finds what lies below given/.
 get_filename_component(HAIR_GIVEN_DIR "${HAIR_HANDOUT_DIR}/.." ABSOLUTE)
 set(HAIR_CONTRACT_DIRS)
 set(HAIR_LECTURE_DIR "${HAIR_GIVEN_DIR}/solver/lecture")
@@ -97,8 +99,8 @@ function(hair_warnings TARGET)
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>
                          $<$<BOOL:${HAIR_STAFF}>:-Werror>)
   if(CMAKE_UNITY_BUILD)
-    # A source that another one includes is no header. Many of them take memory, which GCC need not search for what it can forget:
-    # that took a tenth of its time.
+    # A source that another one includes is no header. Many of them take memory, which GCC need not search for
+    # what it can forget: that took a tenth of its time.
     target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage$<SEMICOLON>--param=ggc-min-heapsize=524288>)
   endif()
 endfunction()
@@ -111,8 +113,8 @@ function(hair_own_code TARGET)
   endif()
 endfunction()
 
-# Eigen, for the given code and for the exercises that may include it: any version from 3.3 on. Of a version that find_package is
-# given, Eigen's package takes the same first number alone.
+# Eigen, for the given code and for the exercises that may include it: any version from 3.3 on. Of a version
+# that find_package is given, Eigen's package takes the same first number alone.
 include("${CMAKE_CURRENT_LIST_DIR}/packages.cmake")
 find_package(Eigen3 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen OR Eigen3_VERSION VERSION_LESS 3.3)
@@ -131,7 +133,8 @@ function(hair_use_libraries TARGET ID)
   endforeach()
 endfunction()
 
-# As in grading, a student's asserts are asked, and Eigen's. A variable that nobody sets holds the same in each run.
+# As in grading, a student's asserts are asked, and Eigen's. A variable that nobody sets holds the same in
+# each run.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern HAIR_HAS_UNSET_PATTERN)
 set(HAIR_STUDENT_OPTIONS -Wall -Wextra -UNDEBUG)
@@ -142,8 +145,9 @@ else()
                  "what a variable holds that nobody sets differs from run to run, and from grading")
 endif()
 
-# As in grading: a shared library that exports the exercise's functions, and calls the standard library, the given code that it may
-# call, its prerequisites and nothing else. What it lacks is an error where it is linked.
+# As in grading: a shared library that exports the exercise's functions, and calls the standard library, the
+# given code that it may call, its prerequisites and nothing else. What it lacks is an error where it is
+# linked.
 function(hair_student_library TARGET ID)
   # Not a word of CMake's own on the compiler's command line.
   set_target_properties(${TARGET} PROPERTIES DEFINE_SYMBOL "")

@@ -1,5 +1,6 @@
-# Refuses folders whose names CMake, or what it starts, can't hold: what it says of them itself is no help. It comes before project(),
-# which compiles first programs. In compilers' lists of headers Ninja does not read all letters: it would compile everything in each build.
+# Refuses folders whose names CMake, or what it starts, can't hold: what it says of them itself is no help. It
+# comes before project(), which compiles first programs. In compilers' lists of headers Ninja does not read
+# all letters: it would compile everything in each build.
 string(ASCII 1 first)
 string(ASCII 31 last)
 set(refused "[]#;\"\\<>?|,:=*${first}-${last}[]|[$][({]")

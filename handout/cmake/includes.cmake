@@ -1,10 +1,11 @@
-# Run by the build when a student's file is compiled, and before it is linked: in grading a file is compiled with the headers of this
-# handout, the standard library, and Eigen if its exercise may include it. A file that reads another one here would not compile there.
+# Run by the build when a student's file is compiled, and before it is linked: in grading a file is compiled
+# with the headers of this handout, the standard library, and Eigen if its exercise may include it. A file
+# that reads another one here would not compile there.
 #
 #   cmake -DFILE=... -DTOP=... -DLIBRARIES=... -DCOMPILER=... -DINCLUDES=... -P includes.cmake
 #
-# Most lines name a header that is there, and are not looked at further. For the others the compiler says whether it reads them: they
-# may be meant for another system.
+# Most lines name a header that is there, and are not looked at further. For the others the compiler says
+# whether it reads them: they may be meant for another system.
 cmake_minimum_required(VERSION 3.22)
 set(there "[A-Za-z_0-9]+([.]h)?|([.][.]/)?(given/)?(solver|particles|hair)/.*[.]h")
 string(APPEND there "|(asm|bits|debug|experimental|ext|linux|net|netinet|parallel|pstl|sys|tr1|tr2)/.*")

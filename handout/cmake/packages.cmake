@@ -1,5 +1,5 @@
-# The packages that the build looks for and that hairlab loads, a row each: what needs it, its name for apt (Debian, Ubuntu, WSL2), and its
-# name for Homebrew, or "-". README.md lists them, too.
+# The packages that the build looks for and that hairlab loads, a row each: what needs it, its name for apt
+# (Debian, Ubuntu, WSL2), and its name for Homebrew, or "-". README.md lists them, too.
 #
 #   hair_how_to_install(OUT PACKAGE...)   a sentence, of names for apt
 set(HAIR_PACKAGES

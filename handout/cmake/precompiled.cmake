@@ -1,6 +1,7 @@
-# Precompiled headers: Eigen and GoogleTest take 1.3 to 1.8 CPU seconds in each file that includes them, and a tenth of that once they
-# are precompiled. JSON is not among them: a precompiled one saves 0.5 s where it is included, and costs each other file 0.9 s, for
-# its literals make the compiler write out a whole parser. A precompiled header serves only files that are compiled with its options: each kind has its own.
+# Precompiled headers: Eigen and GoogleTest take 1.3 to 1.8 CPU seconds in each file that includes them, and a
+# tenth of that once they are precompiled. JSON is not among them: a precompiled one saves 0.5 s where it is
+# included, and costs each other file 0.9 s, for its literals make the compiler write out a whole parser. A
+# precompiled header serves only files that are compiled with its options: each kind has its own.
 #
 #   hair_precompiled(KIND [PROGRAM] HEADERS ... LIBRARIES ...)
 #                                  the target hair_precompiled_<KIND>, compiled as a library or a program with these libraries; it

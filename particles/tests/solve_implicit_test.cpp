@@ -1,4 +1,5 @@
-// STAFF ONLY. What particles/solve_implicit.h promises, with the reference's H4 and S1. Retries of plain solves: reference/H6/unmet_tolerance_test.cpp.
+// STAFF ONLY. What particles/solve_implicit.h promises, with the reference's H4 and S1. Retries of plain
+// solves: reference/H6/unmet_tolerance_test.cpp.
 #include "particles/solve_implicit.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ class NearSprings final : public DampedSprings {
   DampedSprings near_;
 };
 
-// Particles of 1e-7 kg, 1 cm apart, the first one pinned, springs between neighbours. Each particle is a bit off.
+// Particles of 1e-7 kg, 1 cm apart, the first one pinned, springs between neighbours. Each particle is a bit
+// off.
 struct Chain {
   Particles particles;
   State state;

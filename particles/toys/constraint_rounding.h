@@ -1,5 +1,6 @@
-// Rounding in P2's equation. Where nothing acts on rods and wires, its right-hand side is not 0, but what rounding leaves of its
-// terms. That contradicts itself where constraints are redundant, so no lambda solves it; and there is nothing to solve.
+// Rounding in P2's equation. Where nothing acts on rods and wires, its right-hand side is not 0, but what
+// rounding leaves of its terms. That contradicts itself where constraints are redundant, so no lambda solves
+// it; and there is nothing to solve.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,9 @@ namespace particles {
 //
 //   64 u || for each row the sum of the sizes of its terms ||     u = 2^-53
 //
-// A term is a sum over up to six products, of coordinates that are rounded themselves: 16 u of its size. The rest is room for
-// what a few steps add. In the size of C positions count as far as they are from the origin, since that is how they are rounded.
+// A term is a sum over up to six products, of coordinates that are rounded themselves: 16 u of its size. The
+// rest is room for what a few steps add. In the size of C positions count as far as they are from the origin,
+// since that is how they are rounded.
 inline double constraint_rounding(const Constraints& constraints, const Particles& particles,
                                   const State& state, Input f) {
   const auto place = [&](int i) -> double { return state.x.segment<3>(3 * i).norm(); };

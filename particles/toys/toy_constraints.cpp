@@ -8,8 +8,8 @@ namespace particles {
 
 namespace {
 
-// Of the right-hand side: what a solve may leave before it counts as one that did not end. P2 may stop so early where constraints
-// are redundant.
+// Of the right-hand side: what a solve may leave before it counts as one that did not end. P2 may stop so
+// early where constraints are redundant.
 constexpr double kMostLeft = 1e-6;
 
 // a = W (f + J^T lambda): what the constraints leave of all other force. P2 solves for lambda.
@@ -63,8 +63,8 @@ class ConstrainedDynamics : public Dynamics {
     solves_.left = std::max(solves_.left, left / before);
   }
 
-  // The norm of C'' + stiffness C + damping C' with these accelerations: with those of all other forces the right-hand side's, with
-  // the constraints' forces what a solve leaves.
+  // The norm of C'' + stiffness C + damping C' with these accelerations: with those of all other forces the
+  // right-hand side's, with the constraints' forces what a solve leaves.
   double error(Input a) {
     const auto& [rods, wires, stiffness, damping] = constraints_;
     constraint_rates(constraints_, state_.x, a, sum_);

@@ -1,4 +1,5 @@
-// STAFF ONLY. What physics and geometry ask of H1. What hair/stretch_springs.h promises the public checks ask.
+// STAFF ONLY. What physics and geometry ask of H1. What hair/stretch_springs.h promises the public checks
+// ask.
 
 #include "hair/stretch_springs.h"
 

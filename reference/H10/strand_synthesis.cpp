@@ -18,11 +18,12 @@ Matrix3d axes_of(const RootFrame& frame) {
   return axes;
 }
 
-// The least rotation that turns a into b, both of length 1: two reflections, of which the first maps a to -a and
-// the second -a to b. Each reverses what is along its normal.
+// The least rotation that turns a into b, both of length 1: two reflections, of which the first maps a to -a
+// and the second -a to b. Each reverses what is along its normal.
 Matrix3d least_rotation(const Vector3d& a, const Vector3d& b) {
   Vector3d normal = a + b;
-  // Where they are nearly opposite, a + b is rounding in the end: then any normal across them is as good, to 1e-8.
+  // Where they are nearly opposite, a + b is rounding in the end: then any normal across them is as good, to
+  // 1e-8.
   if (normal.squaredNorm() < 1e-16) normal = a.unitOrthogonal();
   normal.normalize();
   Matrix3d rotation = Matrix3d::Identity() - 2 * a * a.transpose();

@@ -1,5 +1,5 @@
-// STAFF ONLY. H10's frames beside the area that directions go around. Motions of the whole head, threads and allocations:
-// hair/head/synthesis_test.cpp.
+// STAFF ONLY. H10's frames beside the area that directions go around. Motions of the whole head, threads and
+// allocations: hair/head/synthesis_test.cpp.
 #include "hair/strand_synthesis.h"
 
 #include <gtest/gtest.h>
@@ -12,9 +12,10 @@
 namespace reference_tests {
 namespace {
 
-// Gauss and Bonnet: directions that go around an area of the unit sphere turn a frame by that area about themselves. The
-// segments of a helix with N to a turn point to the corners of a regular polygon, at the angle a from the helix's axis, whose
-// area is N times the excess e of a triangle at the pole: tan(e/2) = t^2 sin c / (1 + t^2 cos c), t = tan(a/2), c = 2 pi / N.
+// Gauss and Bonnet: directions that go around an area of the unit sphere turn a frame by that area about
+// themselves. The segments of a helix with N to a turn point to the corners of a regular polygon, at the
+// angle a from the helix's axis, whose area is N times the excess e of a triangle at the pole: tan(e/2) = t^2
+// sin c / (1 + t^2 cos c), t = tan(a/2), c = 2 pi / N.
 TEST(StrandSynthesis, AFullTurnOfACurlTurnsFramesByTheAreaOfItsDirections) {
   for (const int N : {3, 5, 8, 40})
     for (const double angle : {0.1, 0.7, 1.2, 1.5}) {

@@ -1,6 +1,6 @@
-// STAFF ONLY. H10's strands. Bounds: the contract's. A point is a sum of at most 30 products of three factors, whose
-// sizes are those of the coordinates and of rotations: 1e-14 of them. Turns: 60 rotations, each of which rounds by
-// 1e-16 over one and the cosine of what it turns by, 1/2 at least here.
+// STAFF ONLY. H10's strands. Bounds: the contract's. A point is a sum of at most 30 products of three
+// factors, whose sizes are those of the coordinates and of rotations: 1e-14 of them. Turns: 60 rotations,
+// each of which rounds by 1e-16 over one and the cosine of what it turns by, 1/2 at least here.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. H10's weights. Bounds: the contract's. Weights from areas are right to 1e-16 of an edge over the height, a
-// hundredth of it here: 1e-14.
+// STAFF ONLY. H10's weights. Bounds: the contract's. Weights from areas are right to 1e-16 of an edge over
+// the height, a hundredth of it here: 1e-14.
 #include <algorithm>
 
 #include "reference/H10/answers.h"
@@ -58,7 +58,8 @@ void weights_inside(Trial& trial) {
   }
 }
 
-// Beside each edge, beyond each corner; in most places the nearest point is not where weights are that were cut off at 0.
+// Beside each edge, beyond each corner; in most places the nearest point is not where weights are that were
+// cut off at 0.
 void weights_outside(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 24; ++repeat) {
@@ -147,8 +148,8 @@ void no_width(Trial& trial) {
   needles(trial);
 }
 
-// Triangles of any form in smaller and larger units, beside the student's own answers for metres: what is thin is no matter of
-// its size.
+// Triangles of any form in smaller and larger units, beside the student's own answers for metres: what is
+// thin is no matter of its size.
 void weights_in_other_units(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 8; ++repeat) {

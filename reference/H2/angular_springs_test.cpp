@@ -1,5 +1,6 @@
-// STAFF ONLY. Angular springs as geometry and the continuum want them: energies do not depend on how finely a strand is divided, to
-// second order; shapes and frequencies are in validate/. What hair/angular_springs.h promises the public checks ask.
+// STAFF ONLY. Angular springs as geometry and the continuum want them: energies do not depend on how finely a
+// strand is divided, to second order; shapes and frequencies are in validate/. What hair/angular_springs.h
+// promises the public checks ask.
 
 #include "hair/angular_springs.h"
 

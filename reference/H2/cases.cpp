@@ -145,7 +145,8 @@ Posed with_lengths(const Posed& joint, double a, double b) {
 
 }  // namespace
 
-// The energy depends on directions alone. So its derivatives by the two ends fall with the lengths that lead to them.
+// The energy depends on directions alone. So its derivatives by the two ends fall with the lengths that lead
+// to them.
 void current_lengths(Trial& trial) {
   Random& random = trial.random;
   for (auto [a, b] : {std::pair{0.6, 0.6}, {0.5, 3.0}, {2.5, 0.7}}) {

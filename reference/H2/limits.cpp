@@ -1,6 +1,6 @@
 // STAFF ONLY. H2: hidden cases at the ends of a joint's life: clamped, nearly straight, folded, without a
-// direction, tiny, huge. Most compare the student's answers with each other, so that a mistake elsewhere does not count
-// again.
+// direction, tiny, huge. Most compare the student's answers with each other, so that a mistake elsewhere does
+// not count again.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -130,20 +130,21 @@ void nearly_straight(Trial& trial) {
     const Posed posed = straight_pose(strand, strand.rest_length, direction, "straight");
     trial.expect_at_most(std::abs(ask_energy(trial, posed)), 4 * energy_rounding(posed),
                          "a straight strand's energy");
-    // Both phi and u2 - cos(phi) u1 are roundings of 4 u, and so is the sine that some formulas divide their product by,
-    // k phi (u2 - cos(phi) u1) / sin(phi): 1e-8 k, as long as it is not below 1e-7 u.
+    // Both phi and u2 - cos(phi) u1 are roundings of 4 u, and so is the sine that some formulas divide their
+    // product by, k phi (u2 - cos(phi) u1) / sin(phi): 1e-8 k, as long as it is not below 1e-7 u.
     trial.expect_at_most(largest(ask_force(trial, posed)), 1e-8 * strand.bend_rigidity,
                          "a straight strand's force");
   }
 }
 
-// Beside the student's own products at a bend of 1e-5, where the axis is known to 1e-11. These are as many times the reference's as the
-// student's at an ordinary bend; there another category asks, and products that are no multiple of the reference's excuse all.
+// Beside the student's own products at a bend of 1e-5, where the axis is known to 1e-11. These are as many
+// times the reference's as the student's at an ordinary bend; there another category asks, and products that
+// are no multiple of the reference's excuse all.
 void straight_products(Trial& trial) {
   constexpr double kLittle = 1e-5;
   Random& random = trial.random;
-  // Two directions to the last bit, the second one of few bits, with a cosine that rounds to less than 1; and four where bends are
-  // roundings, which point anywhere: some happen to be 0.
+  // Two directions to the last bit, the second one of few bits, with a cosine that rounds to less than 1; and
+  // four where bends are roundings, which point anywhere: some happen to be 0.
   for (int repeat = 0; repeat < 6; ++repeat) {
     const bool exactly = repeat < 2;
     const Strand strand = even_strand(random, 7);
@@ -159,9 +160,9 @@ void straight_products(Trial& trial) {
     for (int function : {kProduct, kSpdProduct}) {
       const VectorXd expected = ask_product(trial, bent, dx, function);
       expect_not_zero(trial, expected, "the product");
-      // A row of the matrix sums up to 16 k / l^2, and turns with the directions, by kLittle on either side. The axis of
-      // a bend phi is known to u / phi, or replaced by another at the price of phi: 1e-8 at best, and two digits more
-      // may go.
+      // A row of the matrix sums up to 16 k / l^2, and turns with the directions, by kLittle on either side.
+      // The axis of a bend phi is known to u / phi, or replaced by another at the price of phi: 1e-8 at best,
+      // and two digits more may go.
       const double bound = 64 * (2 * kLittle + 1e-6) * strand.bend_rigidity * largest(dx);
       expect_vector(trial, ask_product(trial, posed, dx, function), expected, bound,
                     "the product of a straight strand, beside one that is bent by 1e-5,");

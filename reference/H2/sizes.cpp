@@ -1,5 +1,5 @@
-// STAFF ONLY. H2: hidden cases of strands whose size or number is far from the ordinary. They compare the student's answers with
-// each other, so that a mistake elsewhere does not count again.
+// STAFF ONLY. H2: hidden cases of strands whose size or number is far from the ordinary. They compare the
+// student's answers with each other, so that a mistake elsewhere does not count again.
 #include "reference/H2/joints.h"
 
 namespace grader::h2 {

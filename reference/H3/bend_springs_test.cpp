@@ -1,4 +1,5 @@
-// STAFF ONLY. The lecture's criticism of bend springs as measurements. What hair/bend_springs.h promises the public checks ask.
+// STAFF ONLY. The lecture's criticism of bend springs as measurements. What hair/bend_springs.h promises the
+// public checks ask.
 
 #include "hair/bend_springs.h"
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. H3: hidden cases of bend_spring_energy, add_bend_spring_force and add_bend_spring_product. Bounds:
-// grader/judge/strand_springs.h.
+// STAFF ONLY. H3: hidden cases of bend_spring_energy, add_bend_spring_force and add_bend_spring_product.
+// Bounds: grader/judge/strand_springs.h.
 #include <cmath>
 
 #include "grader/judge/strand_springs.h"
@@ -17,8 +17,8 @@ const Springs& springs() {
 
 using Eigen::Vector3d;
 
-// One spring alone is longer than at rest, or has changed: the force on its ends, and the energy. The far end counts where no other
-// spring begins: what overwrites its neighbours' forces is another category's.
+// One spring alone is longer than at rest, or has changed: the force on its ends, and the energy. The far end
+// counts where no other spring begins: what overwrites its neighbours' forces is another category's.
 struct OfOneSpring {
   VectorXd force, product;
   double energy;

@@ -1,5 +1,5 @@
-// STAFF ONLY. A student's answers about an implicit step, requested through the pipe while the suite serves the force or the
-// matrix.
+// STAFF ONLY. A student's answers about an implicit step, requested through the pipe while the suite serves
+// the force or the matrix.
 #pragma once
 
 #include "grader/judge/implicit_system.h"

@@ -1,8 +1,8 @@
 // STAFF ONLY. H4: hidden cases of implicit_matrix, implicit_rhs, solve_plain and implicit_euler.
 //
-// Each part of the matrix is asked by itself: masses without any force, and what stiffness or damping add to the student's own
-// product without any. Pinned particles, units and the step are compared with the student's own
-// matrix and right-hand side, so that a mistake in these costs nothing there.
+// Each part of the matrix is asked by itself: masses without any force, and what stiffness or damping add to
+// the student's own product without any. Pinned particles, units and the step are compared with the student's
+// own matrix and right-hand side, so that a mistake in these costs nothing there.
 #include "reference/H4/cases.h"
 
 #include <cmath>
@@ -28,7 +28,8 @@ VectorXd masses_times(const Cloud& cloud, const VectorXd& x) {
   return cloud.particles.mass.transpose().replicate(3, 1).reshaped().cwiseProduct(x);
 }
 
-// `without`: the product where no force acts, the student's own or the right one. `junk`: what the output holds before.
+// `without`: the product where no force acts, the student's own or the right one. `junk`: what the output
+// holds before.
 void expect_product(Trial& trial, const Cloud& cloud, double a, double b, const VectorXd& x,
                     const VectorXd& without, double junk = 0) {
   const ImplicitSystem system = implicit_system(cloud, a, b);
@@ -136,7 +137,8 @@ void pinned(Trial& trial) {
     const Step after = step(trial, hair, h);
     if (!after.v.allFinite()) continue;  // which loses a step
     for (int i : {0, n}) {
-      // The product rounds by u of the way, sum and difference by u of the position: twice that, for any other order.
+      // The product rounds by u of the way, sum and difference by u of the position: twice that, for any
+      // other order.
       const VectorXd v = hair.state.v.segment<3>(3 * i), way = h * v;
       trial.expect(after.v.segment<3>(3 * i) == v, "a step changes the velocity of a pinned particle");
       trial.expect_close({(after.x - hair.state.x).segment<3>(3 * i), way},

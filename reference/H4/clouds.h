@@ -12,7 +12,8 @@ enum class Parts { none, dfdx, dfdv, all };
 Cloud mixed_cloud(Random& random, int n, Parts parts);
 Cloud with(Cloud cloud, Parts parts);
 
-// n free particles of about 1 kg in a chain of springs with h^2 k/m = 0.1; `banded`: the force knows its band.
+// n free particles of about 1 kg in a chain of springs with h^2 k/m = 0.1; `banded`: the force knows its
+// band.
 Cloud soft_hair(Random& random, int n, double h, bool banded);
 
 }  // namespace grader::h4

@@ -1,4 +1,5 @@
-// STAFF ONLY. H4: hidden cases of solve_plain. The matrices are ours, so that a mistake in another function costs nothing here.
+// STAFF ONLY. H4: hidden cases of solve_plain. The matrices are ours, so that a mistake in another function
+// costs nothing here.
 //
 // The size of dv is asked in one category, to a hundredth; the tolerance, and the report, in others.
 #include <Eigen/Cholesky>
@@ -101,7 +102,8 @@ void tolerance(Trial& trial) {
   }
 }
 
-// With a loose tolerance and a large right-hand side: who solves to another tolerance solves to this one, too.
+// With a loose tolerance and a large right-hand side: who solves to another tolerance solves to this one,
+// too.
 void report(Trial& trial) {
   Random& random = trial.random;
   const auto expect_true = [&](const System& system, const Solution& solution) {
@@ -165,8 +167,8 @@ void nothing(Trial& trial) {
   }
 }
 
-// Powers of two change no rounding: dv changes by them, and nothing else does. The matrix stays, since ConjGrad's first guess is the
-// right-hand side.
+// Powers of two change no rounding: dv changes by them, and nothing else does. The matrix stays, since
+// ConjGrad's first guess is the right-hand side.
 void expect_same_solve_in_other_units(Trial& trial) {
   Random& random = trial.random;
   const System known = system_of(random, 15, 1, 30, 1);

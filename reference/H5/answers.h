@@ -36,7 +36,8 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x);
 
-// By how much all is moved, and by how much it should be. `part`: of the largest, within which two motions are the same.
+// By how much all is moved, and by how much it should be. `part`: of the largest, within which two motions
+// are the same.
 Compared motions(const Corrected& corrected, const VectorXd& expected, double part);
 
 // `slack`: times the tolerance.
@@ -47,8 +48,8 @@ void expect_lengths(Trial& trial, int function, const Strand& strand, double tol
 // even code that ignores the masses moves only a few times as much. A wrong place is far beyond that.
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
 
-// Compares with the reference's: corrections differ by the effect of the tolerance. A remaining rate r of size tolerance in
-// each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of `moved`.
+// Compares with the reference's: corrections differ by the effect of the tolerance. A remaining rate r of
+// size tolerance in each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                        double tolerance);
 

@@ -87,8 +87,8 @@ void expect_left_alone(Trial& trial, const std::string& name, const VectorXd& be
                name + " works on what is within its tolerance");
 }
 
-// An error that is the tolerance is not above it. A segment of 0.625 m in place of 0.5 m has the error 0.25, and one at 0.25 m/s is
-// stretched at that velocity: without any rounding.
+// An error that is the tolerance is not above it. A segment of 0.625 m in place of 0.5 m has the error 0.25,
+// and one at 0.25 m/s is stretched at that velocity: without any rounding.
 void expect_tolerance_inclusive(Trial& trial) {
   Strand strand = random_strand(trial.random, 2, 1);
   strand.rest_length[0] = 0.5;
@@ -164,9 +164,10 @@ void report(Trial& trial) {
   expect_numbers(trial);
 }
 
-// Newton's method halves the digits that are wrong, and all impulses at once are right at once; sweeps along 200 segments
-// are hundreds. A number between them is that of other equations. One segment is right at once: with a mass of the root's in W the error
-// of each iteration would be w_0 / (w_0 + w_1) of the one before. Who does not converge has no number.
+// Newton's method halves the digits that are wrong, and all impulses at once are right at once; sweeps along
+// 200 segments are hundreds. A number between them is that of other equations. One segment is right at once:
+// with a mass of the root's in W the error of each iteration would be w_0 / (w_0 + w_1) of the one before.
+// Who does not converge has no number.
 void iterations(Trial& trial) {
   Random& random = trial.random;
   const auto expect_few = [&](const std::string& name, const Corrected& corrected, int few, int many) {

@@ -1,4 +1,5 @@
-// STAFF ONLY. H5: hidden cases of strands without directions, far from their lengths, in small units, and long.
+// STAFF ONLY. H5: hidden cases of strands without directions, far from their lengths, in small units, and
+// long.
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -7,7 +8,8 @@
 namespace grader::h5 {
 namespace {
 
-// All segments lay along one line through the root, in the direction u: impulses along them leave particles there.
+// All segments lay along one line through the root, in the direction u: impulses along them leave particles
+// there.
 void expect_on_line(Trial& trial, int function, const Strand& strand, const Vector3d& u, const VectorXd& x) {
   trial.require(x.allFinite(), name_of(function) + " gives coordinates that are not finite");
   double farthest = 0;
@@ -28,8 +30,8 @@ VectorXd on_a_line(const Strand& strand, const Vector3d& root, const Vector3d& u
 
 }  // namespace
 
-// Folds, particles in the same place, a strand of one particle, one far too long or too short: only what is special about them. Ten
-// iterations show it, whatever comes of more.
+// Folds, particles in the same place, a strand of one particle, one far too long or too short: only what is
+// special about them. Ten iterations show it, whatever comes of more.
 void degenerate(Trial& trial) {
   Random& random = trial.random;
   constexpr int kFew = 10;
@@ -92,8 +94,8 @@ void far_root(Trial& trial) {
   }
 }
 
-// An error of a length is one of that length, whatever that is; a direction is one, however short. Powers of two change no rounding, so
-// that a few iterations are the same in each unit.
+// An error of a length is one of that length, whatever that is; a direction is one, however short. Powers of
+// two change no rounding, so that a few iterations are the same in each unit.
 void units(Trial& trial) {
   Random& random = trial.random;
   Strand strand = random_strand(random, 8, 1);
@@ -116,8 +118,8 @@ void units(Trial& trial) {
   }
 }
 
-// Each iteration has to take linear time: one that builds full matrices is out of time or memory. Crumpled, so that few are
-// enough.
+// Each iteration has to take linear time: one that builds full matrices is out of time or memory. Crumpled,
+// so that few are enough.
 void long_strands(Trial& trial) {
   Random& random = trial.random;
   for (int n : {100, 1000, 10000}) {

@@ -46,14 +46,14 @@ double squared_errors(const Strand& strand, Input x) {
   return sum;
 }
 
-// J W J^T for directions u, factored, and what is solved with it. With w the inverse masses and c, s the cosine and
-// sine of the angle of two neighbours, its diagonal is w_i + w_{i+1} and what is beside it -w_i c_i. Elimination from
-// the root on leaves the diagonal w_{i+1} + q_i, where
+// J W J^T for directions u, factored, and what is solved with it. With w the inverse masses and c, s the
+// cosine and sine of the angle of two neighbours, its diagonal is w_i + w_{i+1} and what is beside it -w_i
+// c_i. Elimination from the root on leaves the diagonal w_{i+1} + q_i, where
 //
 //   q_0 = w_0 = 0,   q_i = w_i - (w_i c_i)^2 / (w_i + q_{i-1}) = w_i (q_{i-1} + w_i s_i^2) / (w_i + q_{i-1}):
 //
-// nothing is ever subtracted, so that it is as accurate for a straight strand of 10,000 particles, whose condition
-// number is 1e8, as for two.
+// nothing is ever subtracted, so that it is as accurate for a straight strand of 10,000 particles, whose
+// condition number is 1e8, as for two.
 class Multipliers {
  public:
   // Four columns of work.
@@ -98,8 +98,9 @@ class Multipliers {
   Scratch work_;
 };
 
-// Places one particle after the other at its distance from the one before, towards where it was, from the root on:
-// as a rope follows the hand that pulls it. Right at once, whatever the state; but it knows no masses.
+// Places one particle after the other at its distance from the one before, towards where it was, from the
+// root on: as a rope follows the hand that pulls it. Right at once, whatever the state; but it knows no
+// masses.
 void place(const Strand& strand, Output x) {
   Vector3d u = strand.root_tangent;
   for (int i = 0; i < strand.segments(); ++i) {  // from the root on
@@ -108,15 +109,15 @@ void place(const Strand& strand, Output x) {
   }
 }
 
-// The smallest error that can be asked for: what rounding the coordinates to doubles leaves. Hair of other lengths is not
-// right, whatever the reason.
+// The smallest error that can be asked for: what rounding the coordinates to doubles leaves. Hair of other
+// lengths is not right, whatever the reason.
 double rounding_error(const Strand& strand, Input x) {
   if (strand.segments() == 0) return 0;
   return std::min(0x1p-51 * x.cwiseAbs().maxCoeff() / strand.rest_length.minCoeff(), 1e-3);
 }
 
-// Newton's method is done in a few steps or far from where it works: with a root that was flung away, or masses that
-// differ by 1e6. It then gives way to `place`.
+// Newton's method is done in a few steps or far from where it works: with a root that was flung away, or
+// masses that differ by 1e6. It then gives way to `place`.
 constexpr int kMostNewtonSteps = 30;
 constexpr double kSmallestPart = 0x1p-10;
 

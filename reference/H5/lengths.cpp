@@ -6,8 +6,8 @@
 namespace grader::h5 {
 namespace {
 
-// Errors of 1e-5: corrections agree to a few of these, relative to their size. A segment turns by no more than what
-// its ends move over its length, some 1e-4 where the errors of 12 segments add up.
+// Errors of 1e-5: corrections agree to a few of these, relative to their size. A segment turns by no more
+// than what its ends move over its length, some 1e-4 where the errors of 12 segments add up.
 void expect_small_correction(Trial& trial, int function, const Strand& strand) {
   Random& random = trial.random;
   const VectorXd x = disturbed(random, placed(random, strand, 0.4), 1e-5);
@@ -19,7 +19,8 @@ void expect_small_correction(Trial& trial, int function, const Strand& strand) {
       motions(corrected, expected, 0.01));
 }
 
-// Segments of 0.7 m and more: an error in metres that meets the tolerance is at most 1 / 0.7 of it, and passes here.
+// Segments of 0.7 m and more: an error in metres that meets the tolerance is at most 1 / 0.7 of it, and
+// passes here.
 constexpr double kSlack = 1.5;
 
 void expect_corrected(Trial& trial, int function, int n, double size, double tolerance) {
@@ -60,7 +61,8 @@ void impulses(Trial& trial) {
                      " particles");
       expect_small_correction(trial, kCorrect, random_strand(random, n, ratio));
     }
-  // Errors of a few hundredths: every order of sweeps, and Newton's method, move particles by the same, within 2 %.
+  // Errors of a few hundredths: every order of sweeps, and Newton's method, move particles by the same,
+  // within 2 %.
   for (int n : {4, 8, 14}) {
     trial.describe("correct_lengths, distance, " + std::to_string(n) + " particles");
     const Strand strand = random_strand(random, n, 1);

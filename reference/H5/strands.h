@@ -13,9 +13,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using hair::Strand;
 
-// n particles with masses within a factor of `ratio`, and segments of about 1 m, none of just that: where a tolerance is to be met an
-// error in metres does nearly as well as the relative one. The root is so heavy that impulses do not move it, whatever a program thinks
-// of it. Mistakes with either show in categories of their own.
+// n particles with masses within a factor of `ratio`, and segments of about 1 m, none of just that: where a
+// tolerance is to be met an error in metres does nearly as well as the relative one. The root is so heavy
+// that impulses do not move it, whatever a program thinks of it. Mistakes with either show in categories of
+// their own.
 Strand random_strand(Random& random, int n, double ratio);
 
 // Positions with the rest lengths; each segment is turned from the previous one by about `bend`.

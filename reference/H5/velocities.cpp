@@ -15,8 +15,8 @@ VectorXd turning(Random& random, const Strand& strand, const VectorXd& x) {
   return v;
 }
 
-// Two segments at a right angle: an impulse along the second one is none to the first. So each method, and a single sweep, moves
-// the two ends of the second segment by 1/mass, and it is done.
+// Two segments at a right angle: an impulse along the second one is none to the first. So each method, and a
+// single sweep, moves the two ends of the second segment by 1/mass, and it is done.
 struct Corner {
   Strand strand;
   VectorXd x;

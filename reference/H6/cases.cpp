@@ -1,9 +1,10 @@
 // STAFF ONLY. H6: hidden cases of predictor_corrector, which has our S1, H4 and H5 beside it.
 //
-// Each of the five steps is asked where the others do nothing, or from the student's own state before it. Solves leave an
-// error: dv is off by at most d = (tolerance ||rhs|| + rounding) / lambda_min (implicit_system.h), x by h d. The
-// correction, whose matrix has a condition number of about n^2, then makes more of that: no more than 1000 times, for
-// strands of up to 12 particles. A step that is left out or wrong changes v by metres a second.
+// Each of the five steps is asked where the others do nothing, or from the student's own state before it.
+// Solves leave an error: dv is off by at most d = (tolerance ||rhs|| + rounding) / lambda_min
+// (implicit_system.h), x by h d. The correction, whose matrix has a condition number of about n^2, then makes
+// more of that: no more than 1000 times, for strands of up to 12 particles. A step that is left out or wrong
+// changes v by metres a second.
 #include <algorithm>
 #include <cmath>
 
@@ -76,8 +77,8 @@ double largest_length_error(const hair::Strand& strand, const VectorXd& x) {
   return largest;
 }
 
-// A strand at its rest lengths, in motion under gravity: masses of 0.7 to 1.4 `mass`, segments of about 1 cm, springs
-// with h^2 k/m = `stiff`.
+// A strand at its rest lengths, in motion under gravity: masses of 0.7 to 1.4 `mass`, segments of about 1 cm,
+// springs with h^2 k/m = `stiff`.
 Hair moving_hair(Random& random, int n, double mass, double stiff, double h, double gravity = 9.81) {
   Hair hair;
   hair.h = h;
@@ -231,7 +232,8 @@ void cost(Trial& trial) {
                      after.report.correction.converged && after.report.correction.error <= 1e-11,
                  "a step's report says that it has not converged");
   }
-  // The band of a chain's springs is their whole matrix, and the preconditioner its inverse: a product or two solve the system.
+  // The band of a chain's springs is their whole matrix, and the preconditioner its inverse: a product or two
+  // solve the system.
   Hair hair = moving_hair(random, 16, 1e-6, 30, 1.0 / random.integer(60, 240));
   hair.cloud.force = std::make_shared<Banded>(hair.cloud.force);
   hair.cloud.name += ", with a band";
@@ -242,7 +244,8 @@ void cost(Trial& trial) {
                  std::to_string(solve.steps));
 }
 
-// The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows however the correction ended.
+// The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows
+// however the correction ended.
 void other_limits(Trial& trial) {
   Random& random = trial.random;
   const double stiff = random.log_uniform(100, 300);
@@ -255,8 +258,8 @@ void other_limits(Trial& trial) {
       "solves with a tolerance of 0.01 take as many steps as exact ones",
       std::to_string(rough.report.filter.steps) + " and " + std::to_string(exact.report.filter.steps));
 
-  // Flung about, it takes our correction 20 to 100 iterations. With its root far away nothing is converged (H5's contract). No
-  // force acts: v is the way over h.
+  // Flung about, it takes our correction 20 to 100 iterations. With its root far away nothing is converged
+  // (H5's contract). No force acts: v is the way over h.
   for (const bool is_hopeless : {false, true}) {
     Hair flung = moving_hair(random, 12, 1e-6, 0, 1.0 / random.integer(60, 240), 0);
     flung.strand.mass.setConstant(1e-6);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Energy and angular momentum that H6 loses, and the memory that its steps and those of H4 take. What
-// hair/predictor_corrector.h promises the public checks ask.
+// STAFF ONLY. Energy and angular momentum that H6 loses, and the memory that its steps and those of H4 take.
+// What hair/predictor_corrector.h promises the public checks ask.
 
 #include "hair/predictor_corrector.h"
 
@@ -31,9 +31,9 @@ void set_in_motion(Hair& hair) {
   hair.state.v = 0.3 * scattered_vector(hair.state.v.size(), 7);
 }
 
-// Where lengths are exact and no force acts, the constraints give the accelerations a_c that turn the velocities:
-// M a_c = J' lambda, J a_c = -dJ/dt v. They are as implicit as springs, which damps: of the energy a step loses h^2 times
-// this, a_c'M a_c / 2.
+// Where lengths are exact and no force acts, the constraints give the accelerations a_c that turn the
+// velocities: M a_c = J' lambda, J a_c = -dJ/dt v. They are as implicit as springs, which damps: of the
+// energy a step loses h^2 times this, a_c'M a_c / 2.
 double centripetal_energy(const Strand& strand, const particles::State& state) {
   const int n = strand.segments();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, 3 * n);  // of the particles below the root
@@ -68,9 +68,9 @@ TEST(PredictorCorrector, LosesTheEnergyOfTheTurn) {
   EXPECT_LT(off(2.5e-4), off(1e-3) / 12) << "a sixteenth";
 }
 
-// One revolution in 80 steps of a mass on a rigid rod, and what is left of its angular momentum. Of an infinitely hard
-// spring at its rest length a filter takes the velocity along it, which is all that it does. The correction moves the mass
-// along the new rod, as H5 does, or along the rod at x^n.
+// One revolution in 80 steps of a mass on a rigid rod, and what is left of its angular momentum. Of an
+// infinitely hard spring at its rest length a filter takes the velocity along it, which is all that it does.
+// The correction moves the mass along the new rod, as H5 does, or along the rod at x^n.
 double left_after_a_revolution(bool along_new, bool with_impulse) {
   using Eigen::Vector2d;
   constexpr int kSteps = 80;

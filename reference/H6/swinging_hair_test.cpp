@@ -1,5 +1,5 @@
-// STAFF ONLY. Human hair, 30 cm in 30 segments, swinging under gravity: how much H4 and H6 stretch it, what the solver's
-// tolerance does to it, and how fast it may swing across itself.
+// STAFF ONLY. Human hair, 30 cm in 30 segments, swinging under gravity: how much H4 and H6 stretch it, what
+// the solver's tolerance does to it, and how fast it may swing across itself.
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,8 @@ Swing swing(GeometricTerm term, double h, Step step) {
   return result;
 }
 
-// What is chaotic depends on rounding, and so on how systems are solved: as they are without a preconditioner.
+// What is chaotic depends on rounding, and so on how systems are solved: as they are without a
+// preconditioner.
 void implicit(Hair& hair, double h) {
   hair.force.hide_band();
   hair.implicit_step(h);
@@ -80,8 +81,8 @@ TEST(SwingingHair, LinearlyImplicitEulerStretchesIt) {
   EXPECT_NEAR(swing(GeometricTerm::dropped, steps[2], implicit).length, 0.1534, 0.02 * 0.1534);
 }
 
-// One pass from the root to the tip gets every length right, too, if it shifts all that comes after. But it knows no
-// masses, and gives energy.
+// One pass from the root to the tip gets every length right, too, if it shifts all that comes after. But it
+// knows no masses, and gives energy.
 TEST(SwingingHair, OnePassAloneAddsEnergy) {
   const auto one_pass = [](Hair& hair, double h) {
     auto scratch = hair.scratch.leftCols(particles::kImplicitScratch);
@@ -234,8 +235,8 @@ TEST(SwingingHair, MovesAcrossItselfLikeVelocityVerlet) {
           for (int j = 1; j <= 30; ++j)
             worst = std::max(
                 worst, std::abs(x[2][3 * j] + x[0][3 * j] - (2 - h * h * modes.squares[mode]) * x[1][3 * j]));
-          // H4's hair, longer by its weight, swings slower by 1e-6. H6's filter sees forces where sound has come in a
-          // step: tension is off by l0 / (h c), c the speed of sound, 1500 m/s.
+          // H4's hair, longer by its weight, swings slower by 1e-6. H6's filter sees forces where sound has
+          // come in a step: tension is off by l0 / (h c), c the speed of sound, 1500 m/s.
           const double square = h * h * modes.squares[mode], share = corrected ? 0.01 / (1500 * h) : 0;
           EXPECT_LE(worst, (1e-5 + share * square) * amplitude)
               << (corrected ? "H6" : "H4") << ", h = " << h << ", mode " << mode;

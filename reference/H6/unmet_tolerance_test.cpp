@@ -1,5 +1,5 @@
-// STAFF ONLY. Where rounding keeps H4's plain solver from its tolerance: what it does then, where that is in hair, and
-// that the preconditioned one gets as far as rounding lets anybody.
+// STAFF ONLY. Where rounding keeps H4's plain solver from its tolerance: what it does then, where that is in
+// hair, and that the preconditioned one gets as far as rounding lets anybody.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,8 @@ TEST(UnmetTolerance, HairStaysPut) {
   EXPECT_GT(not_met, 0) << "nothing is shown";
 }
 
-// Rounding leaves 1e-5 to 1e-4 of the right-hand side, which is out of reach: at 1e-4 hair would lose gravity.
+// Rounding leaves 1e-5 to 1e-4 of the right-hand side, which is out of reach: at 1e-4 hair would lose
+// gravity.
 TEST(UnmetTolerance, NothingAbove1eMinus6IsTried) {
   Strand strand = human_hair();
   strand.stretch_rigidity *= 1e11;
@@ -50,8 +51,8 @@ TEST(UnmetTolerance, NothingAbove1eMinus6IsTried) {
   EXPECT_EQ(steps(1e-6), most);
 }
 
-// At 1/60 s H6's first solve misses 1e-10 in half of the steps. No loss: 1e-8 is enough for the lengths and the
-// second solve.
+// At 1/60 s H6's first solve misses 1e-10 in half of the steps. No loss: 1e-8 is enough for the lengths and
+// the second solve.
 TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
   const Strand strand = human_hair();
   for (double h : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
@@ -75,7 +76,8 @@ TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
   }
 }
 
-// As long as masses are not lost beside the springs: h^2 k/m is 6e6 times `stiffer` here, and rounds by 2^-53 of that.
+// As long as masses are not lost beside the springs: h^2 k/m is 6e6 times `stiffer` here, and rounds by 2^-53
+// of that.
 TEST(UnmetTolerance, IsOutOfTheWayWithThePreconditioner) {
   for (double stiffer : {1.0, 1e4, 1e8}) {
     Strand strand = human_hair();

@@ -16,8 +16,9 @@ struct Answered {
 Answered ask(Trial& trial, int pass, const Tree& tree);
 Answered part_of(const Tree& tree, const Answered& answered, const std::vector<int>& chosen);
 
-// Largest differences over all links from `first` on, of one member of a pass. `length` turns the second half of a motion
-// and of a force into the unit of the first, and blocks of an inertia into kg. NaN if a number is none.
+// Largest differences over all links from `first` on, of one member of a pass. `length` turns the second half
+// of a motion and of a force into the unit of the first, and blocks of an inertia into kg. NaN if a number is
+// none.
 using Of = std::vector<LinkPass>;
 double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length);
 double force_error(const Of& a, const Of& b, double length, std::size_t first);

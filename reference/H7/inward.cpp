@@ -1,10 +1,11 @@
 // STAFF ONLY. Hidden cases of H7's pass 2.
 //
-// Bounds: I^A never exceeds the inertia of all links as one body, I. An error of a child's I^A that is at most e I^A, as a
-// quadratic form, is at most e of the parent's, because what a joint lets through is a projection in I^A's own norm. A
-// rounding is u of the largest number, and so u cond(I^A) as a form; with the links that are taken here the condition
-// number stays below 1e5. Some 10 roundings at each of n <= 9 links: 1e-9 of I. Bias forces are made by the same
-// projections, and gains are sums of I^A's numbers along the joint.
+// Bounds: I^A never exceeds the inertia of all links as one body, I. An error of a child's I^A that is at
+// most e I^A, as a quadratic form, is at most e of the parent's, because what a joint lets through is a
+// projection in I^A's own norm. A rounding is u of the largest number, and so u cond(I^A) as a form; with the
+// links that are taken here the condition number stays below 1e5. Some 10 roundings at each of n <= 9 links:
+// 1e-9 of I. Bias forces are made by the same projections, and gains are sums of I^A's numbers along the
+// joint.
 #include <cmath>
 
 #include "reference/H7/answers.h"
@@ -14,7 +15,8 @@ namespace {
 
 constexpr double kRoundings = 1e-9;
 
-// Z^A as (4.29) makes it of a student's own I^A, gains and Z^A of children: so a wrong I^A costs its own category only.
+// Z^A as (4.29) makes it of a student's own I^A, gains and Z^A of children: so a wrong I^A costs its own
+// category only.
 std::vector<LinkPass> biases_of(const Tree& after_pass_1, const std::vector<LinkPass>& own) {
   std::vector<LinkPass> expected = after_pass_1.passes;
   for (std::size_t i = after_pass_1.links.size() - 1; i > 0; --i) {
@@ -92,8 +94,9 @@ void biases(Trial& trial) {
     }
 }
 
-// Implicit steps add to the last link's inertia, which leaves Euler's term alone, and to one joint. If it is stiffened by b,
-// 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
+// Implicit steps add to the last link's inertia, which leaves Euler's term alone, and to one joint. If it is
+// stiffened by b, 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it
+// is made of.
 void added_by_steps(Trial& trial) {
   const std::vector<JointType> slider = {JointType::prismatic};
   for (const auto& [links, stiffened] : {std::pair{1, 1}, {3, 1}, {3, 3}})

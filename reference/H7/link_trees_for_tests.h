@@ -1,4 +1,5 @@
-// STAFF ONLY. Trees of links for tests, and what Newton's and Euler's laws say of each link: another way than H7's.
+// STAFF ONLY. Trees of links for tests, and what Newton's and Euler's laws say of each link: another way than
+// H7's.
 #pragma once
 
 #include <random>

@@ -1,9 +1,9 @@
 // STAFF ONLY. H7's passes 1 and 3, each alone.
 //
-// Bounds: a velocity is a sum of n joints' parts, each rounded some ten times; a right formula may refer them to any point
-// of the tree, so that its numbers are those of Sizes. 100 n u of them covers that; a forgotten term is of their size.
-// Accelerations of pass 3 are solved for: q" = gain (Q - s'(I^A a^ + Z^A)), where a gain belongs to an inertia that may be a
-// ten thousandth of I^A: 1e-8 of the largest.
+// Bounds: a velocity is a sum of n joints' parts, each rounded some ten times; a right formula may refer them
+// to any point of the tree, so that its numbers are those of Sizes. 100 n u of them covers that; a forgotten
+// term is of their size. Accelerations of pass 3 are solved for: q" = gain (Q - s'(I^A a^ + Z^A)), where a
+// gain belongs to an inertia that may be a ten thousandth of I^A: 1e-8 of the largest.
 #include <cmath>
 
 #include "reference/H7/answers.h"

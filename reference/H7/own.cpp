@@ -1,7 +1,8 @@
-// STAFF ONLY. Hidden cases of H7 that compare a student's answer with the student's own answer to another question: so each shows
-// one kind of mistake, and no other mistake shows.
+// STAFF ONLY. Hidden cases of H7 that compare a student's answer with the student's own answer to another
+// question: so each shows one kind of mistake, and no other mistake shows.
 //
-// Bounds: those of each pass's own cases. The answers must not be 0 beside the reference's; their exact size is asked there.
+// Bounds: those of each pass's own cases. The answers must not be 0 beside the reference's; their exact size
+// is asked there.
 #include "reference/H7/answers.h"
 
 namespace grader::h7 {
@@ -137,7 +138,8 @@ void trees(Trial& trial) {
   expect_sum_of_chains(trial);
 }
 
-// The last links of 1,000 are what they are as a chain of their own, on a base that moves as the link before them.
+// The last links of 1,000 are what they are as a chain of their own, on a base that moves as the link before
+// them.
 void long_chains(Trial& trial) {
   const int links = 1000, kept = 8;
   std::vector<int> tip;

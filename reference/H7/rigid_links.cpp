@@ -1,8 +1,8 @@
 // STAFF ONLY. H7: rigid links.
 //
-// A spherical joint is simplest about its own centre, where s^ = [w; 0]: there s^'I^A s^ is J, and s^'f^ is the
-// torque. Passes 2 and 3 calculate with plain numbers, six for a symmetric matrix: compilers keep those in registers, as long
-// as nothing is called. So what is large is always_inline.
+// A spherical joint is simplest about its own centre, where s^ = [w; 0]: there s^'I^A s^ is J, and s^'f^ is
+// the torque. Passes 2 and 3 calculate with plain numbers, six for a symmetric matrix: compilers keep those
+// in registers, as long as nothing is called. So what is large is always_inline.
 
 #include "hair/rigid_links.h"
 
@@ -140,8 +140,8 @@ inline SpatialMotion axis(const Link& link) {
   return {link.u, link.u.cross(link.d)};
 }
 
-// What a joint lets through to the parent: I^A and Z^A + I^A c^ on entry, what stands in the brackets of (4.28) and
-// (4.29) on return. Returns s^'I^A s^ + b inverted.
+// What a joint lets through to the parent: I^A and Z^A + I^A c^ on entry, what stands in the brackets of
+// (4.28) and (4.29) on return. Returns s^'I^A s^ + b inverted.
 [[gnu::always_inline]] inline double let_through(const SpatialMotion& s, double b, double Q, Inertia& I,
                                                  Wrench& f) {
   const Vector w = s.angular, v = s.linear;

@@ -1,5 +1,5 @@
-// STAFF ONLY. H7 beyond its public checks: long fast chains and uneven masses keep their digits, nothing allocates, and given trees are
-// placed as their shapes say.
+// STAFF ONLY. H7 beyond its public checks: long fast chains and uneven masses keep their digits, nothing
+// allocates, and given trees are placed as their shapes say.
 
 #include "hair/rigid_links.h"
 

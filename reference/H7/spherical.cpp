@@ -1,9 +1,10 @@
 // STAFF ONLY. Hidden cases of H7's spherical joints.
 //
-// Pass 1: beside the student's own revolute joints, which turn about the same axis at the same rate: so a mistake that all joints
-// share does not show. Passes 2 and 3: joints that all hang from the base, with centres of mass where the base's is, so that nothing
-// is shifted and no order matters; then chains and trees, whose mistakes are excused if hinges in place of their spherical joints
-// show them, too. Bounds: those of each pass's own cases.
+// Pass 1: beside the student's own revolute joints, which turn about the same axis at the same rate: so a
+// mistake that all joints share does not show. Passes 2 and 3: joints that all hang from the base, with
+// centres of mass where the base's is, so that nothing is shifted and no order matters; then chains and
+// trees, whose mistakes are excused if hinges in place of their spherical joints show them, too. Bounds:
+// those of each pass's own cases.
 #include "reference/H7/answers.h"
 
 namespace grader::h7 {

@@ -45,8 +45,9 @@ VectorXd accelerations(TreeSystem& system, const VectorXd& q) {
   return a;
 }
 
-// Zeros of the Laguerre polynomial L_n, as the eigenvalues of its recurrence, (k + 1) L_(k+1) = (2k + 1 - x) L_k - k
-// L_(k-1) (Abramowitz and Stegun 22.7.12; G. Golub and J. Welsch, "Calculation of Gauss Quadrature Rules", 1969).
+// Zeros of the Laguerre polynomial L_n, as the eigenvalues of its recurrence, (k + 1) L_(k+1) = (2k + 1 - x)
+// L_k - k L_(k-1) (Abramowitz and Stegun 22.7.12; G. Golub and J. Welsch, "Calculation of Gauss Quadrature
+// Rules", 1969).
 VectorXd laguerre_zeros(int n) {
   MatrixXd recurrence = MatrixXd::Zero(n, n);
   for (int k = 0; k < n; ++k) {
@@ -56,8 +57,8 @@ VectorXd laguerre_zeros(int n) {
   return recurrence.selfadjointView<Eigen::Lower>().eigenvalues();
 }
 
-// omega_k^2 = (g / l) x_k. The derivative of the accelerations by central differences of e has an error of e^2 and
-// one of rounding, 1e-16 / e, both times x_n: with e = 1e-5 about 1e-10.
+// omega_k^2 = (g / l) x_k. The derivative of the accelerations by central differences of e has an error of
+// e^2 and one of rounding, 1e-16 / e, both times x_n: with e = 1e-5 about 1e-10.
 TEST(TreeSteps, AHangingChainHasLaguerresFrequencies) {
   for (const int n : {2, 10, 20}) {
     const double l = 0.3, e = 1e-5;
@@ -93,8 +94,8 @@ double energy(TreeSteps& steps, const MovingTree& moving) {
   return steps.system().kinetic_energy() + steps.system().potential_energy(moving.q);
 }
 
-// From large angles; the double pendulum's equations are those of L. Landau and E. Lifshitz, "Mechanics", section 5, exercise
-// 1, solved with steps so small that rounding is left.
+// From large angles; the double pendulum's equations are those of L. Landau and E. Lifshitz, "Mechanics",
+// section 5, exercise 1, solved with steps so small that rounding is left.
 TEST(TreeSteps, ADoublePendulumSwingsAsItsEquationsSay) {
   const double l = 0.5, time = 1.5;
   using Four = Eigen::Vector4d;  // the angles from the vertical, and their rates
@@ -213,7 +214,8 @@ TEST(TreeSteps, ASpringsTorqueIsItsEnergysDerivative) {
   }
 }
 
-// A rod on a torsion spring: theta = theta_0 cos(omega t). Implicit steps damp; their error is of the first order.
+// A rod on a torsion spring: theta = theta_0 cos(omega t). Implicit steps damp; their error is of the first
+// order.
 TEST(TreeSteps, ATorsionalOscillatorKeepsItsTime) {
   const LinkTree tree = rod_chain(1, 0.01, 1e-7, 5e-5);
   const double k = 1e-6, omega = std::sqrt(k / tree.shapes()[1].moments.z()), start = 2.0, time = 1.3 / omega;
@@ -317,8 +319,8 @@ TEST(TreeSteps, ALimitIsASpringBeyondIt) {
   }
 }
 
-// The weight falls on the buffer and comes to rest there, also where h^2 k is thousands of times the inertia. Small steps
-// damp so little that it still bounces.
+// The weight falls on the buffer and comes to rest there, also where h^2 k is thousands of times the inertia.
+// Small steps damp so little that it still bounces.
 TEST(TreeSteps, ALimitHoldsAtAnyStep) {
   for (const JointType joint : kEachJoint)
     for (const double h : {1e-3, 1.0 / 60, 0.5}) {
@@ -335,12 +337,14 @@ TEST(TreeSteps, ALimitHoldsAtAnyStep) {
       if (h > 1e-3) {
         EXPECT_NEAR(one.place(), rest, 1e-6) << h;
       }
-      // What falls on a spring without damping goes at most twice as deep as it rests, and in from a fall of kUpper.
+      // What falls on a spring without damping goes at most twice as deep as it rests, and in from a fall of
+      // kUpper.
       EXPECT_LE(farthest, rest + std::sqrt(2 * pull * Limited::kUpper / k) + pull / k) << h;
     }
 }
 
-// What is a little beyond its limit, and falls back inside within the step, falls freely: a limit does not pull.
+// What is a little beyond its limit, and falls back inside within the step, falls freely: a limit does not
+// pull.
 TEST(TreeSteps, ALimitLetsGo) {
   for (const JointType joint : kEachJoint) {
     Limited one(joint, -kGravity), free(joint, -kGravity);

@@ -1,4 +1,5 @@
-// STAFF ONLY. Inputs of H7's hidden cases: trees of links that move, and the sizes of what is calculated of them.
+// STAFF ONLY. Inputs of H7's hidden cases: trees of links that move, and the sizes of what is calculated of
+// them.
 #pragma once
 
 #include <vector>
@@ -23,8 +24,9 @@ struct Tree {
   VectorXd rates, Q;
 };
 
-// chain: each link hangs from the one before. branches: from any before, the last one not from the one before. strands: three chains
-// hang from link 1, and their links take turns. star: all hang from the base, their centres of mass at its own.
+// chain: each link hangs from the one before. branches: from any before, the last one not from the one
+// before. strands: three chains hang from link 1, and their links take turns. star: all hang from the base,
+// their centres of mass at its own.
 enum class Form { chain, branches, strands, star };
 
 struct TreeKind {
@@ -35,8 +37,9 @@ struct TreeKind {
   bool stiffens = false;
 };
 
-// Links of about 1 kg, half a metre long, with moments of inertia of about 0.1 kg m^2 that differ; joints anywhere at
-// them, forces and torques on all, of about 10 N and N m. The first joints are of each type in turn.
+// Links of about 1 kg, half a metre long, with moments of inertia of about 0.1 kg m^2 that differ; joints
+// anywhere at them, forces and torques on all, of about 10 N and N m. The first joints are of each type in
+// turn.
 Tree random_tree(Random& random, const TreeKind& kind);
 
 // The first of `chosen` as the base, and the others as links; all of their parents are among them.
@@ -60,16 +63,16 @@ VectorXd reference_passes(Tree& tree, int up_to);
 // 100 roundings a link.
 double roundings(const Tree& tree);
 
-// Sizes that no number of the tree exceeds by much, whatever point or order a right formula takes: the greatest distance
-// between links, the greatest angular and linear velocity, the mass of all.
+// Sizes that no number of the tree exceeds by much, whatever point or order a right formula takes: the
+// greatest distance between links, the greatest angular and linear velocity, the mass of all.
 struct Sizes {
   double length, turn, speed, mass;
   double acceleration() const { return turn * (turn * length + speed); }
 };
 Sizes sizes_of(const Tree& tree);
 
-// The greatest force that passes through a joint: all that is on links, what their c^ needs, and Q over the arm that a joint
-// has at least. Of a tree after pass 1.
+// The greatest force that passes through a joint: all that is on links, what their c^ needs, and Q over the
+// arm that a joint has at least. Of a tree after pass 1.
 double force_size(const Tree& tree);
 
 }  // namespace grader::h7

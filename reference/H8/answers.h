@@ -30,8 +30,8 @@ inline VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
                                             hair.rates, h, Filling{}, unset(hair.q.size()));
 }
 
-// Whether a student's own number may stand for ours. That of a strand of 40 elements that lacks what arms do is 1e-7 of what it
-// should be.
+// Whether a student's own number may stand for ours. That of a strand of 40 elements that lacks what arms do
+// is 1e-7 of what it should be.
 inline bool comparable(double own, double ours) {
   return own >= 1e-9 * ours && own <= 1e9 * ours;
 }

@@ -1,9 +1,9 @@
 // STAFF ONLY. Hidden cases of H8's stiffness, forces, masses and steps.
 //
-// Bounds: a coordinate's stiffness is a product of two numbers, and its elastic force one more: 1e-13. Generalised
-// forces and masses are sums over at most 400 points of products of at most 5 factors, whose sizes are those of
-// Sizes, whatever point of the world arms refer to: 500 u, say 1e-12. A forgotten part is a hundredth of the size
-// and more. Steps: the contract's.
+// Bounds: a coordinate's stiffness is a product of two numbers, and its elastic force one more: 1e-13.
+// Generalised forces and masses are sums over at most 400 points of products of at most 5 factors, whose
+// sizes are those of Sizes, whatever point of the world arms refer to: 500 u, say 1e-12. A forgotten part is
+// a hundredth of the size and more. Steps: the contract's.
 #include <cmath>
 
 #include "hair/super_helix.h"
@@ -34,8 +34,8 @@ VectorXd reference_step(const Hair& hair, double h) {
   return change;
 }
 
-// The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one of
-// those costs its own category only.
+// The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one
+// of those costs its own category only.
 double step_error(Trial& trial, const Hair& hair, double h, const VectorXd& change) {
   const Parts ours = reference_parts(hair, h);
   double error = system_of(ours, h).error(change);
@@ -57,8 +57,8 @@ void expect_step(Trial& trial, const Hair& hair, double h) {
                        {change, reference_step(hair, h), 1});
 }
 
-// Of a special strand. A step that is wrong for an ordinary one, too, costs that category alone, if it is neither 0 nor much too
-// large.
+// Of a special strand. A step that is wrong for an ordinary one, too, costs that category alone, if it is
+// neither 0 nor much too large.
 void expect_special_step(Trial& trial, const Hair& hair, double h) {
   const VectorXd change = ask_step(trial, hair, h);
   double error = step_error(trial, hair, h, change);

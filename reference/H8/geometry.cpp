@@ -1,8 +1,8 @@
 // STAFF ONLY. Hidden cases of H8's geometry: Stumpff's functions, frames and Jacobians.
 //
-// Bounds: the contract's. A right formula in double precision stays far below them: closed forms lose u / x^3 of
-// c_6 at most where they are used, with x above 0.1 1e-13; frames and Jacobians are sums of few terms of their
-// size.
+// Bounds: the contract's. A right formula in double precision stays far below them: closed forms lose u / x^3
+// of c_6 at most where they are used, with x above 0.1 1e-13; frames and Jacobians are sums of few terms of
+// their size.
 #include <cmath>
 #include <limits>
 
@@ -79,7 +79,8 @@ Judged jacobian_error(Trial& trial, const Place& place) {
       numbers};
 }
 
-// What no right formula, and no formula with a wrong sign, leaves: no numbers, or such that are far too large.
+// What no right formula, and no formula with a wrong sign, leaves: no numbers, or such that are far too
+// large.
 constexpr double kMadness = 10 / kFrames;
 
 using Error = Judged (*)(Trial&, const Place&);
@@ -109,8 +110,9 @@ double difference(const std::vector<hair::HelixElement>& a, const std::vector<ha
   return largest / (static_cast<double>(a.size()) * kFrames);
 }
 
-// The same, from ends that the student's own frame_at has: so a bug in it costs its own category only. They must
-// lie about as far away as ends do: what returns the start alone carries nothing. NaN where it does not answer.
+// The same, from ends that the student's own frame_at has: so a bug in it costs its own category only. They
+// must lie about as far away as ends do: what returns the start alone carries nothing. NaN where it does not
+// answer.
 double by_own_frames(Trial& trial, const MaterialFrame& root, const std::vector<hair::HelixElement>& answered,
                      std::vector<hair::HelixElement> elements) {
   MaterialFrame frame = root;
@@ -135,7 +137,8 @@ void functions(Trial& trial) {
     for (int repeat = 0; repeat < 3; ++repeat) expect_functions(trial, trial.random.log_uniform(1.5, most));
 }
 
-// At 0 and near it, and all the way to where ordinary elements begin: wherever a series ends, there is no jump.
+// At 0 and near it, and all the way to where ordinary elements begin: wherever a series ends, there is no
+// jump.
 void nearly_straight(Trial& trial) {
   Random& random = trial.random;
   const auto expect_both = [&](double x) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. Inputs of H8's hidden cases: hair of super-helices as it lies, and the sizes of what is calculated of
-// it.
+// STAFF ONLY. Inputs of H8's hidden cases: hair of super-helices as it lies, and the sizes of what is
+// calculated of it.
 #pragma once
 
 #include "grader/judge/random.h"
@@ -19,8 +19,9 @@ struct HairKind {
   double least = 0.3, most = 3;  // rad, by which an element winds
 };
 
-// Hair that moves: elements of 5 to 20 mm, a material about that of human hair, natural curvatures of their own,
-// and points that are pushed each in its way. Every third point resists more in one direction, as at a contact.
+// Hair that moves: elements of 5 to 20 mm, a material about that of human hair, natural curvatures of their
+// own, and points that are pushed each in its way. Every third point resists more in one direction, as at a
+// contact.
 struct Hair {
   VectorXd q, rates;
   HelixStrand strand;
@@ -39,8 +40,8 @@ struct Units {
 Hair in_units(const Hair& hair, const Units& units);
 MaterialFrame in_units(MaterialFrame frame, const Units& units);
 
-// For each coordinate, sums over the points of what a right formula adds up, whatever point of the world it refers
-// to: of |J_j force_j|, and the root of the sum of |J_j^T inertia_j J_j|.
+// For each coordinate, sums over the points of what a right formula adds up, whatever point of the world it
+// refers to: of |J_j force_j|, and the root of the sum of |J_j^T inertia_j J_j|.
 struct Sizes {
   VectorXd force, mass;
 };

@@ -1,8 +1,10 @@
-// STAFF ONLY. Hidden cases of H8 that compare a student's answer with the student's own answer to another question: so each shows
-// one kind of mistake, and no other mistake shows.
+// STAFF ONLY. Hidden cases of H8 that compare a student's answer with the student's own answer to another
+// question: so each shows one kind of mistake, and no other mistake shows.
 //
-// Bounds: those of each function's own cases. Changes of a step solve a system whose condition number is below 1e4 at h = 1/60 s, for
-// the stiffness outweighs the masses, and each of two has a residual of 1e-10 of two parts: 4e-6, say 1e-5. The answers must not be 0 beside the reference's; their exact size is asked elsewhere.
+// Bounds: those of each function's own cases. Changes of a step solve a system whose condition number is
+// below 1e4 at h = 1/60 s, for the stiffness outweighs the masses, and each of two has a residual of 1e-10 of
+// two parts: 4e-6, say 1e-5. The answers must not be 0 beside the reference's; their exact size is asked
+// elsewhere.
 #include "hair/super_helix.h"
 #include "reference/H8/answers.h"
 
@@ -20,7 +22,8 @@ void expect_same(Trial& trial, const Numbers& one, const Numbers& other, double 
 
 }  // namespace
 
-// Elements without points pass on the pull from further out: as with points that are not pushed and have no mass.
+// Elements without points pass on the pull from further out: as with points that are not pushed and have no
+// mass.
 void bare_elements(Trial& trial) {
   for (const int elements : {2, 5, 20}) {
     const Hair hair = random_hair(trial.random, {.elements = elements});

@@ -1,9 +1,9 @@
 // STAFF ONLY. H8: super-helices.
 //
-// The step eliminates from the tip to the root, as Featherstone's passes do, with an element in place of a link.
-// What hangs from an element resists a change of its end's motion (w, v) as I (6 x 6) does, and is pushed by the
-// impulse z. Within the element a point gains the velocity v + w x arm + P u, u the change of the element's rates.
-// Minimising over u leaves an I and a z at the element's start.
+// The step eliminates from the tip to the root, as Featherstone's passes do, with an element in place of a
+// link. What hangs from an element resists a change of its end's motion (w, v) as I (6 x 6) does, and is
+// pushed by the impulse z. Within the element a point gains the velocity v + w x arm + P u, u the change of
+// the element's rates. Minimising over u leaves an I and a z at the element's start.
 
 #include "hair/super_helix.h"
 
@@ -171,8 +171,9 @@ void generalised_force(const std::vector<HelixElement>& elements, const std::vec
   }
 }
 
-// A row of blocks for each element, from the tip on: M_ik = S_i^T (what hangs from the end of i, moved by element
-// k), where all that is at i's end or further out moves by k < i as one body. So I and what is mixed suffice.
+// A row of blocks for each element, from the tip on: M_ik = S_i^T (what hangs from the end of i, moved by
+// element k), where all that is at i's end or further out moves by k < i as one body. So I and what is mixed
+// suffice.
 void mass_matrix(const std::vector<HelixElement>& elements, const std::vector<HelixPoint>& points,
                  Eigen::Ref<Eigen::MatrixXd> M) {
   Matrix6d I = Matrix6d::Zero();

@@ -1,4 +1,5 @@
-// STAFF ONLY. H8's functions, frames and Jacobians beyond its public checks: digits, jumps, and the helix that many elements make.
+// STAFF ONLY. H8's functions, frames and Jacobians beyond its public checks: digits, jumps, and the helix
+// that many elements make.
 
 #include <gtest/gtest.h>
 
@@ -52,8 +53,8 @@ TEST(Stumpff, HasItsDigitsForAllX) {
 
 // ---- Centre line and frame
 
-// Pose and Jacobian across the switch at |p| = 2, and at 0: the change over a step of 1e-9 is the derivative's, to
-// rounding over 1e-9. A jump of 1e-12 would show.
+// Pose and Jacobian across the switch at |p| = 2, and at 0: the change over a step of 1e-9 is the
+// derivative's, to rounding over 1e-9. A jump of 1e-12 would show.
 TEST(HelixFrames, HaveNoJump) {
   const MaterialFrame start;
   const Vector3d direction = Vector3d(1, 2, 3).normalized();
@@ -67,8 +68,8 @@ TEST(HelixFrames, HaveNoJump) {
   }
 }
 
-// Radius kappa / (kappa^2 + tau^2), pitch 2 pi tau / (kappa^2 + tau^2) about the axis Omega, however many elements
-// make it.
+// Radius kappa / (kappa^2 + tau^2), pitch 2 pi tau / (kappa^2 + tau^2) about the axis Omega, however many
+// elements make it.
 TEST(HelixFrames, MakeTheHelixThatItsRadiusAndPitchDescribe) {
   for (const double turns : {0.001, 1.0, 8.0, 400.0})
     for (const int elements : {1, 2, 7, 20, 40}) {

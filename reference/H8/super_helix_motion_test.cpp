@@ -46,9 +46,9 @@ Hanging hang(double gamma, int elements) {
           energy * kHairLength / motion.strand().bend_rigidity};
 }
 
-// Curvatures that are constant in pieces are some of those that the elastica chooses from, so its energy is the
-// least; each strand with twice the elements has all shapes of the one before. The tip is off by order 2 in the
-// elements' length where elements are short beside the bend at the clamp, L / sqrt(Gamma).
+// Curvatures that are constant in pieces are some of those that the elastica chooses from, so its energy is
+// the least; each strand with twice the elements has all shapes of the one before. The tip is off by order 2
+// in the elements' length where elements are short beside the bend at the clamp, L / sqrt(Gamma).
 TEST(SuperHelixAtRest, IsTheElasticaToTheSecondOrder) {
   for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5}) {
     double before = 0, error_before = 0;
@@ -166,9 +166,9 @@ TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
   }
 }
 
-// Without weight and drag, the sum of elastic energy and of kinetic energy (where the step began) never grows, for
-// any h: the projection takes no more than the kept velocities have, and springs at the end of a step give no more
-// than they lose.
+// Without weight and drag, the sum of elastic energy and of kinetic energy (where the step began) never
+// grows, for any h: the projection takes no more than the kept velocities have, and springs at the end of a
+// step give no more than they lose.
 TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   for (const double h : {1e-4, 1e-3, 1.0 / 30}) {
     RandomNumbers numbers(13);
@@ -189,8 +189,8 @@ TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   }
 }
 
-// A curl that is let go level. The step takes what is elastic at its end, and projects: it loses energy, by order 1
-// of h.
+// A curl that is let go level. The step takes what is elastic at its end, and projects: it loses energy, by
+// order 1 of h.
 TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   double losses[3];
   int k = 0;
@@ -211,9 +211,9 @@ TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   EXPECT_LT(losses[2], 0.02);
 }
 
-// All that may be extreme at once, for 4 s in steps of 1/30 s, without drag and with the air's. Weight is explicit,
-// so that the tension of long hair may pump energy into it where nothing takes it out; it stays bounded, and with
-// the air's drag there is none.
+// All that may be extreme at once, for 4 s in steps of 1/30 s, without drag and with the air's. Weight is
+// explicit, so that the tension of long hair may pump energy into it where nothing takes it out; it stays
+// bounded, and with the air's drag there is none.
 TEST(SuperHelixMotion, HoldsInExtremes) {
   struct Extreme {
     const char* name;

@@ -1,4 +1,5 @@
-// STAFF ONLY. H8 beyond its public checks: its sums over the points of given motions, hair at rest, and no allocations.
+// STAFF ONLY. H8 beyond its public checks: its sums over the points of given motions, hair at rest, and no
+// allocations.
 
 #include "hair/super_helix.h"
 
@@ -18,8 +19,8 @@ using hair::MaterialFrame, hair::Matrix3d;
 
 // ---- Forces and masses
 
-// Straight hair can be twisted without moving anything: as many eigenvalues are 0 as there are torsions. Any curl
-// moves.
+// Straight hair can be twisted without moving anything: as many eigenvalues are 0 as there are torsions. Any
+// curl moves.
 TEST(HelixMass, IsSingularForStraightHairAlone) {
   for (const int elements : {1, 5, 20}) {
     HelixMotion motion(hair_strand(elements, 0.1));
@@ -67,14 +68,15 @@ TEST(HelixForces, AreSlopesOfTheWeightsEnergy) {
       const double up = hair::weight_energy(gravity, motion);
       motion.place(root, behind);
       const double down = hair::weight_energy(gravity, motion);
-      // 1e-8 of third derivatives, and rounding of 1e-15 / 1e-4 of an energy of some 1e-5 J at 4 m from the root.
+      // 1e-8 of third derivatives, and rounding of 1e-15 / 1e-4 of an energy of some 1e-5 J at 4 m from the
+      // root.
       EXPECT_NEAR(Q[k], -(up - down) / (2 * d), 1e-7 * Q.norm()) << angle << ", coordinate " << k;
     }
   }
 }
 
-// Of a strand that is moved as a whole, in a wind: - drag * length * (velocity - wind), and what an implicit step
-// adds.
+// Of a strand that is moved as a whole, in a wind: - drag * length * (velocity - wind), and what an implicit
+// step adds.
 TEST(HelixForces, DragIsTowardsTheWindsVelocity) {
   HelixMotion motion(hair_strand(3, 0.1));
   HelixRoot root;

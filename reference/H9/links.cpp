@@ -1,5 +1,5 @@
-// STAFF ONLY. Hidden cases of H9's links. Bounds: the contract's, 1e-12 of the sum of what results are made of: a hundred links, a dozen
-// roundings each, are 1e-13.
+// STAFF ONLY. Hidden cases of H9's links. Bounds: the contract's, 1e-12 of the sum of what results are made
+// of: a hundred links, a dozen roundings each, are 1e-13.
 #include <algorithm>
 #include <cmath>
 
@@ -131,7 +131,8 @@ void turned_frames(Trial& trial) {
   }
 }
 
-// Beside new links, with the stiffness that the student's own strength leaves. Whatever the stretch is now, it wears no link.
+// Beside new links, with the stiffness that the student's own strength leaves. Whatever the stretch is now,
+// it wears no link.
 void worn_links(Trial& trial) {
   for (const int links : {3, 7, 40}) {
     const LinkedHairs worn = some_linked_hairs(trial.random, links, Frames::straight, Wear::some, Pull::any);

@@ -33,8 +33,8 @@ struct NearTriangle {
 // `height` in thicknesses; shares sum to 1.
 NearTriangle near_triangle(Random& random, const Vector3d& shares, double height);
 
-// Contacts of a strip with points of other hairs. Corners are shared; points are not. At least one contact presses, and one
-// does not.
+// Contacts of a strip with points of other hairs. Corners are shared; points are not. At least one contact
+// presses, and one does not.
 struct Contacts {
   std::vector<StripContact> contacts;
   StripLaw law;

@@ -1,6 +1,8 @@
-// STAFF ONLY. Hidden cases of H9 that compare a student's answers with the student's own: what is added to, and other units.
+// STAFF ONLY. Hidden cases of H9 that compare a student's answers with the student's own: what is added to,
+// and other units.
 //
-// Bounds: those of each function's own cases. Powers of 2 change no digit, so that units alone leave no error at all.
+// Bounds: those of each function's own cases. Powers of 2 change no digit, so that units alone leave no error
+// at all.
 #include <cmath>
 
 #include "grader/judge/random_vector.h"

@@ -1,5 +1,5 @@
-// STAFF ONLY. H9 beyond its public checks: links turn with the hair, they limit explicit steps alone, and nothing allocates. Sizes are 1:
-// bounds of 1e-12 are thousands of roundings.
+// STAFF ONLY. H9 beyond its public checks: links turn with the hair, they limit explicit steps alone, and
+// nothing allocates. Sizes are 1: bounds of 1e-12 are thousands of roundings.
 
 #include "hair/static_links.h"
 

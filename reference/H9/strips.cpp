@@ -1,6 +1,6 @@
-// STAFF ONLY. Hidden cases of H9's strips. Bounds: the contract's, 1e-12 of what results are made of. Shares are areas over that of a
-// triangle whose height is 0.3 of its edge or more, with edges of 5 mm beside coordinates of 10 cm: 20 / 0.3 roundings, squared for
-// two subtractions that each lose a digit: 1e-12.
+// STAFF ONLY. Hidden cases of H9's strips. Bounds: the contract's, 1e-12 of what results are made of. Shares
+// are areas over that of a triangle whose height is 0.3 of its edge or more, with edges of 5 mm beside
+// coordinates of 10 cm: 20 / 0.3 roundings, squared for two subtractions that each lose a digit: 1e-12.
 #include <cmath>
 
 #include "grader/judge/random_vector.h"
@@ -224,7 +224,8 @@ void pinned_frictions(Trial& trial) {
   }
 }
 
-// As the student's own function, asked for one contact after the other. The first one may be pinned: the others are not.
+// As the student's own function, asked for one contact after the other. The first one may be pinned: the
+// others are not.
 void friction_order(Trial& trial) {
   Random& random = trial.random;
   for (const int count : {5, 20})

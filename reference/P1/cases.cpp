@@ -175,8 +175,9 @@ void runge_kutta_4(Trial& trial) {
 
 namespace {
 
-// The methods that can be asked for more than their values: a step moves the particles, and the same step does the same once more. A
-// wrong one loses its own category, and not those of all four; more than one, and there is little to ask.
+// The methods that can be asked for more than their values: a step moves the particles, and the same step
+// does the same once more. A wrong one loses its own category, and not those of all four; more than one, and
+// there is little to ask.
 std::vector<const Method*> usable_methods(Trial& trial) {
   std::vector<const Method*> usable;
   Pendulums pendulums(trial.random);
@@ -230,8 +231,8 @@ void either_sign(Trial& trial) {
     }
 }
 
-// Particles that are alike move alike, one of them or a thousand; a linear force has no unit of its own, and powers of two round
-// nothing.
+// Particles that are alike move alike, one of them or a thousand; a linear force has no unit of its own, and
+// powers of two round nothing.
 void sizes_and_units(Trial& trial) {
   for (const Method* method : usable_methods(trial)) {
     Pendulums pendulums(trial.random);
@@ -257,7 +258,8 @@ void sizes_and_units(Trial& trial) {
   }
 }
 
-// Nothing that scratch holds, and no call before, makes a difference. (In the other categories scratch holds zeros.)
+// Nothing that scratch holds, and no call before, makes a difference. (In the other categories scratch holds
+// zeros.)
 void scratch_memory(Trial& trial) {
   int moving = 0;
   for (const Method& method : kMethods) {

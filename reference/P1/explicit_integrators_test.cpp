@@ -1,4 +1,5 @@
-// STAFF ONLY. What theory says of the four methods. What particles/explicit_integrators.h promises the public checks ask.
+// STAFF ONLY. What theory says of the four methods. What particles/explicit_integrators.h promises the public
+// checks ask.
 //
 // An oscillator z' = i w z, z = w x - i v, shows all: a step multiplies it by R, with s = h w.
 //

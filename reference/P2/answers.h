@@ -25,8 +25,8 @@ Eigen::VectorXd rates(Trial& trial, const ConstrainedSystem& system, double junk
 Eigen::VectorXd with_forces(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
                             const Eigen::VectorXd& f);
 
-// A product with the matrix, computed twice into buffers with junk. With `changes`, the matrix was made when rods, masses
-// and positions had other values.
+// A product with the matrix, computed twice into buffers with junk. With `changes`, the matrix was made when
+// rods, masses and positions had other values.
 Eigen::VectorXd product(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& multiplier,
                         double junk, bool changes = false);
 
@@ -39,8 +39,9 @@ struct Solved {
 // `before` is what lambda holds on entry.
 Solved solve(Trial& trial, const ConstrainedSystem& system, double before = 0);
 
-// The student's parts are compared with the tables of system.h, each in its own category. What is put together from them is right, too,
-// where it agrees with the student's own parts, as long as these do something: a mistake in one of them is not counted again.
+// The student's parts are compared with the tables of system.h, each in its own category. What is put
+// together from them is right, too, where it agrees with the student's own parts, as long as these do
+// something: a mistake in one of them is not counted again.
 void expect_matrix(Trial& trial, const ConstrainedSystem& system);
 
 // error(||right-hand side - J W J' lambda||) <= bound.

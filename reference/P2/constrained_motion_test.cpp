@@ -86,7 +86,8 @@ TEST(PendulumAndBead, ComeBackAfterTheirPeriod) {
       const double coarse = error(1000), fine = error(2000);
       std::printf("%s, angle %.1f, period %.6f s: off by %.1e m after 2000 steps\n",
                   start.particles.count() == 2 ? "pendulum" : "bead", angle, T, fine);
-      // RK4's order, down to what 2000 steps round by. An error made near the top, at 3.0, grows while it falls.
+      // RK4's order, down to what 2000 steps round by. An error made near the top, at 3.0, grows while it
+      // falls.
       EXPECT_LE(fine, std::max(coarse / 14, 2000 * 0x1p-53)) << angle;
       EXPECT_LE(fine, 1e-6) << angle;
     }

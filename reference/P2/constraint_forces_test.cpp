@@ -1,5 +1,5 @@
-// STAFF ONLY. Constraints that rigid motion carries along, that say the same or contradict each other, and how their solves end. What
-// particles/constraint_forces.h promises the public checks ask.
+// STAFF ONLY. Constraints that rigid motion carries along, that say the same or contradict each other, and
+// how their solves end. What particles/constraint_forces.h promises the public checks ask.
 
 #include "particles/constraint_forces.h"
 

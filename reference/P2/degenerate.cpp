@@ -1,5 +1,5 @@
-// STAFF ONLY. P2: hidden cases of pinned particles, and of constraints that hold nothing. Rods share no particle and masses are equal,
-// so that other categories' mistakes don't show here.
+// STAFF ONLY. P2: hidden cases of pinned particles, and of constraints that hold nothing. Rods share no
+// particle and masses are equal, so that other categories' mistakes don't show here.
 #include <cmath>
 
 #include "reference/P2/answers.h"
@@ -9,7 +9,8 @@ namespace grader::p2 {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Pinned particles have no inverse mass, whatever their mass and whatever pulls at them, and move with the velocity that they have.
+// Pinned particles have no inverse mass, whatever their mass and whatever pulls at them, and move with the
+// velocity that they have.
 void pinned(Trial& trial) {
   Random& random = trial.random;
   for (int rods : {1, 2, 4}) {
@@ -37,7 +38,8 @@ void pinned(Trial& trial) {
   expect_solved(trial, moving, solve(trial, moving).lambda);
 }
 
-// A rod of length 0, and one between pinned particles, hold nothing: the others' lambda is as if they were not there.
+// A rod of length 0, and one between pinned particles, hold nothing: the others' lambda is as if they were
+// not there.
 void nothing(Trial& trial) {
   Random& random = trial.random;
   const ConstrainedSystem held_rods = at_rest(held(separate_rods(random, 3)));
@@ -55,7 +57,8 @@ void nothing(Trial& trial) {
                        "the change of lambda for a rod that holds nothing");
   }
 
-  // A braced rectangle with sides of 3 and 4 and diagonals of 5 that rests. Each term of the right-hand side is 0 exactly.
+  // A braced rectangle with sides of 3 and 4 and diagonals of 5 that rests. Each term of the right-hand side
+  // is 0 exactly.
   ConstrainedSystem rectangle = separate_rods(random, 2);
   rectangle.name = "braced rectangle at rest";
   const Vector3d corners[] = {{0, 0, 0}, {0, 3, 0}, {0, 3, 4}, {0, 0, 4}};

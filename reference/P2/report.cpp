@@ -39,8 +39,9 @@ void expect_limit(Trial& trial, const ConstrainedSystem& system) {
 
 }  // namespace
 
-// At rest, and the stiffness of the feedback alone pulls, at rods that share no particle and have lengths from 1 to `longest`. So the
-// matrix has their squares for eigenvalues, and the number of steps grows with `longest`: rods of one length take a step or two.
+// At rest, and the stiffness of the feedback alone pulls, at rods that share no particle and have lengths
+// from 1 to `longest`. So the matrix has their squares for eigenvalues, and the number of steps grows with
+// `longest`: rods of one length take a step or two.
 void report(Trial& trial) {
   Random& random = trial.random;
   // Forces of 1e30 N tell a residual from its square, which for small ones is lost in rounding.
@@ -74,8 +75,8 @@ void report(Trial& trial) {
                  std::to_string(solved.steps) + ", of " + std::to_string(expected));
   }
 
-  // Two particles in one place, and a rod between them that should be longer: J = 0, so nothing solves that. It ends, and does not claim
-  // a solution.
+  // Two particles in one place, and a rod between them that should be longer: J = 0, so nothing solves that.
+  // It ends, and does not claim a solution.
   ConstrainedSystem apart = at_rest(separate_rods(random, 1));
   apart.name = "a rod whose ends are in one place";
   apart.state.x.tail<3>() = apart.state.x.head<3>();

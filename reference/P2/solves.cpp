@@ -48,8 +48,8 @@ void solve(Trial& trial) {
   hair.state.x *= 0.01;
   solves(held(hair));
 
-  // Constraints that say the same more than once: rods twice and three times, either end first; six particles with all
-  // fifteen distances, three more than a rigid body needs; a wire, and a rod from its pinned centre.
+  // Constraints that say the same more than once: rods twice and three times, either end first; six particles
+  // with all fifteen distances, three more than a rigid body needs; a wire, and a rod from its pinned centre.
   ConstrainedSystem twice = at_rest(held(random_chain(random, 5)));
   twice.name = "rods twice";
   for (int k = 0; k < 4; ++k) {
@@ -81,7 +81,8 @@ void feedback(Trial& trial) {
     with.constraints.stiffness = stiffness;
     with.constraints.damping = damping;
     const VectorXd lambda = solve(trial, with).lambda, without = solve(trial, plain).lambda;
-    // The terms of the feedback alone are the right-hand side of the same particles without forces and curvature.
+    // The terms of the feedback alone are the right-hand side of the same particles without forces and
+    // curvature.
     const auto error = [&](const VectorXd& C, const VectorXd& rate) {
       const VectorXd change = product(trial, plain, lambda - without, 0);
       return (change + stiffness * C + damping * rate).norm();
@@ -95,8 +96,8 @@ void feedback(Trial& trial) {
   }
 }
 
-// Rods and wires of different particles know nothing of each other: each part of the answers is that of its own constraints alone, the
-// rods' part first.
+// Rods and wires of different particles know nothing of each other: each part of the answers is that of its
+// own constraints alone, the rods' part first.
 void rows(Trial& trial) {
   Random& random = trial.random;
   ConstrainedSystem mixed = separate_rods(random, 4);
@@ -129,7 +130,8 @@ void rows(Trial& trial) {
                "rods and wires together have other values or rates than each alone, in this order");
 }
 
-// The same rods in a unit of length that is 2^40 times as large: numbers of 1e-12. Powers of two round nothing.
+// The same rods in a unit of length that is 2^40 times as large: numbers of 1e-12. Powers of two round
+// nothing.
 void units(Trial& trial) {
   Random& random = trial.random;
   const double unit = 0x1p-40;

@@ -7,8 +7,8 @@
 
 namespace grader::s1 {
 
-// How much too large the student's count of steps is everywhere, which is the step limit's subject; nothing if it counts no steps. Other
-// categories take it off before they look at a count.
+// How much too large the student's count of steps is everywhere, which is the step limit's subject; nothing
+// if it counts no steps. Other categories take it off before they look at a count.
 std::optional<int> own_offset(Trial& trial);
 
 }  // namespace grader::s1

@@ -106,8 +106,9 @@ void step_limit(Trial& trial) {
   }
 }
 
-// It ends at the first x that is good enough. To ask for just what was reached then changes nothing, and to ask for less does: that
-// holds for any directions, and whatever is counted. The return value may be off by the drift, and epsilon leaves room for that.
+// It ends at the first x that is good enough. To ask for just what was reached then changes nothing, and to
+// ask for less does: that holds for any directions, and whatever is counted. The return value may be off by
+// the drift, and epsilon leaves room for that.
 void expect_ends_in_time(Trial& trial, const LinearSystem& system, double epsilon) {
   const int limit = usual_limit(system);
   const Solution solution = solve(trial, system, epsilon, limit);

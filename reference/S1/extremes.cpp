@@ -10,8 +10,8 @@
 namespace grader::s1 {
 namespace {
 
-// A tridiagonal matrix; whatever reaches unknown `at` makes its product `value` there. Steps reach one unknown more each, so the
-// step that fails does not depend on how many products a program takes.
+// A tridiagonal matrix; whatever reaches unknown `at` makes its product `value` there. Steps reach one
+// unknown more each, so the step that fails does not depend on how many products a program takes.
 class PoisonedMatrix : public implicitMatrix {
  public:
   PoisonedMatrix(int n, int at, double value)
@@ -69,8 +69,8 @@ void expect_breakdown(Trial& trial, const LinearSystem& system, const Solution& 
                        "the error of the x that it ends with");
 }
 
-// What is finite on paper and what is not, where numbers end. The first direction is r = b - Ax = b (1 - a) of A = a I,
-// alpha is 1 / a, and the next x is b / a.
+// What is finite on paper and what is not, where numbers end. The first direction is r = b - Ax = b (1 - a)
+// of A = a I, alpha is 1 / a, and the next x is b / a.
 void where_numbers_end(Trial& trial, std::optional<int> offset) {
   Random& random = trial.random;
   const auto diagonal = [](std::string name, const std::vector<double>& d, std::vector<double> b) {
@@ -84,8 +84,9 @@ void where_numbers_end(Trial& trial, std::optional<int> offset) {
     const Solution solution = solve(trial, system, 1e-12, 50);
     expect_breakdown(trial, system, solution, 1e-12, 1, system.b, offset);
   }
-  // Sums in long double have a wider range: then d'Ad is finite, and so is all else, and the system is solved. Where it is
-  // not, and the loop goes on all the same, x stays b: a residual of 1e150, and 1e137 is allowed.
+  // Sums in long double have a wider range: then d'Ad is finite, and so is all else, and the system is
+  // solved. Where it is not, and the loop goes on all the same, x stays b: a residual of 1e150, and 1e137 is
+  // allowed.
   const LinearSystem wide = diagonal("d'Ad overflows", {1e10, 2e10}, {size * 1e140, 1e140});
   const Solution gone_on = solve(trial, wide, 1e-12, 50);
   if (gone_on.x == wide.b)
@@ -98,8 +99,9 @@ void where_numbers_end(Trial& trial, std::optional<int> offset) {
   const Solution solution = solve(trial, large, 0, 1);
   trial.expect_at_most(std::abs(solution.x[0] / (8e157 * b) - 1) + std::abs(solution.x[1] / 8e307 - 1), 1e-14,
                        "the relative error of an x near the end of the numbers");
-  // Of diag(s, 2 s) with equal entries b, x is two thirds of b / s after one step, and (1, 1/2) of it after two: here that is where numbers
-  // have ended, so x stays what it was. The way back, (1/3, 5/6) of it, has numbers.
+  // Of diag(s, 2 s) with equal entries b, x is two thirds of b / s after one step, and (1, 1/2) of it after
+  // two: here that is where numbers have ended, so x stays what it was. The way back, (1/3, 5/6) of it, has
+  // numbers.
   const double end = 1.05e308, s = b / end / 2;
   const LinearSystem last = diagonal("x overflows in the second step", {s, 2 * s}, {b, b});
   const Solution stays = solve(trial, last, 1e-12, 50);
@@ -126,8 +128,8 @@ void not_positive_definite(Trial& trial) {
   const LinearSystem zero = with_right_side("zero matrix", solver::diagonal(std::vector<double>(n, 0.0)), b);
   expect_breakdown(trial, zero, solve(trial, zero, epsilon, 50), epsilon, 1, b, offset);
 
-  // diag(p, -q) with r = (1, s) first: d'Ad = p - q s^2 > 0. The second direction has d'Ad < 0: by Sylvester's law of inertia, and
-  // the second residual, a multiple of (-s, 1), too, since p s^2 < q.
+  // diag(p, -q) with r = (1, s) first: d'Ad = p - q s^2 > 0. The second direction has d'Ad < 0: by
+  // Sylvester's law of inertia, and the second residual, a multiple of (-s, 1), too, since p s^2 < q.
   const double p = random.uniform(4, 6), q = random.uniform(1, 2), s = random.uniform(0.2, 0.3);
   const LinearSystem indefinite =
       with_right_side("indefinite", solver::diagonal({p, -q}), {1 / (1 - p), s / (1 + q)});
@@ -175,7 +177,8 @@ void not_finite(Trial& trial) {
     expect_no_step(nothing);
     trial.expect(!std::isfinite(nothing.value), "b is not finite, and yet the return value is");
 
-    // b has its first `reach` entries, the first residual one more, and the direction of step k reaches k more than b.
+    // b has its first `reach` entries, the first residual one more, and the direction of step k reaches k
+    // more than b.
     for (int failing : {0, 1, 3}) {
       const int reach = random.integer(2, 3), at = failing == 0 ? reach - 1 : reach + failing - 1;
       LinearSystem poisoned =
@@ -199,14 +202,16 @@ void not_finite(Trial& trial) {
   }
   where_numbers_end(trial, offset);
 
-  // The 66th product is that of the true residual after 64 steps. ConjGrad ends with an x; solve() asks for no more.
+  // The 66th product is that of the true residual after 64 steps. ConjGrad ends with an x; solve() asks for
+  // no more.
   LinearSystem late =
       spectral_system("the 66th product is not finite", solver::log_spaced(220, 1, 1000), random);
   late.A = std::make_shared<LatePoison>(late.A, 66);
   solve(trial, late, 0, 100);
 }
 
-// Products and x at the step that takes the true residual, and around it. epsilon = 0: it goes on to the limit.
+// Products and x at the step that takes the true residual, and around it. epsilon = 0: it goes on to the
+// limit.
 void sixty_fourth(Trial& trial) {
   Random& random = trial.random;
   expect_solves_ordinary_system(trial);
@@ -228,8 +233,9 @@ void sixty_fourth(Trial& trial) {
                "it takes one product more than its steps need", std::to_string(ended.products) + " products");
 
   // Each 64th step moves x as any other does: along a direction to where the residual is
-  // orthogonal to it. By then rounding has turned the directions, and steps differ several times in length; but each
-  // ends there, within (10 + 2e) u ||A|| X for the last step's own rounding and 65 times that for the residual's.
+  // orthogonal to it. By then rounding has turned the directions, and steps differ several times in length;
+  // but each ends there, within (10 + 2e) u ||A|| X for the last step's own rounding and 65 times that for
+  // the residual's.
   for (int last : {63, 64, 65, 128}) {
     std::vector<double> x = solve(trial, system, 0, last).x, Ax(x.size());
     const std::vector<double> before = solve(trial, system, 0, last - 1).x;

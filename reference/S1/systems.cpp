@@ -122,7 +122,8 @@ void systems(Trial& trial) {
   examples(trial);
   clusters(trial);
 
-  // Fewer different eigenvalues than unknowns, and no more than 64 steps: another category asks what happens then.
+  // Fewer different eigenvalues than unknowns, and no more than 64 steps: another category asks what happens
+  // then.
   const int grid = random.integer(9, 14);
   const LinearSystem poisson =
       sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),

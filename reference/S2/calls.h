@@ -1,5 +1,5 @@
-// STAFF ONLY. The calls of S2; see grader/calls/call.h. The contract has plain arrays: here they have their lengths. b goes there
-// and back, too: the contract does not let it change.
+// STAFF ONLY. The calls of S2; see grader/calls/call.h. The contract has plain arrays: here they have their
+// lengths. b goes there and back, too: the contract does not let it change.
 #pragma once
 
 #include "grader/calls/call.h"

@@ -210,7 +210,8 @@ void normal_operator(Trial& trial) {
   }
 }
 
-// A'A A'A x, of a symmetric A. Each of the four products may be off by its dot products' rounding, and the later ones multiply that.
+// A'A A'A x, of a symmetric A. Each of the four products may be off by its dot products' rounding, and the
+// later ones multiply that.
 void nested(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 5, 8}) {
@@ -326,7 +327,8 @@ void expect_least_squares(Trial& trial) {
     // Rounding leaves A'Q[0; z] at u ||A|| ||z||, within the drift's allowance.
     expect_solves(trial, "least squares", A, b, x, 0.99);
   }
-  // Fewer rows than columns: A'A is singular, and any x that solves will do. The first guess, A'b, is in its range.
+  // Fewer rows than columns: A'A is singular, and any x that solves will do. The first guess, A'b, is in its
+  // range.
   for (auto [rows, cols] : {std::pair{2, 5}, {3, 40}}) {
     const Matrix A = random_table(random, rows, cols);
     std::vector<double> b = random.normals(rows);

@@ -1,4 +1,5 @@
-// STAFF ONLY. S2 where its columns depend, and without allocations. What solver/normal_equations.h promises the public checks ask.
+// STAFF ONLY. S2 where its columns depend, and without allocations. What solver/normal_equations.h promises
+// the public checks ask.
 
 #include "solver/normal_equations.h"
 

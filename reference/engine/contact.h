@@ -1,6 +1,6 @@
-// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the way back to memory, and the head. The points of a group that are near
-// the head are listed first and pushed out then, as many at a time as a vector of single precision has lanes: which
-// strands they belong to does not matter.
+// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the way back to memory, and the head. The
+// points of a group that are near the head are listed first and pushed out then, as many at a time as a
+// vector of single precision has lanes: which strands they belong to does not matter.
 #if defined(HAIR_REFERENCE_ENGINE_CONTACT_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_CONTACT_H_
 #undef HAIR_REFERENCE_ENGINE_CONTACT_H_
@@ -61,7 +61,8 @@ class NearHead {
       for (std::size_t k = 0; k < count_; k += kFloats) {
         const Floats3 place = next_place;
         const CellCorners corners = next_corners;
-        // The next points' distances, which the nearest cache does not hold, are on their way while these points are pushed.
+        // The next points' distances, which the nearest cache does not hold, are on their way while these
+        // points are pushed.
         if (k + kFloats < count_) {
           next_place = read(kPlace, k + kFloats);
           next_corners = CellCorners(step_.grid, next_place);
@@ -75,8 +76,8 @@ class NearHead {
         const Floats speed = hn::Max(zero - dot(n, u), zero);
         const Floats3 change = speed * n - friction(u, n, mu * speed);
         add_to(group, k, inside, shift, change);
-        // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in slope by less than a
-        // tenth. Whether a point is done depends on no other.
+        // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in
+        // slope by less than a tenth. Whether a point is done depends on no other.
         const auto again = hn::And(inside, surface.depth > floats(10) * rest);
         keep(tag, again, place + shift, kPlace, left);
         keep(tag, again, way + shift, kWay, left);
@@ -102,8 +103,8 @@ class NearHead {
     return {hn::LoadU(tag, number(first, k)), hn::LoadU(tag, number(first + 1, k)),
             hn::LoadU(tag, number(first + 2, k))};
   }
-  // Whole vectors, of which the next ones overwrite what is too much: some processors take hundreds of cycles to store the parts that
-  // a mask picks.
+  // Whole vectors, of which the next ones overwrite what is too much: some processors take hundreds of cycles
+  // to store the parts that a mask picks.
   template <class D, class M>
   HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
     hn::StoreU(hn::Compress(a.x, which), tag, number(first, k));

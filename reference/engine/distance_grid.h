@@ -1,6 +1,7 @@
-// STAFF ONLY. A solid's distances on a grid, in integers of 16 bits, the largest of which is the largest distance: a solid itself, whose
-// distance between the grid's points is interpolated (trilinear) and whose normal is the interpolated distance's gradient. Of a bust
-// distances are right to 5e-6 m, a tenth of a hair's radius.
+// STAFF ONLY. A solid's distances on a grid, in integers of 16 bits, the largest of which is the largest
+// distance: a solid itself, whose distance between the grid's points is interpolated (trilinear) and whose
+// normal is the interpolated distance's gradient. Of a bust distances are right to 5e-6 m, a tenth of a
+// hair's radius.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ namespace hair::engine {
 
 class DistanceGrid : public Solid {
  public:
-  // Points `spacing` metres apart, which reach two of it beyond the solid's box. Throws std::invalid_argument for more than
-  // kMostPoints.
+  // Points `spacing` metres apart, which reach two of it beyond the solid's box. Throws std::invalid_argument
+  // for more than kMostPoints.
   DistanceGrid(const Solid& solid, double spacing);
 
   static constexpr double kMostPoints = 2e8;

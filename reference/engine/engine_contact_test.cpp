@@ -15,7 +15,8 @@
 namespace hair::engine {
 namespace {
 
-// Integers of a unit are right to half of it; single precision before adds little. The largest distance is at a corner.
+// Integers of a unit are right to half of it; single precision before adds little. The largest distance is at
+// a corner.
 TEST(DistanceGrid, KeepsDistancesToHalfAUnit) {
   constexpr double kSpacing = 0.01;
   const Ball ball(kBall);
@@ -67,7 +68,8 @@ std::shared_ptr<const Solid> ball_beside_the_axis(double radius) {
   return std::make_shared<Ball>(radius, Vector3d(0.02, -0.01, 0.015));
 }
 
-// Given code's collision in the head's axes, where the head is at rest: before the step these are the world's.
+// Given code's collision in the head's axes, where the head is at rest: before the step these are the
+// world's.
 CollisionReport collide_in_the_heads_axes(const FullHeadSettings& settings, const MovingStrand& moving,
                                           const Eigen::Isometry3d& pose, double h, const VectorXd& x_before,
                                           particles::State& state) {

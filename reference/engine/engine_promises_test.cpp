@@ -1,5 +1,5 @@
-// STAFF ONLY. What the engine promises of itself: the same bits, strands that do not know of each other, steps that allocate nothing,
-// and hair that holds.
+// STAFF ONLY. What the engine promises of itself: the same bits, strands that do not know of each other,
+// steps that allocate nothing, and hair that holds.
 
 #include <bit>
 #include <limits>
@@ -96,8 +96,8 @@ TEST_P(Engine, HoldsStiffHairOnAHeadThatShakes) {
     }
 }
 
-// Roots that are flung to and fro at 100 m/s. Once lengths are right, each point is within L of its root, so it moves relative to that by at
-// most 2 L in a step.
+// Roots that are flung to and fro at 100 m/s. Once lengths are right, each point is within L of its root, so
+// it moves relative to that by at most 2 L in a step.
 TEST_P(Engine, HoldsStiffHairThatIsFlung) {
   constexpr double kFlung = 100;
   FullHeadSettings settings = bare();

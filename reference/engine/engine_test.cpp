@@ -16,10 +16,11 @@ INSTANTIATE_TEST_SUITE_P(, Engine,
                                          InstructionSet{"scalar", ~0LL}),
                          [](const testing::TestParamInfo<InstructionSet>& set) { return set.param.name; });
 
-// What the engine's dv leaves of H4's equation in given code. A residual of rounding: with the matrix' norm N, each of its
-// numbers is a sum of at most 15 products of some ten roundings each, and is multiplied by velocities: those of the solution, those before, and
-// what rounding of positions makes of velocities, u |x| / h. The forces' own rounding, h k u |x|, is less than N u |x| / h. The head turns in
-// the step: the clamp's tangent is that at its end, and each root has a velocity of its own.
+// What the engine's dv leaves of H4's equation in given code. A residual of rounding: with the matrix' norm
+// N, each of its numbers is a sum of at most 15 products of some ten roundings each, and is multiplied by
+// velocities: those of the solution, those before, and what rounding of positions makes of velocities, u |x|
+// / h. The forces' own rounding, h k u |x|, is less than N u |x| / h. The head turns in the step: the clamp's
+// tangent is that at its end, and each root has a velocity of its own.
 void expect_solved(const FullHeadSettings& settings, const std::vector<Start>& all, double h,
                    const Eigen::Isometry3d& pose = turned_head(0.3, Vector3d(2e-3, -5e-3, 1e-3))) {
   const auto states = after(settings, all, h, pose);
@@ -93,9 +94,9 @@ TEST_P(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
   expect_solved(settings, all, 1.0 / 240);
 }
 
-// From the same positions, both corrections end with lengths that are right to 1e-12. What they may differ by is an error C of
-// lengths, which moves points by W J^T (J W J^T)^-1 C, and the smallest singular value of a hanging strand's J is about
-// pi / 2n.
+// From the same positions, both corrections end with lengths that are right to 1e-12. What they may differ by
+// is an error C of lengths, which moves points by W J^T (J W J^T)^-1 C, and the smallest singular value of a
+// hanging strand's J is about pi / 2n.
 TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
   constexpr double h = 1.0 / 240;
   FullHeadSettings settings = bare();
@@ -119,7 +120,8 @@ TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
   }
 }
 
-// Of so many right angles, the product of all pivots is 2^3000: more than a double holds. Given code knows no such product.
+// Of so many right angles, the product of all pivots is 2^3000: more than a double holds. Given code knows no
+// such product.
 TEST_P(Engine, CorrectsTheLengthsOfManyRightAngles) {
   constexpr int kMany = 3000;
   constexpr double h = 1e-3, l0 = 0.01;

@@ -18,7 +18,8 @@ FullHeadSettings engine_settings(const MovingHeadSettings& settings) {
   return all;
 }
 
-// The engine's segments have one length. As hair grows round a bust, they differ from their mean by up to 0.15.
+// The engine's segments have one length. As hair grows round a bust, they differ from their mean by up to
+// 0.15.
 constexpr double kMostUnlike = 0.25;
 
 double mean_segment(std::size_t strand, const Eigen::VectorXd& x) {

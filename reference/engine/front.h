@@ -1,7 +1,8 @@
-// STAFF ONLY. The factorisation A = L D L^T of a strand's matrix, a block column at a time, and the solve with it. Each
-// column is eliminated as soon as it is complete: what is then left of the matrix is a front of three points, which
-// stays in registers. Source: I. S. Duff and J. K. Reid, "The Multifrontal Solution of Indefinite Sparse Symmetric Linear
-// Equations" (ACM TOMS 9, 1983); for L D L^T: G. H. Golub and C. F. Van Loan, "Matrix Computations" (2013), section 4.1.2.
+// STAFF ONLY. The factorisation A = L D L^T of a strand's matrix, a block column at a time, and the solve
+// with it. Each column is eliminated as soon as it is complete: what is then left of the matrix is a front of
+// three points, which stays in registers. Source: I. S. Duff and J. K. Reid, "The Multifrontal Solution of
+// Indefinite Sparse Symmetric Linear Equations" (ACM TOMS 9, 1983); for L D L^T: G. H. Golub and C. F. Van
+// Loan, "Matrix Computations" (2013), section 4.1.2.
 #if defined(HAIR_REFERENCE_ENGINE_FRONT_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_FRONT_H_
 #undef HAIR_REFERENCE_ENGINE_FRONT_H_
@@ -75,7 +76,8 @@ HWY_INLINE Vec3 product(const Below& b, const Pivot& p) {
   return plus(plus(p.rhs.x * b.factor.x, p.rhs.y, b.factor.y), p.rhs.z, b.factor.z);
 }
 
-// Rows of kFactorRow vectors: L's blocks of a column (the nearer one, the farther one), then the pivot. Right-hand sides are kept elsewhere.
+// Rows of kFactorRow vectors: L's blocks of a column (the nearer one, the farther one), then the pivot.
+// Right-hand sides are kept elsewhere.
 HWY_INLINE void store33(const Mat3& a, double* to) {
   store3<kWidth>(a.x, to);
   store3<kWidth>(a.y, to + 3 * kWidth);

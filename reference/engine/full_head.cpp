@@ -251,8 +251,8 @@ void FullHead::step(double h, const Eigen::Isometry3d& pose) {
   }
   step.after = pose_of(pose);
   step.step = ++engine.steps;
-  // A task is a run of neighbouring groups, so that the state fetched ahead (Sweep::fetch_next) is wanted by the same core. Runs stay
-  // short enough for threads to end together.
+  // A task is a run of neighbouring groups, so that the state fetched ahead (Sweep::fetch_next) is wanted by
+  // the same core. Runs stay short enough for threads to end together.
   const int groups = static_cast<int>(engine.groups.size());
   struct Work {
     const Engine& engine;

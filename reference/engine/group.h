@@ -1,8 +1,8 @@
 // STAFF ONLY. The engine's data: what the host and the kernels for each instruction set share.
 //
 // A group is kGroup strands with the same number of points, side by side: number (i, axis, strand) of x is at
-// x[(3 i + axis) kGroup + strand]. So a vector of lanes holds the same number of several strands, whatever its width.
-// A group that is not full repeats its last strand.
+// x[(3 i + axis) kGroup + strand]. So a vector of lanes holds the same number of several strands, whatever
+// its width. A group that is not full repeats its last strand.
 #pragma once
 
 #include <algorithm>
@@ -15,22 +15,23 @@ inline constexpr std::size_t kGroup = 8;
 
 struct Group {
   int points = 0;
-  // One after the other: 3 points kGroup numbers each, 3 kGroup numbers each (in the head's axes), kGroup numbers.
+  // One after the other: 3 points kGroup numbers each, 3 kGroup numbers each (in the head's axes), kGroup
+  // numbers.
   double *x = nullptr, *v = nullptr;
   double *root = nullptr, *tangent = nullptr;
   double* rest_length = nullptr;
   std::int64_t* broke_at = nullptr;  // kGroup
 };
 
-// Distances on a grid, and what lies between them: by trilinear interpolation, divided by the slope of what is interpolated,
-// which makes them right to first order. Deep inside there are places without a slope.
+// Distances on a grid, and what lies between them: by trilinear interpolation, divided by the slope of what
+// is interpolated, which makes them right to first order. Deep inside there are places without a slope.
 inline constexpr double kLeastSlope = 0.3;
 
 struct GridView {
   const std::int16_t* distance;  // in units; of point (i, j, k) at ((k count[1] + j) count[0] + i)
   double unit;                   // m
-  // A bit for each cell, with the index of its lowest point: whether one of its corners is inside. It is a small table: most
-  // hair needs no more.
+  // A bit for each cell, with the index of its lowest point: whether one of its corners is inside. It is a
+  // small table: most hair needs no more.
   const std::int32_t* reaches_inside;
   double low[3];
   double per_cell;  // 1 / spacing
@@ -38,8 +39,8 @@ struct GridView {
   float last[3];    // the largest number that is less than count - 1
 };
 
-// m. Places on the grid are in single precision: rounded at first and with each push, of which a point seldom takes more than three,
-// in each of three axes.
+// m. Places on the grid are in single precision: rounded at first and with each push, of which a point seldom
+// takes more than three, in each of three axes.
 inline double place_rounding(const GridView& grid) {
   const int most = std::max({grid.count[0], grid.count[1], grid.count[2]});
   return 8 * 0x1p-24 * most / grid.per_cell;  // 4 sqrt(3) < 8

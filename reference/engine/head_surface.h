@@ -1,6 +1,6 @@
-// STAFF ONLY. The head's surface near some points: distances between a grid's points by trilinear interpolation. Points are in
-// the grid's own units: cells, from its lowest corner. Single precision does for them: StepConstants::contact_depth leaves
-// room for its rounding.
+// STAFF ONLY. The head's surface near some points: distances between a grid's points by trilinear
+// interpolation. Points are in the grid's own units: cells, from its lowest corner. Single precision does for
+// them: StepConstants::contact_depth leaves room for its rounding.
 #if defined(HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_
 #undef HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_
@@ -36,8 +36,8 @@ HWY_INLINE Floats per_length(const Floats3& a) {
 #endif
 }
 
-// The cells that points are in. A point beyond the grid, or without numbers, gets the cell of the border that is next to it (or
-// the first one): all of those are outside the head.
+// The cells that points are in. A point beyond the grid, or without numbers, gets the cell of the border that
+// is next to it (or the first one): all of those are outside the head.
 template <class D>
 struct Cells {
   using V = hn::Vec<D>;

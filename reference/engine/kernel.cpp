@@ -1,5 +1,5 @@
-// STAFF ONLY. The kernels, compiled for each instruction set that Highway has here: AVX-512, AVX2, and, without vectors,
-// for any processor.
+// STAFF ONLY. The kernels, compiled for each instruction set that Highway has here: AVX-512, AVX2, and,
+// without vectors, for any processor.
 #define HWY_BROKEN_EMU128 1  // without vectors means scalars
 #define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_SSE4 | HWY_SSSE3)
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Vectors and matrices of three, in each lane those of another strand. This header is compiled once for each
-// instruction set (Highway's foreach_target.h).
+// STAFF ONLY. Vectors and matrices of three, in each lane those of another strand. This header is compiled
+// once for each instruction set (Highway's foreach_target.h).
 #if defined(HAIR_REFERENCE_ENGINE_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_LANES_H_
 #undef HAIR_REFERENCE_ENGINE_LANES_H_
@@ -32,13 +32,14 @@ HWY_INLINE void store(Lanes value, double* to) {
   hn::Store(value, Tag(), to);
 }
 
-// 1 / a and 1 / sqrt(a) of normal numbers a > 0. AVX-512 has r = 14 bits of them at once. With e = 1 - a r, or 1 - a r^2, which is
-// less than 2^-13, the rest is a series whose terms from e^4 on are below rounding,
+// 1 / a and 1 / sqrt(a) of normal numbers a > 0. AVX-512 has r = 14 bits of them at once. With e = 1 - a r,
+// or 1 - a r^2, which is less than 2^-13, the rest is a series whose terms from e^4 on are below rounding,
 //
 //   1 / a = r (1 + e) (1 + e^2),   1 / sqrt(a) = r (1 + e / 2 + 3 e^2 / 8 + 5 e^3 / 16),
 //
-// and takes a quarter of the time that divisions and roots keep the processor's unit for them busy. Which bits of r are right beyond
-// these 14 is up to the processor's maker. Targets better than AVX3 have smaller numbers.
+// and takes a quarter of the time that divisions and roots keep the processor's unit for them busy. Which
+// bits of r are right beyond these 14 is up to the processor's maker. Targets better than AVX3 have smaller
+// numbers.
 HWY_INLINE Lanes reciprocal(Lanes a) {
 #if HWY_TARGET <= HWY_AVX3
   const Lanes r{_mm512_rcp14_pd(a.raw)}, e = hn::NegMulAdd(a, r, all(1)), closer = hn::MulAdd(r, e, r);

@@ -1,18 +1,19 @@
-// STAFF ONLY. Step 4 of hair/head/full_head.h: H5's correct_lengths for several strands, as the reference has it: Newton's
-// method with a tridiagonal matrix, halved steps, and `place` where that fails. A strand's steps depend on no other strand:
-// those that are done wait unchanged for the rest.
+// STAFF ONLY. Step 4 of hair/head/full_head.h: H5's correct_lengths for several strands, as the reference has
+// it: Newton's method with a tridiagonal matrix, halved steps, and `place` where that fails. A strand's steps
+// depend on no other strand: those that are done wait unchanged for the rest.
 //
-// A Newton step is one sweep along the strand. At each segment it solves for the multiplier, moves a point, measures the
-// segment, and eliminates it from the next step's matrix. An elimination ends where the solve with it has to begin, so
-// sweeps go to the tip and to the root in turn.
+// A Newton step is one sweep along the strand. At each segment it solves for the multiplier, moves a point,
+// measures the segment, and eliminates it from the next step's matrix. An elimination ends where the solve
+// with it has to begin, so sweeps go to the tip and to the root in turn.
 //
-// With the weights w = 1/mass (0 of the root, 2 of the tip) and c, s the cosine and sine of the angle of two neighbours, the
-// matrix has w_i + w_{i+1} on its diagonal and -c beside it. Elimination leaves the pivots d = w' + q, where w' is the
-// weight of a segment's far end:
+// With the weights w = 1/mass (0 of the root, 2 of the tip) and c, s the cosine and sine of the angle of two
+// neighbours, the matrix has w_i + w_{i+1} on its diagonal and -c beside it. Elimination leaves the pivots d
+// = w' + q, where w' is the weight of a segment's far end:
 //
 //   q_0 = w of the first end,   q_k = 1 - c_k^2 / (1 + q_{k-1}) = (q_{k-1} + s_k^2) / d_{k-1}.
 //
-// That is a chain of divisions. With the products P_k = d_0 ... d_k, and G_k = q_k P_{k-1}, it is one of sums,
+// That is a chain of divisions. With the products P_k = d_0 ... d_k, and G_k = q_k P_{k-1}, it is one of
+// sums,
 //
 //   G_k = G_{k-1} + s_k^2 P_{k-2},   P_k = w' P_{k-1} + G_k,   1 / d_k = P_{k-1} / P_k.
 #if defined(HAIR_REFERENCE_ENGINE_LENGTHS_H_) == defined(HWY_TARGET_TOGGLE)
@@ -37,8 +38,8 @@ struct LengthErrors {
   Lanes largest, squared;
 };
 
-// Positions, and per segment five numbers: its direction along the sweep that measured it, and what the solve needs: y / d and, of
-// the segment measured before, c / d.
+// Positions, and per segment five numbers: its direction along the sweep that measured it, and what the solve
+// needs: y / d and, of the segment measured before, c / d.
 inline constexpr std::size_t kSegmentRow = 5;
 struct MeasuredStrands {
   double *x, *rows;
@@ -60,7 +61,8 @@ class LengthCorrection {
     return to_tip ? eliminate_along<true>(strands.rows) : eliminate_along<false>(strands.rows);
   }
 
-  // x of `to` = x + part W J^T lambda where `active`, x elsewhere; measures it. `from` was measured the other way.
+  // x of `to` = x + part W J^T lambda where `active`, x elsewhere; measures it. `from` was measured the other
+  // way.
   HWY_INLINE LengthErrors attempt(bool to_tip, const MeasuredStrands& from, Lanes part, Which active,
                                   const MeasuredStrands& to) const {
     return to_tip ? sweep<true, true>(from, to, part, active) : sweep<false, true>(from, to, part, active);

@@ -1,5 +1,6 @@
-// STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h: forces, matrix, factorisation and solve; without bending in one sweep from the root
-// to the tip, and one back. Everything is divided by the mass of a point within the strand. Row i of the equation is
+// STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h: forces, matrix, factorisation and solve; without bending
+// in one sweep from the root to the tip, and one back. Everything is divided by the mass of a point within
+// the strand. Row i of the equation is
 //
 //   (w_i mass + h^2 S_i / m) y = w_i (v_i - v0 + push - drag v0) + h f_i / m,   w = 1, at the tip 1/2.
 #if defined(HAIR_REFERENCE_ENGINE_SOLVE_H_) == defined(HWY_TARGET_TOGGLE)
@@ -80,7 +81,8 @@ HWY_INLINE void solve_back(const StepConstants& step, const Sweep& sweep, Which 
   store3<kWidth>(sweep.root, moved);
 }
 
-// x1 goes to `moved`, 3 numbers a point; `factor`: kFactorRow a point, and one more. `lane`: the first strand of these.
+// x1 goes to `moved`, 3 numbers a point; `factor`: kFactorRow a point, and one more. `lane`: the first strand
+// of these.
 HWY_NOINLINE void solve_stretch(const StepConstants& step, const Group& group, std::size_t lane,
                                 double* factor, double* moved) {
   const Sweep sweep(step, group, lane, factor);

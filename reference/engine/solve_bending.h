@@ -1,7 +1,8 @@
-// STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h with bending. Two sweeps measure segments and joints, whose points do not wait for
-// each other; a third eliminates, and one goes back.
+// STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h with bending. Two sweeps measure segments and joints,
+// whose points do not wait for each other; a third eliminates, and one goes back.
 //
-// The energy is one of segments' vectors e. With its second derivatives H_ss and X_s = H_{s+1,s}, point i between the segments i - 1 and i has
+// The energy is one of segments' vectors e. With its second derivatives H_ss and X_s = H_{s+1,s}, point i
+// between the segments i - 1 and i has
 //
 //   A_ii = m + H_{i-1,i-1} + H_ii - X_{i-1} - X_{i-1}^T,   A_{i+1,i} = X_{i-1} + X_i - H_ii,   A_{i+2,i} = -X_i,
 //
@@ -20,7 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hair::engine::HWY_NAMESPACE {
 
-// What a segment has to do with the matrix: dE/de, and the second derivatives by e twice, and by the next segment's e and e.
+// What a segment has to do with the matrix: dE/de, and the second derivatives by e twice, and by the next
+// segment's e and e.
 struct SegmentBlocks {
   Vec3 force;
   Sym3 own;
@@ -100,7 +102,8 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
   const auto direction = [&](int s) { return load3<kWidth>(sweep.row(s + 1) + kU * kWidth); };
   SegmentBlocks before(tangent, sweep.row(1), sweep.stretch), segment = before;
   if (n > 2) segment = SegmentBlocks(direction(0), sweep.row(2), sweep.stretch);
-  // What eliminations made of the rows of the point (own block, right-hand side) and of the next one (also its block with the point).
+  // What eliminations made of the rows of the point (own block, right-hand side) and of the next one (also
+  // its block with the point).
   Sym3 own = diagonal(all(0)), next_own = diagonal(all(0));
   Mat3 next_with = zero33();
   Vec3 b = zero3(), next_b = zero3();
@@ -115,8 +118,8 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
                  before.own.zy + (inner.y.z - x.z.y),        before.own.zz + mass + (inner.z.z - x.z.z)};
     const Pivot pivot(own + a, b + (sweep.momentum(i) + (segment.force - before.force)), definite);
     before = segment;
-    // The next segment's blocks do not wait for the pivot, whose chain of operations is long. After the last segment they are its own
-    // once more, and not used.
+    // The next segment's blocks do not wait for the pivot, whose chain of operations is long. After the last
+    // segment they are its own once more, and not used.
     segment = SegmentBlocks(direction(std::min(i, n - 3)), sweep.row(std::min(i + 2, n - 1)), sweep.stretch);
     const Below near(next_with + (before.next - inner), pivot), minus_far(before.next, pivot);
     store33(near.factor, sweep.row(i));

@@ -1,4 +1,5 @@
-// STAFF ONLY. A strand's segments and joints, with their forces and their derivatives by the segments' vectors e.
+// STAFF ONLY. A strand's segments and joints, with their forces and their derivatives by the segments'
+// vectors e.
 //
 // Stretch (H1), with S = k (g 1 + (1 - g) u u^T), g = max(1 - l0/l, 0).
 //
@@ -8,14 +9,14 @@
 //
 //   dE/de1 = k q (cos u1 - u2) / l1,   dE/de2 = k q (cos u2 - u1) / l2.
 //
-// H2's definite product is k (t1 t1^T + p b b^T) / l1^2 and so on, with t = b x u and p = max(phi cot phi, 0). Since
-// b = c / sin is undefined at phi = 0, it is written without b: t1 t1^T + b b^T = 1 - u1 u1^T, and t2 t1^T + b b^T = R - u2 u1^T
-// with the rotation R = cos 1 + [c]x + r c c^T that takes u1 to u2. So
+// H2's definite product is k (t1 t1^T + p b b^T) / l1^2 and so on, with t = b x u and p = max(phi cot phi,
+// 0). Since b = c / sin is undefined at phi = 0, it is written without b: t1 t1^T + b b^T = 1 - u1 u1^T, and
+// t2 t1^T + b b^T = R - u2 u1^T with the rotation R = cos 1 + [c]x + r c c^T that takes u1 to u2. So
 //
 //   11: k (1 - u1 u1^T - s c c^T) / l1^2       21: -k (cos 1 + [c]x + (r - s) c c^T - u2 u1^T) / (l1 l2).
 //
-// With T = tan(phi/2), z = T^2 and atan(T) = T (1 + z P(z)), acute angles have q = 2 r (1 + z P), s = r^2 (1 - P (1 - z)). P is
-// a polynomial, interpolated at Chebyshev's points of 0 <= z <= 1: its error is 2.3e-16.
+// With T = tan(phi/2), z = T^2 and atan(T) = T (1 + z P(z)), acute angles have q = 2 r (1 + z P), s = r^2 (1
+// - P (1 - z)). P is a polynomial, interpolated at Chebyshev's points of 0 <= z <= 1: its error is 2.3e-16.
 #if defined(HAIR_REFERENCE_ENGINE_SPRINGS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_SPRINGS_H_
 #undef HAIR_REFERENCE_ENGINE_SPRINGS_H_
@@ -46,8 +47,9 @@ HWY_INLINE Lanes stretch_across(const Segment& segment, Lanes rest_length, Lanes
   return s * hn::Max(hn::NegMulAdd(rest_length, segment.per_length, all(1)), all(0));
 }
 
-// Per segment, from its row on: its direction and 1 / l, and the stretch's h f / m and h^2 / m times what S is across the
-// segment. Then of the joint with the segment before, without the lengths: c, and k, k s, k (s - r), k cos, h k q.
+// Per segment, from its row on: its direction and 1 / l, and the stretch's h f / m and h^2 / m times what S
+// is across the segment. Then of the joint with the segment before, without the lengths: c, and k, k s, k (s
+// - r), k cos, h k q.
 enum SegmentRow : std::size_t {
   kU = 0,
   kPerLength = 3,

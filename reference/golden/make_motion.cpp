@@ -1,5 +1,6 @@
-// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json OUT.json. It has positions alone, of few
-// strands where there are many (hair/view/motion.h), and hairlab's page plays it.
+// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json
+// OUT.json. It has positions alone, of few strands where there are many (hair/view/motion.h), and hairlab's
+// page plays it.
 #include <cstdio>
 #include <exception>
 #include <iostream>

@@ -1,5 +1,6 @@
-// The path of a solver over the bowl phi(x) = x'Cx / 2 - f'x of two unknowns: where it is after 0, 1, 2, ... steps. As a history's, each
-// place is of a call of its own, which allows so many. C is A, with f = b, or A'A, with f = A'b.
+// The path of a solver over the bowl phi(x) = x'Cx / 2 - f'x of two unknowns: where it is after 0, 1, 2, ...
+// steps. As a history's, each place is of a call of its own, which allows so many. C is A, with f = b, or
+// A'A, with f = A'b.
 #pragma once
 
 #include <array>
@@ -32,8 +33,9 @@ struct BowlPath {
 inline constexpr double kBottomHeight = 1e-24;
 inline constexpr int kMostPathSteps = 8;
 
-// Two systems with the same solution and the same singular values, kSingular and 1 / kSingular. The first matrix is symmetric; the second
-// one is not, and is solved by its normal equations. So the second bowl has the square of the first one's condition number.
+// Two systems with the same solution and the same singular values, kSingular and 1 / kSingular. The first
+// matrix is symmetric; the second one is not, and is solved by its normal equations. So the second bowl has
+// the square of the first one's condition number.
 inline constexpr double kSingular = 3;
 BowlPath symmetric_path(const ConjGradFunction& solve);
 BowlPath normal_path(const NormalEquationsFunction& solve);

@@ -1,5 +1,5 @@
-// STAFF ONLY. The program's operator new and its malloc, which count: Eigen's matrices take their memory from malloc. In a file
-// of its own, so that no compiler inlines one half of it.
+// STAFF ONLY. The program's operator new and its malloc, which count: Eigen's matrices take their memory from
+// malloc. In a file of its own, so that no compiler inlines one half of it.
 
 #include "solver/tests/allocations.h"
 
@@ -14,7 +14,8 @@ long reference_tests::allocations() {
   return count;
 }
 
-// The linker gives calls of malloc in the program's own code to __wrap_malloc, and calls of __real_malloc to malloc.
+// The linker gives calls of malloc in the program's own code to __wrap_malloc, and calls of __real_malloc to
+// malloc.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" void* __real_malloc(std::size_t size);
 extern "C" void* __wrap_malloc(std::size_t size) {

@@ -1,5 +1,5 @@
-// For tests: numbers with a decimal comma and dots between thousands, in the C library and in new streams, as a program has
-// them that takes the user's locale in Germany.
+// For tests: numbers with a decimal comma and dots between thousands, in the C library and in new streams, as
+// a program has them that takes the user's locale in Germany.
 #pragma once
 
 #include <locale.h>

@@ -5,8 +5,9 @@
 //   doejane_4711_text.html, ..._link.html   typed text, a link
 //   LATE_anon_aB3dE_90021_main.cpp       anonymous
 //
-// A group whose name ends with "_12" looks like the student 12. The first reading stands unless the roster proves another one: what
-// follows may be a student's own words, and nobody can give a file the number of somebody else.
+// A group whose name ends with "_12" looks like the student 12. The first reading stands unless the roster
+// proves another one: what follows may be a student's own words, and nobody can give a file the number of
+// somebody else.
 #include <map>
 #include <set>
 
@@ -25,7 +26,8 @@ void take_canvas_version(NamedPath& named) {
   }
 }
 
-// The reading in which the student's number is the end of the name: of "lab3_12_4713_90020_a.cpp" the number 4713, and not 12.
+// The reading in which the student's number is the end of the name: of "lab3_12_4713_90020_a.cpp" the number
+// 4713, and not 12.
 std::optional<NamedPath> with_longer_name(const NamedPath& named) {
   static const std::regex kNumbered("([0-9]+)_(.+)"), kTyped("(text|link)\\.html");
   if (named.kind != NamedPath::Kind::hand_in || named.owner.anonymous) return {};
@@ -64,7 +66,8 @@ std::optional<NamedPath> read_canvas(std::string_view name, bool is_folder, cons
 }
 
 void settle_canvas(std::vector<NamedPath*>& names) {
-  // A file's number is one file's. If two names share it, it is a student's number, and the name has digits at its end.
+  // A file's number is one file's. If two names share it, it is a student's number, and the name has digits
+  // at its end.
   constexpr std::size_t kMostOthers = 3;
   std::map<std::string, int> files_with_number;
   for (const NamedPath* named : names)

@@ -1,5 +1,5 @@
-// STAFF ONLY. What gh-classroom clones: lab3-submissions/lab3-jmueller/, a folder for each repository. It shows a login, or a team's
-// name. Its grades.csv may lie beside them.
+// STAFF ONLY. What gh-classroom clones: lab3-submissions/lab3-jmueller/, a folder for each repository. It
+// shows a login, or a team's name. Its grades.csv may lie beside them.
 #include <algorithm>
 
 #include "grader/intake/layouts/match.h"

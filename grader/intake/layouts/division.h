@@ -1,5 +1,6 @@
-// STAFF ONLY. Divides a learning system's download among those who handed in. Names decide, and of these only the ones directly in the
-// download's folder: a student can choose all others. Every file is somebody's, made by the system, an older one, or left over.
+// STAFF ONLY. Divides a learning system's download among those who handed in. Names decide, and of these only
+// the ones directly in the download's folder: a student can choose all others. Every file is somebody's, made
+// by the system, an older one, or left over.
 #pragma once
 
 #include <optional>
@@ -34,9 +35,10 @@ struct Division {
   std::vector<Aside> aside = {};  // files that belong to no hand-in that counts
 };
 
-// Empty if no system knows most of the names. `said`: the system that --from names, which needs to know one. A flat file's `path` in the
-// list becomes FOLDER/NAME, as if it lay in its hand-in's folder. `container`: its name. The download may have sections: folders that
-// are all downloads of one system, and none of them is called as a hand-in is. Somebody in two of them has one hand-in.
+// Empty if no system knows most of the names. `said`: the system that --from names, which needs to know one.
+// A flat file's `path` in the list becomes FOLDER/NAME, as if it lay in its hand-in's folder. `container`:
+// its name. The download may have sections: folders that are all downloads of one system, and none of them is
+// called as a hand-in is. Somebody in two of them has one hand-in.
 std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said,
                                bool may_have_sections = false, const KnownOwner& known = {});
 

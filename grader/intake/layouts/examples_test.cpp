@@ -1,7 +1,7 @@
 // STAFF ONLY. Each system's names, as its own source or its users give them, are read as what they say.
 //
-// With the environment's HAIR_LAYOUTS a row of a table for each: the first path, what it was taken for, how many files it has, whose they
-// are, and how many are older, the system's, and left over.
+// With the environment's HAIR_LAYOUTS a row of a table for each: the first path, what it was taken for, how
+// many files it has, whose they are, and how many are older, the system's, and left over.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -38,7 +38,8 @@ void print_row(const Division& division, const std::vector<Entry>& list) {
             << " | " << aside[left_over] << " |\n";
 }
 
-// A line for each hand-in, "NAME|ID|TIME|MARKS: FILES", and for each file aside, "? NAME", "= NAME" if the system made it, "- NAME" if it is older.
+// A line for each hand-in, "NAME|ID|TIME|MARKS: FILES", and for each file aside, "? NAME", "= NAME" if the
+// system made it, "- NAME" if it is older.
 Lines told(const Lines& paths, const char* said = nullptr, const char* container = "download") {
   std::vector<Entry> list;
   const Division division = divided(paths, list, said, container);

@@ -1,9 +1,9 @@
-// STAFF ONLY. Decides whether an argument without a learning system's names holds one submission or a class of them. Only the names in
-// it decide, so that the contents of files can't change the owner.
+// STAFF ONLY. Decides whether an argument without a learning system's names holds one submission or a class
+// of them. Only the names in it decide, so that the contents of files can't change the owner.
 //
-// Items are the exercise files, also under names that copies get (exercise_names.h), and the archives. Names that systems leave behind
-// (ignored.h), and everything below them, are ignored. The root is the deepest folder that contains all items, so that enclosing
-// folders make no difference.
+// Items are the exercise files, also under names that copies get (exercise_names.h), and the archives. Names
+// that systems leave behind (ignored.h), and everything below them, are ignored. The root is the deepest
+// folder that contains all items, so that enclosing folders make no difference.
 //
 // The first of these rules that holds decides:
 //   1. A student's project is one submission: the root, or a folder around it, has a CMakeLists.txt and beside
@@ -15,8 +15,9 @@
 //   4. Everything else is one submission.
 //
 // In a class each folder, each archive and each document (.pdf) in the root is a submission, even without an
-// exercise file, so that nobody is left out. Any other file, and what lies outside of the root, is a stray: it belongs to nobody, and
-// is reported. So a bare conj_grad.cpp or CMakeLists.txt beside the archives of a class makes no difference to them.
+// exercise file, so that nobody is left out. Any other file, and what lies outside of the root, is a stray:
+// it belongs to nobody, and is reported. So a bare conj_grad.cpp or CMakeLists.txt beside the archives of a
+// class makes no difference to them.
 //
 // Rule 2 takes one student's conj_grad.cpp with old copies in two folders beside it for a class with a stray
 // file: a class of two folders looks the same. In an archive of its own in a folder it is one submission.

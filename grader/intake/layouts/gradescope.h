@@ -1,5 +1,6 @@
-// STAFF ONLY. The owners in Gradescope's export: submission_metadata.yml beside the folders submission_31415926/ (a Ruby program writes
-// it, so keys have a colon in front). Text of students' own names: untrusted.
+// STAFF ONLY. The owners in Gradescope's export: submission_metadata.yml beside the folders
+// submission_31415926/ (a Ruby program writes it, so keys have a colon in front). Text of students' own
+// names: untrusted.
 //
 //   submission_31415926:
 //     :submitters:

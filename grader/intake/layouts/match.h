@@ -9,8 +9,8 @@
 
 namespace grader::inline intake {
 
-// The groups of `pattern`, counted from 1 as in it. std::regex takes stack for each letter, so a name longer than file systems allow is
-// none.
+// The groups of `pattern`, counted from 1 as in it. std::regex takes stack for each letter, so a name longer
+// than file systems allow is none.
 inline std::optional<std::vector<std::string>> groups_of(std::string_view name, const std::regex& pattern) {
   constexpr std::size_t kLongest = 600;
   std::match_results<std::string_view::const_iterator> found;

@@ -1,4 +1,5 @@
-// STAFF ONLY. Moodle's download (mod/assign/classes/downloader.php): folders, or flat files by the teacher's choice:
+// STAFF ONLY. Moodle's download (mod/assign/classes/downloader.php): folders, or flat files by the teacher's
+// choice:
 //
 //   Jane Doe_4711_assignsubmission_file/main.cpp          a name, the number in this assignment; before Moodle 4.1 with "_" at its end
 //   Jane Doe_4711_assignsubmission_file_main.cpp          flat

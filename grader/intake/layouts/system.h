@@ -1,6 +1,7 @@
-// STAFF ONLY. A learning system's names: what it says about a hand-in stands in the names of the files and folders directly in a
-// download. Each system is a row (table.cpp), and has a file of its own. Students choose the last part of a flat name, and all that
-// is below a folder; nothing there may say whose a hand-in is.
+// STAFF ONLY. A learning system's names: what it says about a hand-in stands in the names of the files and
+// folders directly in a download. Each system is a row (table.cpp), and has a file of its own. Students
+// choose the last part of a flat name, and all that is below a folder; nothing there may say whose a hand-in
+// is.
 #pragma once
 
 #include <functional>
@@ -31,7 +32,8 @@ struct NamedPath {
   std::vector<NamedPath> others = {};  // the other readings of this name
 };
 
-// How well an owner in a system's download is known: 2 by number and name (as a person's, or as a group's of theirs), 1 by one of these.
+// How well an owner in a system's download is known: 2 by number and name (as a person's, or as a group's of
+// theirs), 1 by one of these.
 using KnownOwner = std::function<int(const Owner& owner, std::string_view system)>;
 // Takes the reading that is known best. The doubt stays unless that is proven.
 void settle_readings(NamedPath& named, std::string_view system, const KnownOwner& known);

@@ -1,5 +1,5 @@
-// STAFF ONLY. The strands that a scene draws in the place of its guides (H10): all of them, seen or not. In a player they are
-// made with the student's functions, in the suite with the reference's.
+// STAFF ONLY. The strands that a scene draws in the place of its guides (H10): all of them, seen or not. In a
+// player they are made with the student's functions, in the suite with the reference's.
 #pragma once
 
 #include <memory>

@@ -8,8 +8,9 @@
 namespace grader::inline judge {
 namespace {
 
-// What a run may ask about our matrices, forces and accelerations: 24 times what a good S1 asks, and more than
-// ten times what a good H4 does. A solver that goes nowhere is wrong, and is not played until its limits of time.
+// What a run may ask about our matrices, forces and accelerations: 24 times what a good S1 asks, and more
+// than ten times what a good H4 does. A solver that goes nowhere is wrong, and is not played until its limits
+// of time.
 constexpr int kMostQuestions = 400'000;
 
 // Contracts have no argument for who is asked. A player plays one scene at a time.

@@ -14,7 +14,8 @@ namespace {
 
 // Apart by less, as a part of the scene's size, nobody can tell particles apart: a thousandth of a pixel.
 constexpr double kSameParticles = 1e-6;
-// Nearer than this, a particle's place can tell a student next to nothing that is not in the reference's picture.
+// Nearer than this, a particle's place can tell a student next to nothing that is not in the reference's
+// picture.
 constexpr double kNear = 0.01;
 // What is further out than this, in the scene's size, is not drawn: a picture would not show it.
 constexpr double kFarthestDrawn = 100;

@@ -9,11 +9,12 @@
 
 namespace grader::inline judge {
 
-// The function of a player. It stays loaded: a suite plays one exercise. Throws std::runtime_error without one.
+// The function of a player. It stays loaded: a suite plays one exercise. Throws std::runtime_error without
+// one.
 PlayFunction load_player(const std::filesystem::path& player);
 
-// `player` is the object that plays with the exercise of the trial's student. Throws CaseFailed, or MalformedMessage
-// if an answer has another form.
+// `player` is the object that plays with the exercise of the trial's student. Throws CaseFailed, or
+// MalformedMessage if an answer has another form.
 Played play_with_student(Trial& trial, const std::filesystem::path& player, const hair::Scene& scene);
 
 }  // namespace grader::judge

@@ -1,5 +1,5 @@
-// STAFF ONLY. Whole runs that the suite plays: the same motion as where all objects are in one process, no reference in
-// the student's process, and answers of all kinds end the run and not the suite.
+// STAFF ONLY. Whole runs that the suite plays: the same motion as where all objects are in one process, no
+// reference in the student's process, and answers of all kinds end the run and not the suite.
 #include "grader/judge/run/student_play.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// STAFF ONLY. A worker that does not keep to the protocol of provided functions, for provided_test. The name of the object
-// that it should load says how.
+// STAFF ONLY. A worker that does not keep to the protocol of provided functions, for provided_test. The name
+// of the object that it should load says how.
 #include <unistd.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// STAFF ONLY. A worker that does not keep to the protocol of provided functions ends its request, and not the suite.
+// STAFF ONLY. A worker that does not keep to the protocol of provided functions ends its request, and not the
+// suite.
 #include "grader/judge/student/provided.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// STAFF ONLY. The suite as the host of a server (grader/calls/server.h): it calls the reference's functions for a worker.
+// STAFF ONLY. The suite as the host of a server (grader/calls/server.h): it calls the reference's functions
+// for a worker.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// STAFF ONLY. What the cases asked a worker, to be asked again of another one: requests, and the products that the suite
-// gave for them. So a second worker costs the suite no cases, and no computing of its own.
+// STAFF ONLY. What the cases asked a worker, to be asked again of another one: requests, and the products
+// that the suite gave for them. So a second worker costs the suite no cases, and no computing of its own.
 //
-// Of each category as much is kept as kMostBytes are, and of the products of one request kMostProductBytes: what
-// is asked again ends there. The sizes of cases are few, and each of them comes early.
+// Of each category as much is kept as kMostBytes are, and of the products of one request kMostProductBytes:
+// what is asked again ends there. The sizes of cases are few, and each of them comes early.
 #pragma once
 
 #include <string>

@@ -74,7 +74,8 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
   return patience;
 }
 
-// 0 is no limit. The kernel counts all threads of a user in a user name space: with no cage, those of his other programs, too.
+// 0 is no limit. The kernel counts all threads of a user in a user name space: with no cage, those of his
+// other programs, too.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {
       "/worker", std::to_string(limits.cpu_seconds),
@@ -112,7 +113,8 @@ struct Student::Worker {
   }
 };
 
-// The answer to all requests from now on, once something of the allowance is used up: what failed last, again.
+// The answer to all requests from now on, once something of the allowance is used up: what failed last,
+// again.
 std::optional<Answer> Student::give_up_if_used_up() {
   if (const char* what = used_up(setup_.allowance->spent, setup_.allowance->limit);
       what != nullptr && !gave_up_)
@@ -354,7 +356,8 @@ Answer Student::left(const std::string& during, int code) {
 
 // The worker is gone, or not worth waiting for. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
-  // A worker that has closed its pipes may still run, or wait for a processor to leave by. Once it is gone nobody sees how it idled.
+  // A worker that has closed its pipes may still run, or wait for a processor to leave by. Once it is gone
+  // nobody sees how it idled.
   worker_->watchdog.wait_for_end(setup_.allowance->wall_seconds_left());
   const char* why = worker_->watchdog.why();
   const bool may_be_out_of_cpu_time = worker_->watchdog.most_cpu_seconds() >= worker_->cpu_seconds;

@@ -77,7 +77,8 @@ class Student {
   std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
 
-  // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code solves by itself.
+  // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code
+  // solves by itself.
   const std::vector<ProvidedSolve>& provided_solves() const { return provided_solves_; }
   const Budget& spent() const { return setup_.allowance->spent; }
   const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up

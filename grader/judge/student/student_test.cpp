@@ -1,4 +1,5 @@
-// STAFF ONLY. Student beside workers that break the rules: what the answer is, and that it ends soon and costs its allowance.
+// STAFF ONLY. Student beside workers that break the rules: what the answer is, and that it ends soon and
+// costs its allowance.
 #include "grader/judge/student/student.h"
 
 #include <gtest/gtest.h>
@@ -100,8 +101,8 @@ TEST_F(StudentTest, IsStartedAgainUntilItsRestartsAreUsedUp) {
   EXPECT_EQ(student.starts(), 1 + static_cast<int>(allowance_->limit.restarts));
 }
 
-// A worker that idles in each of its starts idles in all no longer than one that never wakes up. A nap of 0.15 s on a busy machine is partly one
-// that waits for a processor: there it takes more of them.
+// A worker that idles in each of its starts idles in all no longer than one that never wakes up. A nap of
+// 0.15 s on a busy machine is partly one that waits for a processor: there it takes more of them.
 TEST_F(StudentTest, IdlesNoLongerInSeveralStarts) {
   allowance_->limit.restarts = 1000;
   allowance_->limit.worker_cpu_seconds = 1000;

@@ -94,8 +94,8 @@ class PartStudied {
     for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // to warm up
     for (const Division& division : divisions_of(part_.scene))
       for (Side* side : {&theirs, &ours}) play_first(*side, division);
-    // A short play can be told from the asking for it if it is repeated: how often, ours says, when repeated as often as
-    // its first time suggests.
+    // A short play can be told from the asking for it if it is repeated: how often, ours says, when repeated
+    // as often as its first time suggests.
     for (Side::Run& run : ours.runs)
       if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
 
@@ -157,8 +157,8 @@ class PartStudied {
     side.runs.push_back(std::move(run));
   }
 
-  // How many rounds were measured to their end. Both keep the times of these and no others, so that each run has as
-  // many; where there are none, what first plays took is all that is known.
+  // How many rounds were measured to their end. Both keep the times of these and no others, so that each run
+  // has as many; where there are none, what first plays took is all that is known.
   int measure_rounds(Side& theirs, Side& ours) {
     int whole = 0;
     while (whole < settings_.rounds && !theirs.over && round(theirs, ours, whole)) ++whole;

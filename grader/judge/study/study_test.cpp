@@ -87,8 +87,8 @@ TEST(Study, OfTheReferenceBesideItselfHasEqualErrorsAndRatioOne) {
 }
 
 TEST(Study, FindsEachMethodsOrder) {
-  // Halving a step of an order-p method halves its error p times; what is left of higher orders at these steps makes
-  // it differ by less than a fifth.
+  // Halving a step of an order-p method halves its error p times; what is left of higher orders at these
+  // steps makes it differ by less than a fifth.
   for (const auto& [method, order] :
        std::map<std::string, int>{{"forward Euler", 1}, {"symplectic Euler", 1}, {"midpoint", 2}}) {
     Fake student;
@@ -143,8 +143,8 @@ TEST(Study, ShowsALostOrder) {
 }
 
 TEST(Study, FindsWhereAMethodStopsBeingStable) {
-  // All that has fewer steps than 100 runs away; among the steps that can be played around there, multiples of 12, the
-  // first is 108.
+  // All that has fewer steps than 100 runs away; among the steps that can be played around there, multiples
+  // of 12, the first is 108.
   Fake student;
   student.poison = [](Played& played, int steps) {
     if (steps < 100) played.frames.back().x[5] += 1e3;

@@ -1,4 +1,5 @@
-// STAFF ONLY. The commands of hairgrade, a file each. A new one is a file here, a line below and a row in kCommands.
+// STAFF ONLY. The commands of hairgrade, a file each. A new one is a file here, a line below and a row in
+// kCommands.
 #pragma once
 
 #include <atomic>
@@ -10,8 +11,9 @@ class App;
 
 namespace grader::inline tool {
 
-// A command declares its options when it is added; `run` reads them, does the work and returns hairgrade's exit code. It throws
-// BadInput for input that is wrong (2), and any other exception for a fault of the grader (1).
+// A command declares its options when it is added; `run` reads them, does the work and returns hairgrade's
+// exit code. It throws BadInput for input that is wrong (2), and any other exception for a fault of the
+// grader (1).
 struct Command {
   CLI::App* options;
   std::function<int()> run;
@@ -44,7 +46,8 @@ inline constexpr AddCommand kCommands[] = {
     add_similar, add_log,       add_diff,    add_export,  add_forget,     add_set,     add_excuse,
     add_comment, add_late_days, add_unset,   add_whatif,  add_gradebook,  add_feedback};
 
-// Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup has started it).
+// Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup
+// has started it).
 const std::atomic<bool>& note_interruptions();
 
 }  // namespace grader::tool

@@ -1,4 +1,5 @@
-// STAFF ONLY. `hairgrade set`, `excuse`, `comment`, `late-days` and `unset`: decisions of people, which survive each regrade.
+// STAFF ONLY. `hairgrade set`, `excuse`, `comment`, `late-days` and `unset`: decisions of people, which
+// survive each regrade.
 #include <iostream>
 
 #include "grader/course/input.h"

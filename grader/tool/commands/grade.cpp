@@ -52,7 +52,8 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the grades", options.batch.out, options.batch.out}};
 }
 
-// Says who is missing, who is on no roster, and how people were found where that is not plain. False if a person must look.
+// Says who is missing, who is on no roster, and how people were found where that is not plain. False if a
+// person must look.
 bool say_people(Record& record, const std::optional<Roster>& roster) {
   const std::optional<ClassList> list = record.class_list();
   if (!list) return true;

@@ -1,4 +1,5 @@
-// STAFF ONLY. `hairgrade whatif`: shows the class's totals under another course file, before it is applied. Nothing is graded.
+// STAFF ONLY. `hairgrade whatif`: shows the class's totals under another course file, before it is applied.
+// Nothing is graded.
 #include <algorithm>
 #include <iostream>
 

@@ -6,7 +6,8 @@
 
 namespace hair {
 
-// $XDG_CACHE_HOME/hairlab, or ~/.cache/hairlab. Nothing if neither variable is an absolute path. It may not be there yet.
+// $XDG_CACHE_HOME/hairlab, or ~/.cache/hairlab. Nothing if neither variable is an absolute path. It may not
+// be there yet.
 std::optional<std::filesystem::path> cache_folder();
 
 }  // namespace hair

@@ -12,7 +12,8 @@
 
 namespace hair {
 
-// What one of a program's three streams is: ours (the default), a descriptor of ours, or a file, which is read or written anew.
+// What one of a program's three streams is: ours (the default), a descriptor of ours, or a file, which is
+// read or written anew.
 using Stream = std::variant<std::monostate, int, std::filesystem::path>;
 
 struct Program {

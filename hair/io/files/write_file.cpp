@@ -47,8 +47,8 @@ void write_file(const fs::path& file, std::string_view bytes) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), folder_error);
   if (folder_error) fail(file, folder_error.value());
 
-  // Dots in front: no submission and no report has such a name. Process and thread keep two apart that write the
-  // same file.
+  // Dots in front: no submission and no report has such a name. Process and thread keep two apart that write
+  // the same file.
   const std::size_t thread = std::hash<std::thread::id>{}(std::this_thread::get_id());
   const fs::path temporary =
       file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()) + "-" +

@@ -1,7 +1,8 @@
 // What a fuzz program is made of. libFuzzer makes inputs of those that it has, and keeps the ones that reach
 // new code. Source: https://llvm.org/docs/LibFuzzer.html
 //
-// A program defines try_input, seeds and most_memory; fuzz.cpp does the rest. It takes libFuzzer's options, and
+// A program defines try_input, seeds and most_memory; fuzz.cpp does the rest. It takes libFuzzer's options,
+// and
 //
 //   NAME_fuzz --seeds FOLDER      writes the seeds into a folder, one file each
 #pragma once

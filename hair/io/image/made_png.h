@@ -1,5 +1,5 @@
-// PNG files made by hand, for tests: kinds that encode_png does not write, and files that contradict themselves.
-// Source: Portable Network Graphics (PNG) Specification, Second Edition, W3C 2003.
+// PNG files made by hand, for tests: kinds that encode_png does not write, and files that contradict
+// themselves. Source: Portable Network Graphics (PNG) Specification, Second Edition, W3C 2003.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Hostile bytes as a PNG file, as they come and with the right checksums. What is accepted can be written, and is
-// the same when it is read again.
+// Hostile bytes as a PNG file, as they come and with the right checksums. What is accepted can be written,
+// and is the same when it is read again.
 #include <cstdint>
 
 #include "hair/io/files/bad_input.h"

@@ -24,8 +24,8 @@ constexpr std::size_t kMostInflation = 1032;
 // Of a chunk that is kept in memory. The largest is a palette of 256 colours.
 constexpr std::size_t kMostChunk = 64 * 1024;
 
-// libpng leaves a function that meets an error by longjmp, which calls no destructors: between setjmp and the end of such a
-// function here no object begins that has one.
+// libpng leaves a function that meets an error by longjmp, which calls no destructors: between setjmp and the
+// end of such a function here no object begins that has one.
 class PngReader {
  public:
   explicit PngReader(std::string_view bytes) : bytes_(bytes) {

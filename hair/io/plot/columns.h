@@ -4,9 +4,10 @@
 //     return {{"step", "s", run.step}, {"error.rms", "m", run.rms, {"RMS, mm", 1e3}}};
 //   }
 //
-// The name is the key in JSON, where a dot goes into an object. CSV has name and unit: step_s, error_rms_m. Pages have "step, s", or a
-// heading of the column's own. A value is a truth value, a number, a text, an optional of these, or a list of numbers or texts; a list is in
-// JSON alone. A number that is not finite is null in JSON. All rows of a table have the same columns.
+// The name is the key in JSON, where a dot goes into an object. CSV has name and unit: step_s, error_rms_m.
+// Pages have "step, s", or a heading of the column's own. A value is a truth value, a number, a text, an
+// optional of these, or a list of numbers or texts; a list is in JSON alone. A number that is not finite is
+// null in JSON. All rows of a table have the same columns.
 #pragma once
 
 #include <concepts>

@@ -17,19 +17,22 @@ struct Sample {
 // The numbers of the runs that no other run beats in both error and time, in the order of time.
 std::vector<std::size_t> best_of(const std::vector<Sample>& samples);
 
-// The time for an error, s: the smallest time of a run with at most that error, with straight lines between the best runs in
-// logarithmic axes. Samples below `least_error` count as if they had that error. None if no run reaches the error.
+// The time for an error, s: the smallest time of a run with at most that error, with straight lines between
+// the best runs in logarithmic axes. Samples below `least_error` count as if they had that error. None if no
+// run reaches the error.
 std::optional<double> time_for(const std::vector<Sample>& samples, double error, double least_error);
 
-// The median of theirs / ours over the errors of both curves' best samples that both curves reach; none if there are none.
+// The median of theirs / ours over the errors of both curves' best samples that both curves reach; none if
+// there are none.
 std::optional<double> time_ratio(const std::vector<Sample>& theirs, const std::vector<Sample>& ours,
                                  double least_error);
 
-// True if smaller steps gain nothing any more: each of the last three halvings left at least 98 % of the error. An error that is not a
-// number, of a run that failed, is no such halving.
+// True if smaller steps gain nothing any more: each of the last three halvings left at least 98 % of the
+// error. An error that is not a number, of a run that failed, is no such halving.
 bool stalls(const std::vector<double>& errors);
 
-// Adds a dashed line at a level of the error, as wide as the figure's points; nothing to a figure without points.
+// Adds a dashed line at a level of the error, as wide as the figure's points; nothing to a figure without
+// points.
 void add_level(Figure& figure, const std::string& name, double error);
 
 }  // namespace hair

@@ -1,4 +1,5 @@
-// The page of `hairlab bowl`: the paths of ConjGrad and of the normal equations over a bowl, and what is said of a path.
+// The page of `hairlab bowl`: the paths of ConjGrad and of the normal equations over a bowl, and what is said
+// of a path.
 #pragma once
 
 #include <string>

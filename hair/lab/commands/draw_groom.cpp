@@ -29,8 +29,8 @@ namespace {
 
 constexpr int kScalpSamples = 500, kMostFitted = 2000, kFitRounds = 30, kHeadCells = 220;
 
-// A head has a hundred thousand hairs of 80 micrometres. Fewer strands are drawn wider, so that they cover it as well, up to what still
-// looks like hair.
+// A head has a hundred thousand hairs of 80 micrometres. Fewer strands are drawn wider, so that they cover it
+// as well, up to what still looks like hair.
 double width_for(std::size_t strands) {
   return std::clamp(8e-5 * 1e5 / static_cast<double>(strands), 8e-5, 4e-4);
 }
@@ -77,7 +77,8 @@ GroomFit fit_to_head(const std::vector<Vector3d>& roots, const Head& head, std::
   fit.move = to.center() - fit.scale * from.center();
   fit.move[2] = to.max()[2] - fit.scale * from.max()[2];
 
-  // Gauss and Newton: the distance's derivative is the normal. Unknowns are the move, and the scale about the roots' middle.
+  // Gauss and Newton: the distance's derivative is the normal. Unknowns are the move, and the scale about the
+  // roots' middle.
   const std::size_t stride = (roots.size() + kMostFitted - 1) / kMostFitted;
   for (int round = 0; round < kFitRounds; ++round) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();

@@ -32,9 +32,9 @@ struct GroomFit {
   Vector3d move = Vector3d::Zero();
 };
 
-// The fit with the least sum of squared distances of the roots from the head's surface, found from one that lays the
-// box of the roots over the box of the scalp. `unit`: the scale, if it is given. Throws std::invalid_argument for fewer than 4 roots, or roots
-// that are all in one place.
+// The fit with the least sum of squared distances of the roots from the head's surface, found from one that
+// lays the box of the roots over the box of the scalp. `unit`: the scale, if it is given. Throws
+// std::invalid_argument for fewer than 4 roots, or roots that are all in one place.
 GroomFit fit_to_head(const std::vector<Vector3d>& roots, const Head& head, std::optional<double> unit);
 
 }  // namespace hair

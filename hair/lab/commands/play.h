@@ -1,5 +1,5 @@
-// What `hairlab`, `hairlab run` and `hairlab scenes` do, without their command lines: the headers of scenes and those of
-// command lines take seconds to compile, so no file includes both.
+// What `hairlab`, `hairlab run` and `hairlab scenes` do, without their command lines: the headers of scenes
+// and those of command lines take seconds to compile, so no file includes both.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,8 @@ struct PlayOptions {
   bool strict = false;  // warnings make the exit code kBroke
 };
 
-// For whoever starts hairlab alone: the exercises that are not written yet, and the scenes that play without them.
+// For whoever starts hairlab alone: the exercises that are not written yet, and the scenes that play without
+// them.
 void show_overview(const Course& course);
 
 // All return the program's exit code.

@@ -27,7 +27,8 @@ struct ShellOptions {
   int threads = 1;
 };
 
-// A command with --out and --quick, which `quick` describes. --out is required, unless the command says when it is.
+// A command with --out and --quick, which `quick` describes. --out is required, unless the command says when
+// it is.
 CLI::App* add_study(CLI::App& program, const OtherCommand& command, ShellOptions& options, const char* quick,
                     bool out_is_required = true);
 void add_resume(CLI::App& app, ShellOptions& options);
@@ -37,8 +38,8 @@ enum class WhenInterrupted { loses, keeps, resumes };
 
 class StudyShell {
  public:
-  // From here on Ctrl-C sets interrupted(). The record, a JSON file, begins with the command's name. Throws BadInput as OutputFolder
-  // does.
+  // From here on Ctrl-C sets interrupted(). The record, a JSON file, begins with the command's name. Throws
+  // BadInput as OutputFolder does.
   StudyShell(const ShellOptions& options, const std::string& command, const std::string& record,
              std::vector<std::string> files, WhenInterrupted leaves);
   ~StudyShell() { say(""); }
@@ -54,12 +55,14 @@ class StudyShell {
     return [this](const std::string& what) { say(what); };
   }
 
-  // Writes the record, the page and the tables (names and rows; none without rows) and moves the folder to its place; each call replaces what
-  // the one before wrote. Adds to the record, in front, program, quick and machine, unless it has them; to the page the machine, and --quick.
+  // Writes the record, the page and the tables (names and rows; none without rows) and moves the folder to
+  // its place; each call replaces what the one before wrote. Adds to the record, in front, program, quick and
+  // machine, unless it has them; to the page the machine, and --quick.
   void keep(const OrderedJson& record, Page page,
             const std::vector<std::pair<std::string, std::vector<Row>>>& tables);
 
-  // Says where the page is, if one was kept, with `more` behind it; and what an interruption left. Returns the exit code.
+  // Says where the page is, if one was kept, with `more` behind it; and what an interruption left. Returns
+  // the exit code.
   int end(bool finished, const std::string& more = "") const;
 
  private:
@@ -71,7 +74,8 @@ class StudyShell {
   bool terminal_, kept_ = false;
 };
 
-// Returns those of `all` that are asked for, in the order of `all`; all, if none is. Throws BadInput, which begins with `where`.
+// Returns those of `all` that are asked for, in the order of `all`; all, if none is. Throws BadInput, which
+// begins with `where`.
 template <class One>
 std::vector<One> chosen(std::vector<One> all, const std::vector<std::string>& ids, const std::string& where) {
   std::string known;

@@ -89,8 +89,8 @@ struct Shown {
   bool of_reference = false;
 };
 
-// A folder's run, or a scene's, which is the reference's where exercises are missing. Nothing if these are all that there is to show:
-// then they are named.
+// A folder's run, or a scene's, which is the reference's where exercises are missing. Nothing if these are
+// all that there is to show: then they are named.
 std::optional<Shown> shown(const std::string& run, const Course& course, std::size_t most_points) {
   if (is_folder_of_run(run)) {
     const NamedMotion motion = of_folder(run);

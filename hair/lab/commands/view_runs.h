@@ -8,8 +8,8 @@ namespace hair {
 
 struct Course;
 
-// Instead of a run's name: the reference's run of the same scene, which comes along (reference/golden/make_motion.cpp). A folder of this
-// name is ./reference.
+// Instead of a run's name: the reference's run of the same scene, which comes along
+// (reference/golden/make_motion.cpp). A folder of this name is ./reference.
 inline constexpr const char* kReference = "reference";
 
 struct ViewOptions {
@@ -18,7 +18,8 @@ struct ViewOptions {
   std::filesystem::path out;  // empty: view.html in the run's folder, or NAME.html for a scene
 };
 
-// A scene whose exercises are not all written is shown as the reference moves it. Returns the program's exit code.
+// A scene whose exercises are not all written is shown as the reference moves it. Returns the program's exit
+// code.
 int view_runs(const ViewOptions& options, const Course& course);
 
 }  // namespace hair

@@ -16,8 +16,8 @@ struct HeadHair {
   bool curved;  // at rest it is what it grew to; else straight, and lies as its weight and the head let it
 };
 
-// Straight hair; the same without what differs from strand to strand by chance: directions, lengths, clumps, strands that fly away;
-// wavy and curly hair.
+// Straight hair; the same without what differs from strand to strand by chance: directions, lengths, clumps,
+// strands that fly away; wavy and curly hair.
 const std::vector<HeadHair>& head_hairs();
 
 // Strands of `points` points each, in metres, in the head's axes.

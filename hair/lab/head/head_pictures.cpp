@@ -11,7 +11,8 @@ constexpr int kWidth = 640, kHeight = 720, kCells = 220;
 const Vector3d kView(0.85, 0.6, 0.2);
 constexpr double kChin = -0.13;  // m: what is lower is in the picture if hair is
 
-// A head has a hundred thousand hairs of 80 micrometres. Fewer are drawn wider, so that they cover it as well, but not wider than this.
+// A head has a hundred thousand hairs of 80 micrometres. Fewer are drawn wider, so that they cover it as
+// well, but not wider than this.
 constexpr double kHairWidth = 8e-5, kFullHead = 1e5, kWidest = 8e-4;
 
 Colour linear_colour(const std::array<double, 3>& parts) {

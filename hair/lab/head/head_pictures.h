@@ -1,5 +1,5 @@
-// Pictures of a head in the middle of its motion: the same camera for hair that is made of few guides, of many, and simulated strand by
-// strand.
+// Pictures of a head in the middle of its motion: the same camera for hair that is made of few guides, of
+// many, and simulated strand by strand.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,8 @@ class HeadPictures {
   // Forgets the camera: the next hair is that of another head.
   void begin() { camera_.reset(); }
 
-  // At kPictured. points: 3 numbers each, strand after strand. The first that is drawn after begin() chooses the camera.
+  // At kPictured. points: 3 numbers each, strand after strand. The first that is drawn after begin() chooses
+  // the camera.
   Image draw(std::span<const double> points, int points_of_strand);
 
  private:

@@ -1,4 +1,5 @@
-// The study of a head: head.json, its rows, and the page: error against run time for each hair, pictures, and what others report. In head.json:
+// The study of a head: head.json, its rows, and the page: error against run time for each hair, pictures, and
+// what others report. In head.json:
 //
 //   program, quick, machine, format, threads
 //   frames_per_second, steps_per_frame, moving     of the motion: `moving` frames are measured

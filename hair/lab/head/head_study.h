@@ -1,8 +1,9 @@
-// Every strand of a head, or some of them with the others made by synthesis (H10): the error of that, and the run time of both. As plain
-// data.
+// Every strand of a head, or some of them with the others made by synthesis (H10): the error of that, and the
+// run time of both. As plain data.
 //
-// All sets of guides move beside the whole head, frame by frame, so that no motion is kept. Times are CPU times of all threads, s,
-// for the second in which the head moves. Finding a strand's guides is not in them: it is done once.
+// All sets of guides move beside the whole head, frame by frame, so that no motion is kept. Times are CPU
+// times of all threads, s, for the second in which the head moves. Finding a strand's guides is not in them:
+// it is done once.
 #pragma once
 
 #include <array>
@@ -72,7 +73,8 @@ struct HeadStudySettings {
 // In the middle of the way back.
 inline constexpr int kPictured = kSettle + 22;
 
-// What is called there: interpolated from so many guides, or all strands simulated, if these are as many. 3 numbers a point.
+// What is called there: interpolated from so many guides, or all strands simulated, if these are as many. 3
+// numbers a point.
 using SeeHead = std::function<void(int guides, std::span<const double> points)>;
 
 // Empty if interrupted. `say` is told what is being done; `see` may be empty.

@@ -1,8 +1,9 @@
-// A head that moves with its hair: all of its strands, or some of them, simulated. There are two ways: given code with the
-// exercises, strand by strand; and, in a program that has one, an engine that steps many strands at a time.
+// A head that moves with its hair: all of its strands, or some of them, simulated. There are two ways: given
+// code with the exercises, strand by strand; and, in a program that has one, an engine that steps many
+// strands at a time.
 //
-// In both the hair has stretch, bending, gravity, drag in the air, and collides with the head if that is asked for. Strands do not
-// touch each other. Times are frames: kFrame s, of kStepsPerFrame equal steps.
+// In both the hair has stretch, bending, gravity, drag in the air, and collides with the head if that is
+// asked for. Strands do not touch each other. Times are frames: kFrame s, of kStepsPerFrame equal steps.
 #pragma once
 
 #include <memory>
@@ -18,7 +19,8 @@ inline constexpr int kStepsPerFrame = 2;
 inline constexpr double kDrag = 2e-4;     // N s/m^2: for each metre of hair
 inline constexpr double kFriction = 0.2;  // Coulomb's mu, of the head
 
-// It waits for kSettle frames, in which hair settles; then it turns to one side and back within kMoving frames.
+// It waits for kSettle frames, in which hair settles; then it turns to one side and back within kMoving
+// frames.
 inline constexpr int kSettle = 15, kMoving = 30;
 inline constexpr double kTurn = 60;  // degrees
 Motion turn_of_head();
@@ -42,8 +44,8 @@ struct MovingHeadSettings {
 std::unique_ptr<MovingHead> given_head(const GrownHead& head, std::span<const std::size_t> which,
                                        const MovingHeadSettings& settings);
 
-// The engine: straight hair only; it also corrects lengths. Defined by the program: has_fast_head is false, and fast_head returns null, in one
-// that has none.
+// The engine: straight hair only; it also corrects lengths. Defined by the program: has_fast_head is false,
+// and fast_head returns null, in one that has none.
 bool has_fast_head();
 std::unique_ptr<MovingHead> fast_head(const GrownHead& head, std::span<const std::size_t> which,
                                       const MovingHeadSettings& settings);

@@ -1,5 +1,5 @@
-// P1's four methods in the phase plane: angle and rate of a pendulum, step by step. Its equation is angle'' = -sin(angle), in seconds and
-// radians: a pendulum of 9.81 m, whose small swings take 2 pi seconds.
+// P1's four methods in the phase plane: angle and rate of a pendulum, step by step. Its equation is angle'' =
+// -sin(angle), in seconds and radians: a pendulum of 9.81 m, whose small swings take 2 pi seconds.
 #pragma once
 
 #include <string>

@@ -8,8 +8,8 @@
 
 namespace hair {
 
-// `name`: a file, or the name of a shipped scene. Throws BadInput for a scene that can't be read, and for one that calls an
-// exercise that the course leaves out.
+// `name`: a file, or the name of a shipped scene. Throws BadInput for a scene that can't be read, and for one
+// that calls an exercise that the course leaves out.
 Scene read_course_scene(const std::string& name, const Course& course);
 
 // The same, of a scene that is not played: with few of its strands.

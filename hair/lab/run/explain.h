@@ -15,7 +15,8 @@ struct Part {
   std::string why;                  // what it does, or why it is not used
 };
 
-// All existing parts, and the course's exercises, in the same order for each scene; `render` as in RunSettings.
+// All existing parts, and the course's exercises, in the same order for each scene; `render` as in
+// RunSettings.
 std::vector<Part> explain(const Scene& scene, bool render, const Course& course);
 
 // One line for each part: "bending             used      H2: angular springs, ..."; of an exercise that is not written "stub".

@@ -31,8 +31,8 @@ std::unique_ptr<Playback> assemble(const Scene& scene) {
   }
 }
 
-// A renderer if pictures are asked for and this machine can draw; else why there are none. It loads the OpenGL libraries, so runs without
-// pictures don't.
+// A renderer if pictures are asked for and this machine can draw; else why there are none. It loads the
+// OpenGL libraries, so runs without pictures don't.
 std::unique_ptr<Renderer> prepare_renderer(const Scene& scene, const RunSettings& settings,
                                            const SceneDrawing& drawing, RunRecord& record,
                                            std::ostream& notes) {

@@ -21,8 +21,8 @@ struct RunSettings {
   bool draws =
       false;  // without pictures, too, the page shows dense hair, which needs H10; `render` says so as well
   std::size_t most_points = kMostPointsShown;  // of the page, in all frames: more leave strands out
-  // Strands that the page leaves out are not simulated, where none moves another or makes dense hair; energies, which would be of some
-  // strands alone, are left out, too.
+  // Strands that the page leaves out are not simulated, where none moves another or makes dense hair;
+  // energies, which would be of some strands alone, are left out, too.
   bool only_shown = false;
   double read_seconds = 0;  // what it took to read the scene
 };

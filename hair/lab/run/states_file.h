@@ -35,8 +35,8 @@ struct LinksFile {
 
 class StatesWriter {
  public:
-  // All functions throw BadInput if the file can't be written. `strands` has the threes of coordinates of each strand,
-  // `particles` those of strands and toys together; `coordinates` is ModelRow's.
+  // All functions throw BadInput if the file can't be written. `strands` has the threes of coordinates of
+  // each strand, `particles` those of strands and toys together; `coordinates` is ModelRow's.
   StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
                const std::vector<int>& strands, int particles, std::uint32_t coordinates = kPositions);
   void add(double time, const particles::State& state);  // 3n each

@@ -25,8 +25,8 @@ std::string step_name(const History& history) {
   return step_of(history.system);
 }
 
-// ConjGrad on all systems; or all solvers, and the direct way against time, on the first, the middle and the last system: all of them would
-// hide each other, and are in the tables.
+// ConjGrad on all systems; or all solvers, and the direct way against time, on the first, the middle and the
+// last system: all of them would hide each other, and are in the tables.
 enum class Drawn { conj_grad, all_solvers };
 
 Figure figure_of(Drawn drawn, const std::vector<Compared>& systems, Named named, const std::string& id,

@@ -1,4 +1,5 @@
-// The solver's study: solver.json, the rows of its CSV files and of the page's tables, and the page. In solver.json:
+// The solver's study: solver.json, the rows of its CSV files and of the page's tables, and the page. In
+// solver.json:
 //
 //   program, quick, machine, format, seconds, left_out (null, or why there are no normal equations)
 //   paths               places of a path over a bowl: solver, condition, steps, x (first, second), height above

@@ -20,8 +20,8 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr int kRoot = 3;  // coordinates
-// rad, that the disturbance turns an element by: angles a about two axes across turn it by a^2/2 about itself, which must
-// stay small beside what it twists by, up to a ten-thousandth of a.
+// rad, that the disturbance turns an element by: angles a about two axes across turn it by a^2/2 about
+// itself, which must stay small beside what it twists by, up to a ten-thousandth of a.
 constexpr double kLargestAngle = 1e-6;
 constexpr double kSmall = 1e-4;       // rad: energies are square to 1e-8, and rounding leaves as much
 constexpr double kLeastPart = 1e-12;  // of the fastest square frequency: below it there is only rounding

@@ -1,13 +1,13 @@
-// A strand that its model divides, hanging at rest: what hanging.h is for masses and springs. Only its body is asked. With q
-// the small change of its coordinates, those of the root left out, its energies are
+// A strand that its model divides, hanging at rest: what hanging.h is for masses and springs. Only its body
+// is asked. With q the small change of its coordinates, those of the root left out, its energies are
 //
 //   kinetic = q'^T M q' / 2        potential = q^T K q / 2 + a constant
 //
 // so that differences of energies give M, K, and from a body without weight the elastic part P of K.
 //
-// It hangs straight down, whatever its shape in the scene, clamped downwards, and its fibre does not resist rates: the modes
-// of M and K are then independent, and drag damps each of them on its own. The body's first three coordinates are the root's
-// position, the others angles.
+// It hangs straight down, whatever its shape in the scene, clamped downwards, and its fibre does not resist
+// rates: the modes of M and K are then independent, and drag damps each of them on its own. The body's first
+// three coordinates are the root's position, the others angles.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,11 +31,12 @@ struct HangingBody {
   double fastest_with_drag(bool has_drag) const;  // 1/s, of the modes that drag damps; or of the others
 };
 
-// The description's strand, with its moduli times `stiffness`. Throws BadInput for a strand that is not clamped, and if
-// nothing brings it back.
+// The description's strand, with its moduli times `stiffness`. Throws BadInput for a strand that is not
+// clamped, and if nothing brings it back.
 HangingBody hang_body(const Description& hair, double stiffness);
 
-// Gives every mode the same energy, as rates with pseudo-random signs, so small that no element turns by more than 1e-6.
+// Gives every mode the same energy, as rates with pseudo-random signs, so small that no element turns by more
+// than 1e-6.
 struct BodyDisturbance {
   Eigen::VectorXd rates;      // of all coordinates
   double energy_of_mode = 0;  // J
@@ -46,11 +47,12 @@ BodyDisturbance disturb(const HangingBody& hanging);
 Outcome run_disturbed(const Description& hair, const HangingBody& hanging, const BodyDisturbance& disturbance,
                       double drag, double h, long steps);
 
-// The largest step with which nothing grows by more than `growth` in a step: of each mode's oscillator for explicit
-// methods, implicit_limit (theory.h) with P in the matrix for the linearly implicit one.
+// The largest step with which nothing grows by more than `growth` in a step: of each mode's oscillator for
+// explicit methods, implicit_limit (theory.h) with P in the matrix for the linearly implicit one.
 double limit_of(Method method, const HangingBody& hanging, double drag, double growth);
 
-// 1/s: the frequency of the fastest motion that weight alone, which steps take explicitly, holds; of all if there is none.
+// 1/s: the frequency of the fastest motion that weight alone, which steps take explicitly, holds; of all if
+// there is none.
 double fastest_by_weight(const HangingBody& hanging);
 
 }  // namespace hair

@@ -94,8 +94,8 @@ class Refiner {
   }
   Column search(int column) { return search(column, {{ask(column, 0), 0}}); }
 
-  // The row where the class `above` follows `below`, looked for from `row` on, at `least` or higher. Nothing if there is
-  // neither class where one of them should be.
+  // The row where the class `above` follows `below`, looked for from `row` on, at `least` or higher. Nothing
+  // if there is neither class where one of them should be.
   std::optional<int> boundary_near(int column, int row, int below, int above, int least) {
     // Low has the class below, high the one above; each step doubles.
     std::optional<int> low, high;
@@ -114,8 +114,8 @@ class Refiner {
     return high;
   }
 
-  // The boundaries that both neighbours have are looked for in their mean; from the first that only one of them has, or
-  // that is not there, the column is searched.
+  // The boundaries that both neighbours have are looked for in their mean; from the first that only one of
+  // them has, or that is not there, the column is searched.
   Column follow(int column, const Column& left, const Column& right) {
     if (left[0].fate != right[0].fate) return search(column);
     Column result = {{left[0].fate, 0}};

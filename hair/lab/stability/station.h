@@ -1,5 +1,5 @@
-// A column of a map: hair that hangs, disturbed, with one stiffness and one drag. What becomes of it with a step, and what
-// theory says; for any model.
+// A column of a map: hair that hangs, disturbed, with one stiffness and one drag. What becomes of it with a
+// step, and what theory says; for any model.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,8 @@ namespace hair {
 struct Station {
   // A run of so many steps.
   std::function<Outcome(double h, long steps)> run;
-  // The largest step with which nothing grows by more than `growth` in a step; infinity if that is above `most`.
+  // The largest step with which nothing grows by more than `growth` in a step; infinity if that is above
+  // `most`.
   std::function<double(double growth, double most)> limit;
 };
 

@@ -31,8 +31,8 @@ double amplification(int powers, Complex z) {
   return std::abs(sum);
 }
 
-// The first h > 0 beyond which |R(h lambda)| > growth. |h lambda| = 4 is outside of all three regions, and they are seen
-// whole from 0: on a ray from there one leaves them once.
+// The first h > 0 beyond which |R(h lambda)| > growth. |h lambda| = 4 is outside of all three regions, and
+// they are seen whole from 0: on a ray from there one leaves them once.
 double polynomial_limit(int powers, Complex lambda, double growth) {
   const double size = std::abs(lambda);
   if (size == 0) return kInfinity;
@@ -103,9 +103,9 @@ Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eige
 
 double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
                                  const Eigen::MatrixXd& in_matrix, double gamma, double most, double growth) {
-  // With T = S^-1 M a step from w to w is x' = x + h w, w' = T^2 w - (T + 1) S^-1 (h/2 K) x'. An error z = -g has x' = -g x,
-  // so that w = -(1 + g) x / h, and ((1 + g) (g + T^2) - g (T + 1) S^-1 (h^2/2 K)) x = 0. For small steps T is near 1, and
-  // the determinant positive.
+  // With T = S^-1 M a step from w to w is x' = x + h w, w' = T^2 w - (T + 1) S^-1 (h/2 K) x'. An error z = -g
+  // has x' = -g x, so that w = -(1 + g) x / h, and ((1 + g) (g + T^2) - g (T + 1) S^-1 (h^2/2 K)) x = 0. For
+  // small steps T is near 1, and the determinant positive.
   const Eigen::MatrixXd masses = mass.asDiagonal(), one = Eigen::MatrixXd::Identity(mass.size(), mass.size());
   const auto positive = [&](double h) {
     const Eigen::MatrixXd s = (1 + h * gamma / 2) * masses + h * h / 2 * in_matrix;

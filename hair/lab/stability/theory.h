@@ -15,8 +15,9 @@
 // per step. A run of finitely many steps can't distinguish slow growth from none; this is the limit that it
 // can detect.
 //
-// Sources: E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I" (1993), II.1; E. Hairer
-// and G. Wanner, "Solving Ordinary Differential Equations II" (1996), IV.2 and IV.3; the rest is derived below.
+// Sources: E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I" (1993), II.1;
+// E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II" (1996), IV.2 and IV.3; the rest is
+// derived below.
 #pragma once
 
 #include <Eigen/Core>

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kMostSteps = 1 << 24;
 
-// The square of the angular frequency with which the joints of short elements turn, each against the next, 1/s^2: when
-// they twist, 2 c / l, with c the speed of torsion; when they bend, sqrt(48 EI / (rho A)) / l^2.
+// The square of the angular frequency with which the joints of short elements turn, each against the next,
+// 1/s^2: when they twist, 2 c / l, with c the speed of torsion; when they bend, sqrt(48 EI / (rho A)) / l^2.
 double fastest_squared(const Problem& problem, const ModelledStrand& strand) {
   const Eigen::VectorXd at = modelled_body(problem)->arc_lengths();
   const double l = (at.tail(at.size() - 1) - at.head(at.size() - 1)).minCoeff();

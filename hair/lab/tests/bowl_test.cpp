@@ -1,4 +1,5 @@
-// The paths over the bowl are said by their places; and hairlab writes them, with the solved exercises and without.
+// The paths over the bowl are said by their places; and hairlab writes them, with the solved exercises and
+// without.
 #include <gtest/gtest.h>
 
 #include <cmath>

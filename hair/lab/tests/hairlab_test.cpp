@@ -512,8 +512,8 @@ TEST_F(Hairlab, ExplainsHowMuchDenseHairTheFirstPictureLeavesOut) {
       << run.output;
 }
 
-// Two rows of eight straight guides, 2 cm apart. Thicker strips touch all 15 particles of each guide of the other row but its root: the
-// inner guides stand on an edge of two strips, the outer ones on one of one.
+// Two rows of eight straight guides, 2 cm apart. Thicker strips touch all 15 particles of each guide of the
+// other row but its root: the inner guides stand on an edge of two strips, the outer ones on one of one.
 TEST_F(Hairlab, TellsOfThickStripsBeforeItBegins) {
   const auto row = [](double z) {
     return Json{

@@ -1,4 +1,5 @@
-// All of hairlab's studies have these in common, as seen from outside: their files, their ends, and what they refuse.
+// All of hairlab's studies have these in common, as seen from outside: their files, their ends, and what they
+// refuse.
 #include <gtest/gtest.h>
 #include <signal.h>
 

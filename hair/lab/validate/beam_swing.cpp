@@ -32,8 +32,8 @@ struct SwingMethod {
   }
 };
 
-// Both implicit methods multiply the amplitude by the cosine of the phase: see dispersion.h. Of the fastest axial mode a
-// step's phase is 1 with Runge-Kutta; of the first one there is no decay to see.
+// Both implicit methods multiply the amplitude by the cosine of the phase: see dispersion.h. Of the fastest
+// axial mode a step's phase is 1 with Runge-Kutta; of the first one there is no decay to see.
 double cosine_decay(double phase) {
   return -std::log(std::cos(phase));
 }

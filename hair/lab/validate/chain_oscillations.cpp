@@ -122,8 +122,8 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
   return result;
 }
 
-// What steps take is in the table alone: with a lower mass that is 0.01 of the upper one H6 takes seven times as
-// much for the swing's size as of one pendulum, and no theory here says how much that may be.
+// What steps take is in the table alone: with a lower mass that is 0.01 of the upper one H6 takes seven times
+// as much for the swing's size as of one pendulum, and no theory here says how much that may be.
 ValidationResult swing_double_pendulums(const ChainMethod& method, const ValidationSettings& settings) {
   ValidationResult result;
   Table table = table_of_modes("Double pendulums, " + method.name, "mass ratio, mode");

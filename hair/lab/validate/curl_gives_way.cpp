@@ -1,10 +1,12 @@
-// A curl that hangs from its upper end. Under a heavy weight it is a planar curve: its natural curvature shows at its lower end
-// alone. Under a lighter one it could gain by leaving the plane, and does: the planar shape gives way to one in space. See J. T.
-// Miller, A. Lazarus, B. Audoly and P. M. Reis, "Shapes of a Suspended Curly Hair" (Physical Review Letters 112, 2014).
+// A curl that hangs from its upper end. Under a heavy weight it is a planar curve: its natural curvature
+// shows at its lower end alone. Under a lighter one it could gain by leaving the plane, and does: the planar
+// shape gives way to one in space. See J. T. Miller, A. Lazarus, B. Audoly and P. M. Reis, "Shapes of a
+// Suspended Curly Hair" (Physical Review Letters 112, 2014).
 //
-// In units of the length and of EI there are the weight Gamma = rho g S L^3 / EI, the total natural curvature phi, and GJ / EI =
-// 1 / (1 + nu). The planar branch is followed from heavy weights down, in steps of Gamma^(1/3) / phi, which is the ratio
-// of two lengths. It is stable as long as the energy's second derivatives out of the plane, by kappa1 and tau, are positive definite.
+// In units of the length and of EI there are the weight Gamma = rho g S L^3 / EI, the total natural curvature
+// phi, and GJ / EI = 1 / (1 + nu). The planar branch is followed from heavy weights down, in steps of
+// Gamma^(1/3) / phi, which is the ratio of two lengths. It is stable as long as the energy's second
+// derivatives out of the plane, by kappa1 and tau, are positive definite.
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
@@ -83,7 +85,8 @@ class HangingCurl {
   }
   VectorXd bends(const VectorXd& all) const { return all(Eigen::seqN(1, n_, 3)); }
 
-  // Of the residual's entries of these kinds (0 kappa1, 1 kappa2, 2 tau of each element), by the coordinates of the same kinds.
+  // Of the residual's entries of these kinds (0 kappa1, 1 kappa2, 2 tau of each element), by the coordinates
+  // of the same kinds.
   MatrixXd derivative(const std::vector<int>& kinds) {
     std::vector<int> which;
     for (int i = 0; i < n_; ++i)

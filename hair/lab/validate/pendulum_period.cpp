@@ -50,7 +50,8 @@ Check check_of(const Periods& periods, double degrees, double expected, int orde
 }
 
 // From three step sizes. Of a h^p + b h^(p+1) it is p + log2((1 + r) / (1 + r/2)), about p + r / 2 log(2), r
-// what b adds to the first difference, of 1; and halving the steps changes the extrapolated value by r / 2 (2^p
+// what b adds to the first difference, of 1; and halving the steps changes the extrapolated value by r / 2
+// (2^p
 // - 1) of that difference.
 Check check_of_order(const Periods& periods, double degrees, int order) {
   const auto& [coarse, middle, fine] = periods.measured;

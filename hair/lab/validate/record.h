@@ -28,7 +28,8 @@ std::string summary(const std::vector<ValidationRecord>& records);
 // One line for each check in aligned columns, with a heading, for a terminal of 120 columns.
 std::string terminal_text(const ValidationRecord& record);
 
-// validate.csv: one row for each check of all validations, and one for each validation that broke or was left out.
+// validate.csv: one row for each check of all validations, and one for each validation that broke or was left
+// out.
 std::vector<Row> check_rows(const std::vector<ValidationRecord>& records);
 
 Page page_of(const std::vector<ValidationRecord>& records);

@@ -57,7 +57,8 @@ TEST(ForceBands, OfRestCurvatureAreNeverNegative) {
   }
 }
 
-// A frame turns about the strand by tan(phi/2), so that only the last joint's may bend: then the local product is all.
+// A frame turns about the strand by tan(phi/2), so that only the last joint's may bend: then the local
+// product is all.
 TEST(ForceBands, OfRestCurvatureAreItsProductsWhereNoFrameTurns) {
   for (double angle : {0.0, 0.4, 1.2, 1.8, 2.6}) {
     Strand strand;

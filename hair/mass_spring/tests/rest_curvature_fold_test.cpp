@@ -1,4 +1,5 @@
-// STAFF ONLY. What hair/mass_spring/rest_curvature.h promises of joints that close up to the fold, and of segments without a direction.
+// STAFF ONLY. What hair/mass_spring/rest_curvature.h promises of joints that close up to the fold, and of
+// segments without a direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,8 +52,9 @@ TEST(RestCurvature, AtTheFoldHasTheEnergyOfAStraightStrandsJointAndThatOfItsRest
     }
 }
 
-// A joint closes up to the fold: the largest force and product stay within what the header says. Where the share
-// fades, over 0.31 radians, it changes by at most 1.5 / 0.09 sin(phi) < 7.3 a radian, and frames turn by 2 / 0.14.
+// A joint closes up to the fold: the largest force and product stay within what the header says. Where the
+// share fades, over 0.31 radians, it changes by at most 1.5 / 0.09 sin(phi) < 7.3 a radian, and frames turn
+// by 2 / 0.14.
 TEST(RestCurvature, IsBoundedUpToTheFold) {
   Strand strand = reference_tests::test_strand(6);
   strand.clamped = true;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Strands of rigid links, beyond what all bodies promise (hair/simulation/tests/bodies_test.cpp): hair that hangs, twists
-// and lies on a table.
+// STAFF ONLY. Strands of rigid links, beyond what all bodies promise (hair/simulation/tests/bodies_test.cpp):
+// hair that hangs, twists and lies on a table.
 #include "hair/rigid_links/rigid_links_body.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ TEST(RigidLinksBody, StepsAgreeWhenTheyAreSmall) {
   }
 }
 
-// A root that accelerates: seen from it, the strand has another weight. It comes to rest under the sum of the two.
+// A root that accelerates: seen from it, the strand has another weight. It comes to rest under the sum of the
+// two.
 TEST(RigidLinksBody, ARootThatAcceleratesAddsToTheWeight) {
   const double a = 9.81, h = 1e-3;
   StrandSpec spec = straight_hair(8);
@@ -112,7 +113,8 @@ TEST(RigidLinksBody, ASixtiethOfASecondHolds) {
 }
 
 // The tension of its own weight is explicit: hair hangs still at 1/60 s as long as it is at most 0.93 m long
-// (hair/rigid_links/tree_system.h). The tension is that of the root alone, so the limit itself lies a little above.
+// (hair/rigid_links/tree_system.h). The tension is that of the root alone, so the limit itself lies a little
+// above.
 TEST(RigidLinksBody, HoldsTheTensionThatItsBoundSays) {
   const Material material;
   const double h = 1.0 / 60;
@@ -206,7 +208,8 @@ TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
   EXPECT_GE(largest, 0.1) << "nothing meets a limit";
 }
 
-// One rod lies on a table and turns about its root. Whatever carries it where, friction's moment is mu m g l / 2, against m l^2
+// One rod lies on a table and turns about its root. Whatever carries it where, friction's moment is mu m g l
+// / 2, against m l^2
 // / 3: it slows by 3/2 mu g / l.
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   const double l = 0.02, mu = 0.3, speed = 20, h = 1e-4;

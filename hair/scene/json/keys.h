@@ -1,5 +1,5 @@
-// The keys of a scene's objects. A key is declared once: its name, unit, bounds, default, and a sentence. What reads an
-// object, the errors that it makes, and the tables of keys follow from the declaration.
+// The keys of a scene's objects. A key is declared once: its name, unit, bounds, default, and a sentence.
+// What reads an object, the errors that it makes, and the tables of keys follow from the declaration.
 //
 //   struct Ball {
 //     Vector3d centre;
@@ -11,8 +11,8 @@
 //   }
 //   const Ball ball = read<Ball>(object);
 //
-// keys_of is called without an object once, to note the keys; the values are their defaults then. After that it is called
-// for each object that is read, and sets the values that the object has.
+// keys_of is called without an object once, to note the keys; the values are their defaults then. After that
+// it is called for each object that is read, and sets the values that the object has.
 #pragma once
 
 #include <concepts>
@@ -54,7 +54,8 @@ constexpr KeySpec a_length(KeySpec key) {
 
 struct Section;
 
-// An object that stands under a key, or in the list under it. Of several kinds each one has an addition to its heading.
+// An object that stands under a key, or in the list under it. Of several kinds each one has an addition to
+// its heading.
 struct ObjectKind {
   const Section& (*section)();
   const char* addition = "";
@@ -236,8 +237,8 @@ T read(const JsonValue& object) {
   return value;
 }
 
-// Markdown: a section for the object, with the name, unit, default, bounds and meaning of its keys, and one for each object in
-// it. Headings are paths: "hair[].roots"; `top` is the object's own.
+// Markdown: a section for the object, with the name, unit, default, bounds and meaning of its keys, and one
+// for each object in it. Headings are paths: "hair[].roots"; `top` is the object's own.
 std::string key_tables(const ObjectKind& object, const std::string& top);
 
 }  // namespace hair::json

@@ -1,5 +1,5 @@
-// The parts of a scene's JSON: the keys of each, and what makes a part of the scene of them. All throw BadInput with the
-// JSON path.
+// The parts of a scene's JSON: the keys of each, and what makes a part of the scene of them. All throw
+// BadInput with the JSON path.
 #pragma once
 
 #include <algorithm>

@@ -50,8 +50,8 @@ struct Roots {
 
 void keys_of(Keys& keys, Roots& roots);
 
-// Calls `expect` with the number of roots before making any; it throws for too many, and returns how many are made. A list is
-// made whole. `object`: that which `roots` was read from.
+// Calls `expect` with the number of roots before making any; it throws for too many, and returns how many are
+// made. A list is made whole. `object`: that which `roots` was read from.
 std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
                                   const std::function<int(const JsonValue& where, long count)>& expect);
 

@@ -13,8 +13,8 @@ extern const char* const kStub;
 namespace reference_tests {
 namespace {
 
-// What the first step, measuring and drawing stop at, or nothing. One hair calls what a thousand do, and only dense hair calls something
-// when it is drawn.
+// What the first step, measuring and drawing stop at, or nothing. One hair calls what a thousand do, and only
+// dense hair calls something when it is drawn.
 std::string stub_of(hair::Scene scene) {
   scene.steps_per_frame = 1;
   scene.riders.clear();

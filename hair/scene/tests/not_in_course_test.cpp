@@ -1,4 +1,5 @@
-// STAFF ONLY. All given code, linked with what stands for exercises that a course leaves out: here for all of them.
+// STAFF ONLY. All given code, linked with what stands for exercises that a course leaves out: here for all of
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -304,8 +304,8 @@ TEST(Playback, AStepAllocatesWhatConjGradDoes) {
   EXPECT_EQ(counted(scene), 0);
 }
 
-// The second strand's tip a centimetre off where the link has it: k d^2 / 2, and the same bends and weights with any k. A
-// ball beside them comes after all strands.
+// The second strand's tip a centimetre off where the link has it: k d^2 / 2, and the same bends and weights
+// with any k. A ball beside them comes after all strands.
 TEST(Playback, MeasuresTheEnergyOfLinks) {
   const auto potential = [](const std::string& stiffness) {
     const Scene scene = scene_of(R"("method": "implicit_euler", "hair": [{"segments": 4, "length": 0.08,

@@ -1,5 +1,5 @@
-// STAFF ONLY. What a scene's run warns of, with the reference: scenes whose numbers are finite and wrong, and none of
-// those that ship.
+// STAFF ONLY. What a scene's run warns of, with the reference: scenes whose numbers are finite and wrong, and
+// none of those that ship.
 #include <gtest/gtest.h>
 
 #include <algorithm>

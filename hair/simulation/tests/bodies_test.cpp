@@ -38,11 +38,12 @@ struct Row {
   long allocations;            // of a step: ConjGrad of the reference has three vectors, and H4 three more
 };
 
-// Between the points of a finely divided curve, a quarter of a millimetre apart, the curve leaves its chord by k l^2 / 8.
+// Between the points of a finely divided curve, a quarter of a millimetre apart, the curve leaves its chord
+// by k l^2 / 8.
 constexpr double kChord = 200 * 6.25e-8 / 8;
 
-// A state of super-helices has no momenta of the step before; a body that starts from it takes accelerations, which are as good
-// to the order of h^2.
+// A state of super-helices has no momenta of the step before; a body that starts from it takes accelerations,
+// which are as good to the order of h^2.
 const Row kRows[] = {
     {.model = "mass_spring",
      .divisions = {24, 48},
@@ -196,7 +197,8 @@ TEST_P(Bodies, ImplicitStepsFeelPointForces) {
   EXPECT_GT(x_of(last), 1e-3);
 }
 
-// A hair that falls on a ball slides off and hangs beside it, or lies on it if it is clamped, at a sixtieth of a second.
+// A hair that falls on a ball slides off and hangs beside it, or lies on it if it is clamped, at a sixtieth
+// of a second.
 TEST_P(Bodies, StayOutOfABall) {
   const double radius = 0.03, h = 1.0 / 60;
   const Vector3d middle = row_.starts_anyhow ? Vector3d(0.05, 0, -0.05) : Vector3d(0.06, 0, -0.04);
@@ -221,8 +223,8 @@ TEST_P(Bodies, StayOutOfABall) {
       contacts += work.contacts;
       (k < 600 ? deepest : left) = std::max(k < 600 ? deepest : left, work.penetration);
     }
-    // The weight of all presses at most on one point: m n g = k depth. A step's way on a curved surface, v^2 h^2 / 2r with 1
-    // m/s, is cut off.
+    // The weight of all presses at most on one point: m n g = k depth. A step's way on a curved surface, v^2
+    // h^2 / 2r with 1 m/s, is cut off.
     EXPECT_LE(deepest, strand->points() * 9.81 / (kContactRate * kContactRate) + h * h / (2 * radius))
         << one.friction;
     EXPECT_LE(left, kRestingDepth) << one.friction;

@@ -1,5 +1,6 @@
-// STAFF ONLY. The books of energy, of each model and method: what comes in by roots, frames, drag and obstacles is no gain, and what drag and
-// dampers take is no loss; what comes from nowhere, or goes there, is.
+// STAFF ONLY. The books of energy, of each model and method: what comes in by roots, frames, drag and
+// obstacles is no gain, and what drag and dampers take is no loss; what comes from nowhere, or goes there,
+// is.
 #include "hair/strand/energy_watch.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ namespace {
 constexpr double kG = reference_tests::kGravity, kLength = 0.1;
 constexpr double kStep = 1e-4;
 
-// Methods of order one may be off by a few h of a second's motion: what these books may be off where nothing is wrong.
+// Methods of order one may be off by a few h of a second's motion: what these books may be off where nothing
+// is wrong.
 constexpr double kOrderOne = 0.02;
 
 TEST(EnergyWatch, AGainDoesNotHideBehindALoss) {
@@ -125,7 +127,8 @@ INSTANTIATE_TEST_SUITE_P(, EnergyOfModels, testing::ValuesIn(kRows), [](const au
   return std::string(row.param.model) + "_" + row_of(row.param.method).id;
 });
 
-// A root that is shaken at 2 m/s gives the strand its energy. The method's own error is of order one: it halves with the step.
+// A root that is shaken at 2 m/s gives the strand its energy. The method's own error is of order one: it
+// halves with the step.
 TEST_P(EnergyOfModels, AShakenRootGivesNoGain) {
   spec_.fibre.bend_factor = 10;
   if (row_.model != std::string("mass_spring")) spec_.fibre.twist_factor = 10;

@@ -1,10 +1,11 @@
-// STAFF ONLY. Stiff and extreme strands: the reference stays finite where its method promises to, and where it can't,
-// the simulation says which strand broke, at which step and in which stage. Never NaN in silence, never a hang.
+// STAFF ONLY. Stiff and extreme strands: the reference stays finite where its method promises to, and where
+// it can't, the simulation says which strand broke, at which step and in which stage. Never NaN in silence,
+// never a hang.
 //
-// What the methods promise. H4 with definite products and H6 solve symmetric positive definite systems, and never
-// break, whatever the step, as long as the arithmetic can tell: rounding is 2^-53 of the largest entry, about k h^2,
-// and must be far below the smallest, a mass. Explicit methods break as soon as h is above their limit, which for
-// forward Euler is none at all without damping.
+// What the methods promise. H4 with definite products and H6 solve symmetric positive definite systems, and
+// never break, whatever the step, as long as the arithmetic can tell: rounding is 2^-53 of the largest entry,
+// about k h^2, and must be far below the smallest, a mass. Explicit methods break as soon as h is above their
+// limit, which for forward Euler is none at all without damping.
 
 #include <gtest/gtest.h>
 
@@ -170,9 +171,9 @@ TEST(Extremes, CurlsNeverBreak) {
             << extreme.name << ", " << name_of(method) << ", h = " << h;
 }
 
-// Without the geometric term nothing holds a taut hair across its length but the explicit force, with a limit of its
-// own; with exact derivatives the system is indefinite in compression, and ConjGrad ends early. Neither is a promise.
-// What must hold is that nothing is silent.
+// Without the geometric term nothing holds a taut hair across its length but the explicit force, with a limit
+// of its own; with exact derivatives the system is indefinite in compression, and ConjGrad ends early.
+// Neither is a promise. What must hold is that nothing is silent.
 TEST(Extremes, OtherJacobiansAreNeverNaNInSilence) {
   for (const double stiffer : kStiffer)
     for (const Case& extreme : extreme_strands(stiffer))
@@ -192,9 +193,10 @@ TEST(Extremes, ExplicitMethodsBreakAloud) {
         for (const double h : kStepLengths) breaks(extreme, alone(extreme.start, method, h), 200);
 }
 
-// At hair's own stiffness: the fastest axial motion has w = 2 sqrt(k/m) sin(19 pi / 40), 0.997 of 2 c / l. Symplectic
-// Euler's limit is 2 / w, RK4's 2.83 / w, and forward Euler has none. Above it energy grows without bound as long as
-// springs are linear along the hair; what comes then is another story, and need not break.
+// At hair's own stiffness: the fastest axial motion has w = 2 sqrt(k/m) sin(19 pi / 40), 0.997 of 2 c / l.
+// Symplectic Euler's limit is 2 / w, RK4's 2.83 / w, and forward Euler has none. Above it energy grows
+// without bound as long as springs are linear along the hair; what comes then is another story, and need not
+// break.
 TEST(Extremes, ExplicitMethodsHoldBelowTheirLimitAndGainEnergyAboveIt) {
   const hair::Material material;
   const double w = 0.997 * 2 * std::sqrt(material.young_modulus / material.density) / 0.01;

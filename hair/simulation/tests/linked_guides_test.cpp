@@ -97,8 +97,8 @@ TEST(GuideFrames, TurnWithTheGuide) {
   }
 }
 
-// H9's part and this one together: force against the energy of frames that turn by the least rotation, product against
-// force where links are at rest, symmetric and definite elsewhere.
+// H9's part and this one together: force against the energy of frames that turn by the least rotation,
+// product against force where links are at rest, symmetric and definite elsewhere.
 TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   const std::vector<StaticLink> links = {{1, 2, Vector3d(0.3, 0.2, -0.5), 1, 2, 9, 9}};
   const VectorXd largest = VectorXd::Zero(1), x = scattered_vector(9, 3);
@@ -148,7 +148,8 @@ TEST(LinkedGuides, WithoutStiffnessMoveAsByThemselves) {
   EXPECT_LE((positions(one) - positions(other)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// h^2 k / m is 100 times the explicit limit; guides that swing together keep their distances and their lengths.
+// h^2 k / m is 100 times the explicit limit; guides that swing together keep their distances and their
+// lengths.
 TEST(LinkedGuides, AreStableFarBeyondTheExplicitLimit) {
   const hair::Description hair = guides(4, Vector3d(1, 0.5, 1));
   const double m = hair.strands[0].strand.mass[1], k = 400 * m / (kStep * kStep);
@@ -217,8 +218,8 @@ TEST(LinkedGuides, RecordTheEnergyThatLinksLose) {
   }
 }
 
-// Guides whose links are stretched to twice their length at the start, and give them what they hold. Implicit Euler damps, and frames
-// are right to first order: what is off in a second of motion goes with h.
+// Guides whose links are stretched to twice their length at the start, and give them what they hold. Implicit
+// Euler damps, and frames are right to first order: what is off in a second of motion goes with h.
 TEST(LinkedGuides, WhatLinksGiveIsNoGain) {
   hair::Description hair = linked(guides(4), {0.005, 100, 100});
   hair.step = 1e-3;
@@ -230,7 +231,8 @@ TEST(LinkedGuides, WhatLinksGiveIsNoGain) {
   EXPECT_LE(simulation.watch().worst(hair::Concern::energy), 0.02);
 }
 
-// Guides of a bar that turns to and fro: roots move and turn, each with another velocity, and links take it along.
+// Guides of a bar that turns to and fro: roots move and turn, each with another velocity, and links take it
+// along.
 TEST(LinkedGuides, WhatRootsGiveThroughLinksIsNoGain) {
   hair::Description hair = linked(guides(4), {0.02, 100, 100});
   hair.step = 1e-3;
@@ -295,8 +297,8 @@ TEST(StripContacts, RememberTheSide) {
   EXPECT_EQ(side_at(0.05), 1);
 }
 
-// A step that takes a particle farther than the strip's thickness: if it is still near the strip, it belongs to where it
-// came from; if not, it went through, and is counted. What moves past the strip's edge is not.
+// A step that takes a particle farther than the strip's thickness: if it is still near the strip, it belongs
+// to where it came from; if not, it went through, and is counted. What moves past the strip's edge is not.
 TEST(StripContacts, CountWhatGoesThroughInOneStep) {
   hair::ControlMesh mesh;
   mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
@@ -329,7 +331,8 @@ TEST(StripContacts, CountWhatGoesThroughInOneStep) {
   EXPECT_EQ(contacts.passes(0) + contacts.passes(1), 0);
 }
 
-// Two guides with a strip between them, and a third across their way, 4 mm beside it, that moves towards it, m/s.
+// Two guides with a strip between them, and a third across their way, 4 mm beside it, that moves towards it,
+// m/s.
 hair::Description hair_before_a_strip(double speed, const std::optional<hair::StripLaw>& law) {
   hair::Description hair = guides(3);
   hair::StrandSpec spec;
@@ -345,8 +348,8 @@ hair::Description hair_before_a_strip(double speed, const std::optional<hair::St
   return hair;
 }
 
-// A guide whose root moves on is pulled against the strip between two others that lie across its way: it stays outside,
-// and without the strip it passes.
+// A guide whose root moves on is pulled against the strip between two others that lie across its way: it
+// stays outside, and without the strip it passes.
 TEST(LinkedGuides, StripsKeepHairOut) {
   for (const bool strips : {true, false}) {
     hair::Simulation simulation(
@@ -365,7 +368,8 @@ TEST(LinkedGuides, StripsKeepHairOut) {
   }
 }
 
-// In a step it moves by 13 mm, four times the strip's thickness: the strip sees nothing of it, and a warning says so.
+// In a step it moves by 13 mm, four times the strip's thickness: the strip sees nothing of it, and a warning
+// says so.
 TEST(LinkedGuides, WarnOfStepsThatAreTooLongForStrips) {
   hair::Simulation simulation(hair_before_a_strip(3, hair::StripLaw{0.003, 50, 0.2}));
   ASSERT_FALSE(simulation.advance(3));

@@ -33,8 +33,9 @@ TEST(RestShapeMotion, WithoutGravityWavesAndCurlsStayPut) {
       const bool implicit = method == Method::implicit_euler || method == Method::predictor_corrector;
       Simulation simulation(alone(hair::start_at_rest({}, shape), method, implicit ? 1.0 / 240 : 1e-7));
       ASSERT_FALSE(simulation.advance(100)) << name_of(method);
-      // Rounding of x changes lengths by 2^-53 x and pulls with EA / l0 times that, 1e-12 N; an explicit method
-      // moves a particle of 2.5e-8 kg by 1e-14 m within its 1e-5 s, an implicit one by what bending gives way.
+      // Rounding of x changes lengths by 2^-53 x and pulls with EA / l0 times that, 1e-12 N; an explicit
+      // method moves a particle of 2.5e-8 kg by 1e-14 m within its 1e-5 s, an implicit one by what bending
+      // gives way.
       EXPECT_LE(farthest(simulation.state(0).x - shape.x), 1e-10 * kLength) << name_of(method);
     }
 }
@@ -106,8 +107,8 @@ double most_gained(Method method, double step) {
   return most;
 }
 
-// There is no theorem. Measured: 2.0e-2 at 1/60, where a step is long beside a curl's bounces, and nothing from 1/90 on.
-// The bound at 1/60 is twice that; at 1/120, the one of straight hair.
+// There is no theorem. Measured: 2.0e-2 at 1/60, where a step is long beside a curl's bounces, and nothing
+// from 1/90 on. The bound at 1/60 is twice that; at 1/120, the one of straight hair.
 TEST(RestShapeMotion, ACurlGainsEnergyOnlyFromLongSteps) {
   EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 60), 0.04);
   EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 120), 0.01);

@@ -1,5 +1,5 @@
-// STAFF ONLY. The given simulation among obstacles: they push hair out and along, hold it by friction, and leave
-// H6's lengths and velocities as H6 promises.
+// STAFF ONLY. The given simulation among obstacles: they push hair out and along, hold it by friction, and
+// leave H6's lengths and velocities as H6 promises.
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ TEST(SimulationCollisions, NoParticleIsInsideAnObstacleAfterAStep) {
   }
 }
 
-// With H6 segments keep their lengths in contact, too. What is left is what pushing a particle out by kDeepEnough,
-// 1e-7 m, does to a segment of 1 cm, on either side.
+// With H6 segments keep their lengths in contact, too. What is left is what pushing a particle out by
+// kDeepEnough, 1e-7 m, does to a segment of 1 cm, on either side.
 TEST(SimulationCollisions, LengthsAndObstaclesAgree) {
   Description description =
       alone(straight_hair(12, 0.12, Vector3d::UnitX()), Method::predictor_corrector, 1.0 / 240);
@@ -80,7 +80,8 @@ std::vector<Method> methods_that_stretch() {
   return {kMethods.begin(), kMethods.end() - 1};
 }
 
-// The tip is 2 cm before the front of what comes along x at 3 m/s: after 0.1 s it is where the front is, as fast.
+// The tip is 2 cm before the front of what comes along x at 3 m/s: after 0.1 s it is where the front is, as
+// fast.
 TEST(SimulationCollisions, WhatMovesPushesHairAlong) {
   const Vector3d velocity(3, 0, 0);
   const hair::Obstacle fronts[] = {{hair::Plane{Vector3d::Zero(), Vector3d::UnitX()}},
@@ -118,9 +119,10 @@ Description on_slope(StrandStart start, Method method, double friction) {
   return description;
 }
 
-// Wherever on the slope it is, a hair across it that starts at rest stays there if tan < mu. Each step pushes it out
-// by some depth along the normal and takes its way downhill, tan depth, back. What a step leaves is rounding, of
-// numbers below 1; what is within rounding of the surface may fall for a step, g h^2, until it is pushed out.
+// Wherever on the slope it is, a hair across it that starts at rest stays there if tan < mu. Each step pushes
+// it out by some depth along the normal and takes its way downhill, tan depth, back. What a step leaves is
+// rounding, of numbers below 1; what is within rounding of the surface may fall for a step, g h^2, until it
+// is pushed out.
 TEST(SimulationCollisions, WithinTheConeOfFrictionHairStaysWhereItIs) {
   const int steps = 240;
   for (const double downhill : {-0.4, 0.4})
@@ -142,8 +144,8 @@ TEST(SimulationCollisions, WithinTheConeOfFrictionHairStaysWhereItIs) {
     }
 }
 
-// Steeper than friction holds, a particle slides with the acceleration g (sin - mu cos): from rest, symplectic
-// Euler's n steps take it h^2 n (n + 1) / 2 of that, and so do those of implicit Euler.
+// Steeper than friction holds, a particle slides with the acceleration g (sin - mu cos): from rest,
+// symplectic Euler's n steps take it h^2 n (n + 1) / 2 of that, and so do those of implicit Euler.
 TEST(SimulationCollisions, OutsideTheConeOfFrictionAParticleSlides) {
   const double mu = 0.2, h = 1.0 / 240, n = 96;
   const double slide = kG * (1 - 2 * mu) / std::sqrt(5) * h * h * n * (n + 1) / 2;
@@ -159,8 +161,9 @@ TEST(SimulationCollisions, OutsideTheConeOfFrictionAParticleSlides) {
 
 // --- H6 ---
 
-// A hair hits a slope and lies on it. Pushed out by d = h v, a tip on the surface loses the velocity v; each round of
-// mending leaves as much of v as of d. It ends with d at most kDeepEnough, 1e-7 m, and so v at most 1e-7 / h.
+// A hair hits a slope and lies on it. Pushed out by d = h v, a tip on the surface loses the velocity v; each
+// round of mending leaves as much of v as of d. It ends with d at most kDeepEnough, 1e-7 m, and so v at most
+// 1e-7 / h.
 TEST(SimulationCollisions, WithH6VelocitiesInContactStretchNothing) {
   const double h = 1.0 / 240;
   StrandStart start = straight_hair(1, 0.1, Vector3d::UnitX());

@@ -1,5 +1,5 @@
-// STAFF ONLY. The given simulation with the reference's exercises: it does what its description says, and says
-// when a strand breaks.
+// STAFF ONLY. The given simulation with the reference's exercises: it does what its description says, and
+// says when a strand breaks.
 
 #include "hair/simulation/simulation.h"
 
@@ -208,7 +208,8 @@ TEST(Simulation, ARestCurvatureOfWhatDoesNotBendHasNoEffect) {
 
 // --- Memory ---
 
-// The reference allocates three vectors in ConjGrad, and a vector, a matrix and its memory: 6 for H4, 12 for the two solves of H6.
+// The reference allocates three vectors in ConjGrad, and a vector, a matrix and its memory: 6 for H4, 12 for
+// the two solves of H6.
 TEST(Simulation, AStepAllocatesNothingBeyondConjGradAndTheMatrix) {
   for (Method method : kMethods) {
     Description description = alone(straight_hair(8, 0.08, Vector3d::UnitX()), method, 1e-6);

@@ -34,8 +34,8 @@ StrandStart hanging_hair(int segments, double length, const hair::Material& mate
   return start;
 }
 
-// A hair that turns about its root as a whole: sum m r^2 w, wherever it is. There, a lever is known to 2^-51 m, and
-// again in the velocity.
+// A hair that turns about its root as a whole: sum m r^2 w, wherever it is. There, a lever is known to 2^-51
+// m, and again in the velocity.
 TEST(StrandPhysics, AngularMomentumIsAboutTheRoot) {
   StrandStart start = straight_hair(10, 0.1);
   const Vector3d root(3, -2, 1), turn(0, 7, 0);
@@ -85,15 +85,15 @@ TEST(StrandPhysics, AHangingHairStaysAtRest) {
     Simulation simulation(std::move(description));
     ASSERT_FALSE(simulation.advance(100)) << name_of(method);
     const double fall = kG * simulation.time();
-    // A solve to 1e-10 of a right-hand side of a (f + ...) leaves so much of what gravity gives in a step, and
-    // rounding leaves 2^-53 EA / (m g) = 3e-7 of gravity.
+    // A solve to 1e-10 of a right-hand side of a (f + ...) leaves so much of what gravity gives in a step,
+    // and rounding leaves 2^-53 EA / (m g) = 3e-7 of gravity.
     EXPECT_LE(simulation.state(0).v.cwiseAbs().maxCoeff(), 1e-4 * fall) << name_of(method);
     EXPECT_LE((simulation.state(0).x - x).cwiseAbs().maxCoeff(), 1e-6 * 0.1) << name_of(method);
   }
 }
 
-// Axial modes of n segments with half the mass at the tip: w_j = 2 sqrt(k/m) sin((2j - 1) pi / 4n), with shapes
-// sin((2j - 1) pi i / 2n), at any stiffness: along a line springs are linear.
+// Axial modes of n segments with half the mass at the tip: w_j = 2 sqrt(k/m) sin((2j - 1) pi / 4n), with
+// shapes sin((2j - 1) pi i / 2n), at any stiffness: along a line springs are linear.
 TEST(StrandPhysics, AxialModesSwingWithTheirFrequencies) {
   const int n = 8;
   for (const double stiffer : {1.0, 1e6}) {
@@ -112,8 +112,9 @@ TEST(StrandPhysics, AxialModesSwingWithTheirFrequencies) {
       const double t = 2 * kPi / w * 1.3;  // cos(w t) and sin(w t) are both far from 0
       Simulation simulation(alone(std::move(start), Method::runge_kutta_4, t / steps));
       ASSERT_FALSE(simulation.advance(steps));
-      // RK4: (w h)^4 / 120 of phase for each radian, with h a thousandth of 8.2 radians of this mode; other modes,
-      // which rounding excites, are at most 2.8 sqrt(k/m) / w times as fast, for which h is small enough, too.
+      // RK4: (w h)^4 / 120 of phase for each radian, with h a thousandth of 8.2 radians of this mode; other
+      // modes, which rounding excites, are at most 2.8 sqrt(k/m) / w times as fast, for which h is small
+      // enough, too.
       EXPECT_LE((simulation.state(0).x - rest - std::cos(w * t) * shape).cwiseAbs().maxCoeff(),
                 1e-9 * 1e-4 + 1e-15)
           << "mode " << j << ", " << stiffer << " times as stiff";
@@ -121,8 +122,9 @@ TEST(StrandPhysics, AxialModesSwingWithTheirFrequencies) {
   }
 }
 
-// A root that is flung away at v strains the hair by v / c behind a front that runs at c = sqrt(E / rho): 6.6 % at
-// 100 m/s. The root's way, v t, is all stretch of the part that the front has reached, which is c t long.
+// A root that is flung away at v strains the hair by v / c behind a front that runs at c = sqrt(E / rho): 6.6
+// % at 100 m/s. The root's way, v t, is all stretch of the part that the front has reached, which is c t
+// long.
 TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
   const int n = 400;
   const hair::Material material;
@@ -133,8 +135,8 @@ TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
   const double h = 0.2 * 0.001 / c;
   Simulation simulation(alone(std::move(start), Method::runge_kutta_4, h));
   ASSERT_FALSE(simulation.advance(static_cast<long>(0.2 / c / h)));  // the front is in the middle
-  // Behind the front strain rings around v / c; over many segments it averages out: within 2 %, ten times less
-  // than the ringing.
+  // Behind the front strain rings around v / c; over many segments it averages out: within 2 %, ten times
+  // less than the ringing.
   const double length = particle(simulation, 20)[2] - particle(simulation, 120)[2];
   EXPECT_NEAR(length / 0.1 - 1, v / c, 0.02 * v / c);
   // Ahead of it nothing has moved.
@@ -205,8 +207,8 @@ std::vector<Description> falling_hairs(Method method, double step) {
   return all;
 }
 
-// What bounds the energy of H6 is that lengths are right and the filter dissipates; there is no theorem. 1/100 of
-// what falls is far below what one relaxation sweep alone would add, 0.16.
+// What bounds the energy of H6 is that lengths are right and the filter dissipates; there is no theorem.
+// 1/100 of what falls is far below what one relaxation sweep alone would add, 0.16.
 TEST(StrandPhysics, WithThePredictorCorrectorAFallGainsNoEnergy) {
   for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 960})
     for (Description& description : falling_hairs(Method::predictor_corrector, step)) {
@@ -216,8 +218,8 @@ TEST(StrandPhysics, WithThePredictorCorrectorAFallGainsNoEnergy) {
     }
 }
 
-// One linearisation stretches what turns, by (angle in a step)^2 / 2, and the stretch of a stiff hair has a lot of
-// energy for a moment: 300 m g L at h = 1/240. But motion does not live on it.
+// One linearisation stretches what turns, by (angle in a step)^2 / 2, and the stretch of a stiff hair has a
+// lot of energy for a moment: 300 m g L at h = 1/240. But motion does not live on it.
 TEST(StrandPhysics, WithImplicitEulerAFallGainsNoEnergyBesideThatOfStretching) {
   for (const double step : {1.0 / 240, 1.0 / 960})
     for (Description& description : falling_hairs(Method::implicit_euler, step)) {

@@ -1,4 +1,5 @@
-// STAFF ONLY. Strands that are super-helices, beyond what all bodies promise (hair/simulation/tests/bodies_test.cpp).
+// STAFF ONLY. Strands that are super-helices, beyond what all bodies promise
+// (hair/simulation/tests/bodies_test.cpp).
 #include "hair/super_helix/super_helix_body.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,8 @@ std::unique_ptr<SuperHelixBody> body(const StrandSpec& spec,
   return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity);
 }
 
-// Of a wave each element has the mean curvature: it turns as the wave does, and ends near it, to the second order.
+// Of a wave each element has the mean curvature: it turns as the wave does, and ends near it, to the second
+// order.
 TEST(SuperHelixBody, FollowsAWaveToTheSecondOrder) {
   StrandSpec spec = straight_hair(20, 0.12);
   spec.form = Wavy{0.003, 0.04};
@@ -81,8 +83,8 @@ TEST(SuperHelixBody, DragTakesEnergy) {
   }
 }
 
-// Kirchhoff's rod by two models that share nothing but its constants. Where a level curl sags, it bends to and fro with each turn, so
-// that an element should be a small part of a turn.
+// Kirchhoff's rod by two models that share nothing but its constants. Where a level curl sags, it bends to
+// and fro with each turn, so that an element should be a small part of a turn.
 TEST(SuperHelixBody, FallsAsRigidLinksDo) {
   StrandSpec spec = curl(24);
   spec.root.axis = Vector3d(1, 0, 0);

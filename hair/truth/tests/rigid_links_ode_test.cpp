@@ -45,7 +45,8 @@ Problem problem_of(const hair::Scene& scene, double duration) {
   return hair::make_problem(scene, {.strand = 0, .duration = duration, .segments = {}});
 }
 
-// The largest distance of a point from the accurate motion, at any moment, of a method with so many steps a moment.
+// The largest distance of a point from the accurate motion, at any moment, of a method with so many steps a
+// moment.
 double error_of(const Problem& problem, const AccurateMotion& motion, Method method, int steps) {
   hair::Scene scene = problem.scene;
   scene.hair.method = method;
@@ -78,8 +79,8 @@ TEST(LinksOde, StartsWhereItsBodyStarts) {
   }
 }
 
-// In air that drags, with wind. Runge and Kutta's steps are no part of CVODE's; of order 4, the error is c h^4, so that two
-// steps know c: what is left by the finer one is a fifteenth of their difference.
+// In air that drags, with wind. Runge and Kutta's steps are no part of CVODE's; of order 4, the error is c
+// h^4, so that two steps know c: what is left by the finer one is a fifteenth of their difference.
 TEST(LinksOde, MovesAsRungeAndKuttaSay) {
   hair::Scene scene = scene_of(soft_curl(6));
   scene.hair.drag = 2e-4;
@@ -104,8 +105,8 @@ TEST(LinksOde, KeepsTheEnergyWithoutDrag) {
     EXPECT_LE(std::abs(playback.measure(state).energy() - start), 1e-8 * kinetic) << "of " << kinetic << " J";
 }
 
-// A rod whose hinge starts with v across it: seen from the hinge, its middle is struck by -m v, and so it turns with m v
-// (L/2) / (m L^2/3 + m r^2/4) for ever, because the hinge moves on steadily.
+// A rod whose hinge starts with v across it: seen from the hinge, its middle is struck by -m v, and so it
+// turns with m v (L/2) / (m L^2/3 + m r^2/4) for ever, because the hinge moves on steadily.
 TEST(LinksOde, ABlowAtTheRootTurnsARodAsInTheClosedForm) {
   StrandSpec spec = soft(1);
   spec.clamped = false;
@@ -126,7 +127,8 @@ TEST(LinksOde, ABlowAtTheRootTurnsARodAsInTheClosedForm) {
   }
 }
 
-// The root's own motion is of first order in steps, which go to where the root is at their end at a steady velocity.
+// The root's own motion is of first order in steps, which go to where the root is at their end at a steady
+// velocity.
 TEST(LinksOde, ARootThatIsCarriedAndTurnedLeadsItAsItLeadsSteps) {
   hair::Scene scene = scene_of(soft_curl(5));
   scene.riders = carried_strand().scene.riders;

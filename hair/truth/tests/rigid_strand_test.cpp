@@ -31,8 +31,8 @@ TEST(RigidStrand, KeepsItsLengths) {
   }
 }
 
-// To first order in 1/EA what springs leave of the limit is what tensions stretch them by: ten times the EA, a tenth.
-// And the agreement of a rigid strand's motion covers what it leaves out.
+// To first order in 1/EA what springs leave of the limit is what tensions stretch them by: ten times the EA,
+// a tenth. And the agreement of a rigid strand's motion covers what it leaves out.
 TEST(RigidStrand, IsTheLimitOfThoseThatStretchAndSaysHowFarItIs) {
   constexpr double kSoft = 0.003, kHard = 0.03, kHardest = 101;
   for (Problem (*make)(double) : {level_strand, carried_strand}) {

@@ -30,7 +30,8 @@ TEST(StrandOde, HasTheDerivativeOfItsRates) {
     moved[j] -= 2 * kStep;
     ode.rates(0, moved, down);
     const Eigen::VectorXd column = (up - down) / (2 * kStep);
-    // Differences of the second order: about (kStep / 1 cm)^2, and roundings 1e-16 / 1e-7 of the largest entries.
+    // Differences of the second order: about (kStep / 1 cm)^2, and roundings 1e-16 / 1e-7 of the largest
+    // entries.
     const double off = 1e-6 * column.lpNorm<Eigen::Infinity>();
     for (int i = 0; i < n; ++i) {
       const bool inside = i - j <= df.below && j - i <= df.above;
@@ -55,7 +56,8 @@ TEST(StrandOde, ItsRootIsWhereItsRiderIs) {
       const hair::RootMotion at = root.at(t);
       const auto place = [&](double time) { return hair::way_at(motion, time)(start); };
       EXPECT_LE((at.position - place(t)).norm(), 1e-16);
-      // h^2 / 6 times third derivatives of about 0.02 m * 12 / (0.034 s)^3, and for the second h^2 / 12 times fourth.
+      // h^2 / 6 times third derivatives of about 0.02 m * 12 / (0.034 s)^3, and for the second h^2 / 12 times
+      // fourth.
       EXPECT_LE((at.velocity - (place(t + h) - place(t - h)) / (2 * h)).norm(), 1e-6) << "at " << t;
       EXPECT_LE((at.acceleration - (root.at(t + h).velocity - root.at(t - h).velocity) / (2 * h)).norm(),
                 1e-3)

@@ -1,4 +1,5 @@
-// A point of a strand has a colour: its own, its strand's, by how far its segment is stretched, or by how far it is from the other run's.
+// A point of a strand has a colour: its own, its strand's, by how far its segment is stretched, or by how far
+// it is from the other run's.
 
 const RUNS = [[0.0, 0.45, 0.7], [0.84, 0.37, 0.0]]; // of two runs, for readers who are colour-blind, too
 const BROKEN = [0.85, 0.1, 0.1];
@@ -35,8 +36,8 @@ function distance(scale, frame, i, other, j) {
   return Math.sqrt(sum);
 }
 
-// The part by which a segment is longer or shorter than in the first frame, and the part of the scene by which two runs differ, that have the
-// last colour.
+// The part by which a segment is longer or shorter than in the first frame, and the part of the scene by
+// which two runs differ, that have the last colour.
 const STRETCH_SHOWN = 0.1, DISTANCE_SHOWN = 0.1;
 
 // Four bytes a point, the last of them for nothing. `other`: the other run's motion, or null.

@@ -177,8 +177,9 @@ function makeDrawing(canvas, strands) {
 
   return {
     upload: (motion) => uploadMotion(gl, motion),
-    // scene: camera, eye, target, fieldOfView, pixels (of the screen for one of the page), background; runs: held, k, between, and `tint`, which
-    // names the colours and writes them. few: of many strands a share is drawn
+    // scene: camera, eye, target, fieldOfView, pixels (of the screen for one of the page), background; runs:
+    // held, k, between, and `tint`, which names the colours and writes them. few: of many strands a share is
+    // drawn
     draw(scene, runs, few) {
       gl.viewport(0, 0, canvas.width, canvas.height);
       gl.clearColor(...scene.background, 1);

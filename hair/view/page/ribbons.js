@@ -1,5 +1,6 @@
-// Strands as ribbons that face the eye: two corners a point, two triangles a segment. They are laid out here and not on the card. Cards that
-// are programs (SwiftShader, llvmpipe) take an instance, or a strip that starts anew, ten times as long as a list of triangles.
+// Strands as ribbons that face the eye: two corners a point, two triangles a segment. They are laid out here
+// and not on the card. Cards that are programs (SwiftShader, llvmpipe) take an instance, or a strip that
+// starts anew, ten times as long as a list of triangles.
 
 const SHARES = 3; // of the strands: where all are too many, one share is drawn
 const LIGHT = [0.48, -0.6, 0.64]; // light that falls along a hair is not seen
@@ -51,8 +52,8 @@ function makeRibbons(starts) {
 
   return {
     bytes,
-    // places: m; camera: a matrix; halves of a ribbon: `wide` over the distance, at least `thin`, pixels; width, height: half the picture's,
-    // pixels; colours: four bytes a point
+    // places: m; camera: a matrix; halves of a ribbon: `wide` over the distance, at least `thin`, pixels;
+    // width, height: half the picture's, pixels; colours: four bytes a point
     lay(places, camera, wide, thin, width, height, colours) {
       project(places, camera, wide, thin, width, height);
       for (let s = 0; s + 1 < starts.length; ++s) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. The cameras of the scenes that ship: they have all hair in the picture, in each frame, and are no farther than that asks for.
-// The runs are the reference's that ship beside them (target hair_motions).
+// STAFF ONLY. The cameras of the scenes that ship: they have all hair in the picture, in each frame, and are
+// no farther than that asks for. The runs are the reference's that ship beside them (target hair_motions).
 #include <gtest/gtest.h>
 
 #include <cmath>

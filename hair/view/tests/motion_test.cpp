@@ -1,4 +1,5 @@
-// STAFF ONLY. A motion's file: how exact it is, how large, and what becomes of things that fly away or are gone.
+// STAFF ONLY. A motion's file: how exact it is, how large, and what becomes of things that fly away or are
+// gone.
 #include "hair/view/motion.h"
 
 #include <gtest/gtest.h>

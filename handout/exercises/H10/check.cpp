@@ -1,6 +1,6 @@
-// The public checks of H10, function by function; each is checked with inputs that are made here, so that an error in one
-// does not show in the others. Every failure prints the input, what was expected, what came, the error and its
-// bound. The contract is in hair/strand_synthesis.h.
+// The public checks of H10, function by function; each is checked with inputs that are made here, so that an
+// error in one does not show in the others. Every failure prints the input, what was expected, what came, the
+// error and its bound. The contract is in hair/strand_synthesis.h.
 
 #include "hair/strand_synthesis.h"
 
@@ -60,8 +60,8 @@ Lock upright(const VectorXd& points) {
   return {{points.head<3>(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, points};
 }
 
-// n points whose distances from the root, as a root with the axis z, the side x and the position 0 sees them, are
-// the given ones.
+// n points whose distances from the root, as a root with the axis z, the side x and the position 0 sees them,
+// are the given ones.
 Lock lock(const RootFrame& root, const VectorXd& seen) {
   Lock made{root, seen};
   Matrix3d axes;
@@ -169,9 +169,11 @@ TEST(WeightsOutside, OfARootBesideTheTriangleAreThoseOfTheNearestPoint) {
   expect_weights(Vector3d(-2, 1.5, 1), {0.5, 0, 0.5}, "beside the last edge of");
   expect_weights(Vector3d(-1, -1, 1), {1, 0, 0}, "beyond the first corner of");
   expect_weights(Vector3d(9, 1, 4), {0, 1, 0}, "beyond the second corner of");
-  // The foot on the edge from (4, 0) to (0, 3) is its middle; weights that are cut off at 0 and scaled say otherwise.
+  // The foot on the edge from (4, 0) to (0, 3) is its middle; weights that are cut off at 0 and scaled say
+  // otherwise.
   expect_weights(Vector3d(2 + 3, 1.5 + 4, 1), {0, 0.5, 0.5}, "beside the longest edge of");
-  // Here the weight of the first corner is negative, and that of the third, too; the foot on the longest edge counts.
+  // Here the weight of the first corner is negative, and that of the third, too; the foot on the longest edge
+  // counts.
   expect_weights(Vector3d(4, -1, 1), {0, 1, 0}, "below the second corner of");
 }
 

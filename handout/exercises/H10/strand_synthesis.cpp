@@ -1,4 +1,5 @@
-// H10: strand synthesis. The contract is in hair/strand_synthesis.h, the text in assignment/H10-strand-synthesis.md.
+// H10: strand synthesis. The contract is in hair/strand_synthesis.h, the text in
+// assignment/H10-strand-synthesis.md.
 
 #include "hair/strand_synthesis.h"
 

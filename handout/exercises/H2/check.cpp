@@ -427,8 +427,9 @@ TEST(CurrentLengths, IsSymmetricAtUnevenLengths) {
 
 TEST(ClampedRoot, HasTheJointOfAClampedRoot) {
   look_at("spd");
-  // One segment of 1 m, rest length 1 m, at a right angle to root_tangent: k = 2 EI / l = 8 N m, phi = pi/2, and
-  // dphi/dx_1 = -root_tangent = (-0.6, 0, 0.8), for the tip moves against it where the bend grows. The plane of the bend is askew.
+  // One segment of 1 m, rest length 1 m, at a right angle to root_tangent: k = 2 EI / l = 8 N m, phi = pi/2,
+  // and dphi/dx_1 = -root_tangent = (-0.6, 0, 0.8), for the tip moves against it where the bend grows. The
+  // plane of the bend is askew.
   Strand strand = strand_of(vector({1}));
   strand.clamped = true;
   strand.root_tangent = Vector3d(0.6, 0, -0.8);
@@ -477,7 +478,8 @@ TEST(Fold, AtTheFoldIsZero) {
   }
 }
 
-// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands of their own.
+// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands
+// of their own.
 TEST(NoDirection, BesideASegmentOfLengthZero) {
   look_at("beside");
   Case whole = clamped(uneven(7, 5));

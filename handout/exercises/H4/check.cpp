@@ -1,5 +1,5 @@
-// The public checks of H4. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in particles/implicit_euler.h. The checks of solve_plain and implicit_euler need S1.
+// The public checks of H4. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in particles/implicit_euler.h. The checks of solve_plain and implicit_euler need S1.
 
 #include "particles/implicit_euler.h"
 
@@ -27,7 +27,8 @@ namespace {
 
 const double kU = std::ldexp(1.0, -53);
 
-// Two particles of 2 and 3 kg, 2 m apart along x, and a spring of 4 N/m between them that is 1 m long at rest.
+// Two particles of 2 and 3 kg, 2 m apart along x, and a spring of 4 N/m between them that is 1 m long at
+// rest.
 const Particles kFree{Eigen::Vector2d(2, 3), {0, 0}}, kPinned{Eigen::Vector2d(2, 3), {1, 0}},
     kOtherPinned{Eigen::Vector2d(2, 3), {0, 1}};
 

@@ -1,5 +1,5 @@
-// The public checks of H5. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in hair/length_correction.h.
+// The public checks of H5. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/length_correction.h.
 
 #include "hair/length_correction.h"
 
@@ -27,7 +27,8 @@ namespace {
 const double kU = std::ldexp(1.0, -53);
 const Vector3d kAlong = Vector3d(2, -1, 2) / 3;
 
-// Takes a straight strand, its segments so long, with rest lengths of 0.8 and 2 m; and what an iteration makes of it, if one is made.
+// Takes a straight strand, its segments so long, with rest lengths of 0.8 and 2 m; and what an iteration
+// makes of it, if one is made.
 void measures_the_error(Correction correction) {
   for (const auto& [first, second] : {std::pair{1.0, 2.0}, {0.6, 2.0}, {0.8, 2.5}, {0.4, 2.5}, {0.8, 1.2}}) {
     Strand strand = strand_of(3);
@@ -93,8 +94,8 @@ void moves_by_masses(Correction correction) {
   correction(strand, 1e-12, 100000, x);
   expect_entries(x, right, 1e-11, "a straight strand of 0.8 and 1.7 m, corrected to 0.8 and 1.3 m",
                  "the tolerance, 1e-12, twice");
-  // Only one segment is wrong, and not at the root: its ends move against each other by 1/mass, and the first then pulls
-  // its own end back. For a small error e across a right angle the first segment does not see it.
+  // Only one segment is wrong, and not at the root: its ends move against each other by 1/mass, and the first
+  // then pulls its own end back. For a small error e across a right angle the first segment does not see it.
   strand.rest_length = vector({2, 1.5});
   for (const double e : {1e-6, -1e-6}) {
     const VectorXd before = vector({0, 0, 0, 2, 0, 0, 2, 1.5 + e, 0});
@@ -120,8 +121,8 @@ void leaves_the_root_alone(Correction correction, const VectorXd& wrong) {
   EXPECT_EQ(after.head<3>(), wrong.head<3>()) << "the root, after three iterations at most";
 }
 
-// From the tip on, each segment gives to its outer end what it takes from its inner one: the momenta of particles i to the last one add up
-// to an impulse along segment i - 1.
+// From the tip on, each segment gives to its outer end what it takes from its inner one: the momenta of
+// particles i to the last one add up to an impulse along segment i - 1.
 void expect_impulses_along(const Strand& strand, const VectorXd& x, const VectorXd& change, double bound,
                            const std::string& unit, const std::string& where, const std::string& source) {
   Vector3d impulse = Vector3d::Zero();
@@ -564,7 +565,8 @@ TEST(Velocities, ByImpulsesAlongTheSegments) {
 
 TEST(Masses, ByEqualAndOppositeImpulses) {
   look_at("velocities");
-  // A right angle: the first segment sees nothing of what the second needs, so that this is a collision of 2 and 3 kg.
+  // A right angle: the first segment sees nothing of what the second needs, so that this is a collision of 2
+  // and 3 kg.
   Strand strand = strand_of(3);
   strand.mass = vector({0.7, 2, 3});
   strand.rest_length = vector({0.8, 1.5});

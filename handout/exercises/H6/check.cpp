@@ -1,5 +1,5 @@
-// The public checks of H6. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in hair/predictor_corrector.h. They need S1, H4 and H5.
+// The public checks of H6. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/predictor_corrector.h. They need S1, H4 and H5.
 
 #include "hair/predictor_corrector.h"
 
@@ -66,7 +66,8 @@ constexpr double kPull = kHalf / 2 * kStiffness * (kRest - kSpring);            
 const char* const kText =
     "after a step of 0.5 s from (0.48, 0.384, 0.512) m at (1.3, 2.1, -0.4) m/s, 2.3 kg, rest length 0.8 m";
 
-// The velocity that a solve makes of v, where the strand has its length along u: (m + ratio) dv = -pull - ratio v.
+// The velocity that a solve makes of v, where the strand has its length along u: (m + ratio) dv = -pull -
+// ratio v.
 Vector3d filtered(const Vector3d& v, const Vector3d& u) {
   return v - (kPull + kRatio * u.dot(v)) / (kMass + kRatio) * u;
 }
@@ -153,7 +154,8 @@ TEST(Cost, ReportsEachPart) {
       << "the second report's: is it that of the first solve?";
 }
 
-// With springs that know their band, solve_implicit has a preconditioner, whose memory is another part of `scratch`.
+// With springs that know their band, solve_implicit has a preconditioner, whose memory is another part of
+// `scratch`.
 TEST(SecondSolve, IsTheSameWithAPreconditioner) {
   look_at("scratch");
   Chain chain(1e-3, 8);
@@ -220,8 +222,9 @@ TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
 
 TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
   look_at("unconverged");
-  // Without forces the way of a particle over h is its velocity, whatever the correction did. A root that is 1e12 m
-  // away leaves a correction that never converges; a strand that is flung about takes it many iterations.
+  // Without forces the way of a particle over h is its velocity, whatever the correction did. A root that is
+  // 1e12 m away leaves a correction that never converges; a strand that is flung about takes it many
+  // iterations.
   for (const double root : {0.0, 1e12}) {
     Chain chain(0, 12);
     State state = chain.state;

@@ -1,6 +1,6 @@
-// The public checks of H7, pass by pass: a pass is checked with right results of the passes before it, so that the first
-// check that fails names the pass that is wrong. Every failure prints the input, what was expected, what came, the error
-// and its bound. The contract is in hair/rigid_links.h.
+// The public checks of H7, pass by pass: a pass is checked with right results of the passes before it, so
+// that the first check that fails names the pass that is wrong. Every failure prints the input, what was
+// expected, what came, the error and its bound. The contract is in hair/rigid_links.h.
 
 #include "hair/rigid_links.h"
 
@@ -57,8 +57,8 @@ int rates_of(const Links& links) {
   return links.size() == 1 ? 0 : links.back().first + hair::rates_of(links.back().joint);
 }
 
-// A mass of m at the end of a rod of length l without mass, which hangs from (0, 0, 0), turned by `angle` about y away
-// from -z; under the weight m g.
+// A mass of m at the end of a rod of length l without mass, which hangs from (0, 0, 0), turned by `angle`
+// about y away from -z; under the weight m g.
 Links pendulum(double m, double l, double angle, double g = 0) {
   const Vector3d d = l * Vector3d(-std::sin(angle), 0, -std::cos(angle));
   Links links = chain_of({link_of(JointType::revolute, kY, d, d, m)});
@@ -66,7 +66,8 @@ Links pendulum(double m, double l, double angle, double g = 0) {
   return links;
 }
 
-// Of 1 kg, 0.5 m and 0.3 rad and of 2 kg, 0.4 m and -1.2 rad. Both hang from the base: neither feels the other.
+// Of 1 kg, 0.5 m and 0.3 rad and of 2 kg, 0.4 m and -1.2 rad. Both hang from the base: neither feels the
+// other.
 Links two_pendulums() {
   Links links = chain_of({pendulum(1, 0.5, 0.3, 9.81)[1], pendulum(2, 0.4, -1.2, 9.81)[1]});
   links[2].parent = 0;
@@ -156,8 +157,8 @@ VectorXd one(double value) {
   return VectorXd::Constant(1, value);
 }
 
-// Newton's and Euler's laws, and nothing of the recursion: the joint's force that each link needs with all that hangs from
-// it and with its stiffening, less Q, after all three passes.
+// Newton's and Euler's laws, and nothing of the recursion: the joint's force that each link needs with all
+// that hangs from it and with its stiffening, less Q, after all three passes.
 VectorXd unbalanced(const Links& links, const VectorXd& rates, const VectorXd& Q, const LinkPass& base = {}) {
   const Passes first = pass_1(links, rates, base);
   Passes passes = pass_2(links, Q, first);
@@ -181,8 +182,8 @@ VectorXd unbalanced(const Links& links, const VectorXd& rates, const VectorXd& Q
 
 enum class Part { inertia, bias };
 
-// I^A or Z^A of the base, from pass 1 alone. With B and S the links' velocities for each motion of the base and for each rate, the
-// base needs B'(I (B a + S q" + c) + Z), where the joints' forces S'(...) are Q.
+// I^A or Z^A of the base, from pass 1 alone. With B and S the links' velocities for each motion of the base
+// and for each rate, the base needs B'(I (B a + S q" + c) + Z), where the joints' forces S'(...) are Q.
 void expect_base(const Links& links, const VectorXd& rates, const VectorXd& Q, Part asked) {
   const auto n = static_cast<Eigen::Index>(Q.size());
   const auto six = [](const Vector3d& angular, const Vector3d& linear) {
@@ -379,8 +380,8 @@ TEST(Inertias, OfAChainAreWhatItsJointsLeave) {
 }
 
 TEST(Biases, CarryForcesThroughJoints) {
-  // 2 kg that hang 0.5 m down, pushed along x by 3 N: the rod turns, and nothing gets through. The joint's torque of
-  // 0.5 N m about y accelerates the mass by 0.5 / (m l) along -x, and the base pushes back.
+  // 2 kg that hang 0.5 m down, pushed along x by 3 N: the rod turns, and nothing gets through. The joint's
+  // torque of 0.5 N m about y accelerates the mass by 0.5 / (m l) along -x, and the base pushes back.
   Links links = pendulum(2, 0.5, 0);
   links[1].external.force = Vector3d(3, 0, -20);
   Passes passes = pass_1(links, one(0));
@@ -615,7 +616,8 @@ TEST(SphericalJoints, HaveThreeRatesEach) {
                 "omega of link 3, a spherical joint with the rates 4, 5, 6", "1e-13");
 }
 
-// Pass 2 and 3 with what they say of each: q" = gain (Q - s'(I^A a^ + Z^A)), with the numbers of its own joint.
+// Pass 2 and 3 with what they say of each: q" = gain (Q - s'(I^A a^ + Z^A)), with the numbers of its own
+// joint.
 TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
   const Link ball = link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), 1,
                             Vector3d(1, 2, 4).asDiagonal());

@@ -1,6 +1,6 @@
-// The public checks of H8, piece by piece: first what every element needs, then sums over the strand with elements
-// that are made here, then the step. Every failure prints the input, what was expected, what came, the error and
-// its bound. The contract is in hair/super_helix.h.
+// The public checks of H8, piece by piece: first what every element needs, then sums over the strand with
+// elements that are made here, then the step. Every failure prints the input, what was expected, what came,
+// the error and its bound. The contract is in hair/super_helix.h.
 
 #include "hair/super_helix.h"
 
@@ -50,8 +50,8 @@ struct Lying {
   std::vector<HelixPoint> points;
 };
 
-// Of a straight element: its rates bend it about n1 and n2, and twist it. The columns of `moves` are n1 x t and n2
-// x t times s^2 / 2, and 0.
+// Of a straight element: its rates bend it about n1 and n2, and twist it. The columns of `moves` are n1 x t
+// and n2 x t times s^2 / 2, and 0.
 HelixJacobian straight(const Matrix3d& axes, double s) {
   HelixJacobian J;
   J.turns = s * axes;
@@ -103,8 +103,8 @@ Lying crooked_strand() {
   return lying;
 }
 
-// From the root to the tip, and without J: the velocities of all points at these rates. Each element turns and
-// carries what comes after it.
+// From the root to the tip, and without J: the velocities of all points at these rates. Each element turns
+// and carries what comes after it.
 std::vector<Vector3d> velocities(const Lying& lying, const VectorXd& rates) {
   std::vector<Vector3d> found;
   Vector3d velocity = Vector3d::Zero(), spin = Vector3d::Zero();
@@ -200,8 +200,8 @@ TEST(NearlyStraight, IsOneOverKFactorialAtZero) {
   for (int k = 0; k < 8; ++k) EXPECT_NUMBER(c[k], 1 / std::tgamma(k + 1), 1e-15) << "c_" << k << "(0) = 1/k!";
 }
 
-// The functions belong together: x c_(k+2) = 1/k! - c_k, and the derivative. A jump, or digits that are lost near
-// 0, break it.
+// The functions belong together: x c_(k+2) = 1/k! - c_k, and the derivative. A jump, or digits that are lost
+// near 0, break it.
 TEST(NearlyStraight, KeepsItsDigitsNearZero) {
   look_at("digits");
   double factorial[8] = {1};
@@ -306,7 +306,8 @@ TEST(NearlyStraight, IsStraightWithoutCurvature) {
   }
 }
 
-// An arc about n1, however little it winds and however long it is: there is no size below which an element is straight.
+// An arc about n1, however little it winds and however long it is: there is no size below which an element is
+// straight.
 TEST(NearlyStraight, BendsHoweverLittle) {
   look_at("digits");
   for (const double length : {1.0, 1e-9, 1e9})
@@ -466,7 +467,8 @@ TEST(OtherUnits, OfElementsOfAnyLength) {
 // ---- (5)
 
 TEST(Forces, OfAForceAtTheTip) {
-  // 2 m along z, held at 0: 3 N along y at the tip bend element 0 about -x with the arm from each of its points.
+  // 2 m along z, held at 0: 3 N along y at the tip bend element 0 about -x with the arm from each of its
+  // points.
   Lying lying = straight_strand(2, 2, 1);
   HelixPoint tip;
   tip.element = 1;

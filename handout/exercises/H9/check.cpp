@@ -1,5 +1,5 @@
-// The public checks of H9, function by function. Lengths, stiffnesses and masses are about 1, so that bounds of 1e-12 are
-// thousands of roundings. The contract is in hair/static_links.h.
+// The public checks of H9, function by function. Lengths, stiffnesses and masses are about 1, so that bounds
+// of 1e-12 are thousands of roundings. The contract is in hair/static_links.h.
 
 #include "hair/static_links.h"
 

@@ -1,4 +1,5 @@
-// H9: static links and triangle strips. The contract is in hair/static_links.h, the text in assignment/H9-static-links.md.
+// H9: static links and triangle strips. The contract is in hair/static_links.h, the text in
+// assignment/H9-static-links.md.
 
 #include "hair/static_links.h"
 

@@ -1,7 +1,8 @@
 // The public checks of P1. Every failure prints the input, what was expected, what came, the error and its
 // bound. The contract is in particles/explicit_integrators.h.
 //
-// All four methods go through the same checks: ForwardEuler/Integrator.HasItsOrder/0, Each/EitherSign.GoesBackInTime/midpoint.
+// All four methods go through the same checks: ForwardEuler/Integrator.HasItsOrder/0,
+// Each/EitherSign.GoesBackInTime/midpoint.
 
 #include "particles/explicit_integrators.h"
 
@@ -80,8 +81,8 @@ class Spring1 : public Dynamics {
   double k_, c_;
 };
 
-// Three pendulums and the air's drag, which couples them: a depends on x and v, and is linear in neither. So methods of the same order
-// differ.
+// Three pendulums and the air's drag, which couples them: a depends on x and v, and is linear in neither. So
+// methods of the same order differ.
 class Pendulums : public Dynamics {
  public:
   void acceleration(Input x, Input v, Output a) override {

@@ -340,8 +340,9 @@ TEST(Solve, SharesTheForceOfARodThatIsThereTwice) {
 }
 
 TEST(Nothing, LeavesAlonePartsThatNothingPullsApart) {
-  // A braced rectangle of 0.375 by 0.5 m: six rods, one more than hold its shape in its plane. All particles move at the
-  // same speed, and all fall alike: each term of the right-hand side is exactly 0 in these numbers.
+  // A braced rectangle of 0.375 by 0.5 m: six rods, one more than hold its shape in its plane. All particles
+  // move at the same speed, and all fall alike: each term of the right-hand side is exactly 0 in these
+  // numbers.
   Example falling;
   falling.particles = {Eigen::Vector4d(1, 0.5, 2, 0.25), {0, 0, 0, 0}};
   falling.state = {VectorXd(12), Vector3d(1, -2, 0.5).replicate(4, 1)};
@@ -375,8 +376,8 @@ TEST(Report, ReportsHowFarItCame) {
   EXPECT_LE(large.residual, 1.001e-10 * product(pulled, lambda).norm())
       << "the same with a million times the forces; bound: 1e-10 times the norm of the right-hand side, "
          "which is that of J W J^T lambda but for the residual";
-  // Two free particles in one place, a rod of length 0 between them, and they part at 3 m/s: J = 0, so that nothing
-  // can solve 0 = -J' v = -9, and all of it is left.
+  // Two free particles in one place, a rod of length 0 between them, and they part at 3 m/s: J = 0, so that
+  // nothing can solve 0 = -J' v = -9, and all of it is left.
   Example apart = pendulum();
   apart.constraints.rods = {{1, 0, 0}};
   apart.particles.pinned = {0, 0};
@@ -425,7 +426,8 @@ TEST(Report, TakesTheStepsThatALongChainNeeds) {
 
 TEST(Report, TakesAllStepsThereMayBeWhereNoneSuffice) {
   look_at("limit");
-  // 40 rods of 1 to 1e8 m that share no particle: their squares are the matrix's entries, and rounding leaves more than the tolerance.
+  // 40 rods of 1 to 1e8 m that share no particle: their squares are the matrix's entries, and rounding leaves
+  // more than the tolerance.
   constexpr int kRods = 40;
   Example system;
   system.particles = {VectorXd::Constant(2 * kRods, 1.7), std::vector<char>(2 * kRods, 0)};

@@ -341,8 +341,8 @@ TEST(SixtyFourth, TakesOneProductAStepAndOneMoreEvery64) {
 
 TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
   look_at("order");
-  // The residual falls from r to r - A s by the step s = alpha d, and what is left is orthogonal to r. So A s is
-  // at least as long as r, and s as ||r|| / ||A||. Half of that leaves room for rounding.
+  // The residual falls from r to r - A s by the step s = alpha d, and what is left is orthogonal to r. So A s
+  // is at least as long as r, and s as ||r|| / ||A||. Half of that leaves room for rounding.
   System s = falling();
   for (int last : {1, 63, 64, 65, 128}) {
     SCOPED_TRACE("step " + std::to_string(last) + " of " + call(s.name, 0, last));
@@ -360,8 +360,9 @@ TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
 
 TEST(Hard, TakesNoMoreStepsOnALongWayThanItsDirectionsNeed) {
   look_at("restart");
-  // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: a beta of
-  // 0 there forgets all directions so far. Rounding turns them a little; that costs no program a third more.
+  // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: a beta
+  // of 0 there forgets all directions so far. Rounding turns them a little; that costs no program a third
+  // more.
   const int n = 250;
   expect_goes_on(
       system_with("the tridiagonal (-1, 2, -1), n = 250, whose 250 different eigenvalues take 250 steps",
@@ -508,7 +509,8 @@ TEST(NotFinite, TakesNoStepFromAResidualThatIsNotFinite) {
 
 TEST(NotFinite, EndsBeforeXOverflows) {
   look_at("overflow");
-  // The next x is b + alpha (b - Ab), with an entry of 7e308 in the last case and more in the others: no double.
+  // The next x is b + alpha (b - Ab), with an entry of 7e308 in the last case and more in the others: no
+  // double.
   for (auto [name, d, b] : {std::tuple{"A = [1e-190 0; 0 1e-190], b = (1e140, 2e140)", Vector{1e-190, 1e-190},
                                        Vector{1e140, 2e140}},
                             {"A = [1e-190 0; 0 3], b = (1e140, 2)", {1e-190, 3}, {1e140, 2}},
@@ -521,8 +523,8 @@ TEST(NotFinite, EndsBeforeXOverflows) {
     EXPECT_EQ(out.x, b) << "x is the last one that was finite: the first guess, b";
     EXPECT_FALSE(out.returned <= 1e-9) << "returned " << out.returned;
   }
-  // With B = b / a: after the first step x = (1.6 B, 1.6 B), to some twenty roundings; the second one would lead to (B, 4 B), and
-  // 4 B = 2.4e308 is no double, though 1.6 B - 2.4 B is one.
+  // With B = b / a: after the first step x = (1.6 B, 1.6 B), to some twenty roundings; the second one would
+  // lead to (B, 4 B), and 4 B = 2.4e308 is no double, though 1.6 B - 2.4 B is one.
   const double b = 2e140, B = 6e307;
   const std::string name = "A = [a 0; 0 a/4], a = 3.3e-168, b = (2e140, 2e140)";
   SCOPED_TRACE(call(name, 1e-9, 0));
@@ -536,8 +538,8 @@ TEST(NotFinite, EndsBeforeXOverflows) {
 
 TEST(Scaling, SolvesForAnXNearTheEndOfTheNumbers) {
   look_at("sum");
-  // The residual is b to 1 part in 1e157, so one step is all, with some twenty roundings. Both entries of x are numbers; their
-  // sum would be none.
+  // The residual is b to 1 part in 1e157, so one step is all, with some twenty roundings. Both entries of x
+  // are numbers; their sum would be none.
   solver::SparseMatrix A = diagonal({2e-157, 2e-157});
   SCOPED_TRACE(call("A = [2e-157 0; 0 2e-157], b = (3e151, 2e151)", 1e282, 0));
   const Outcome out = solve(A, {3e151, 2e151}, 1e282, 0);

@@ -1,5 +1,5 @@
-// STAFF ONLY. H10 by features: of the triangle, its edges and its corners each has a nearest point, and the nearest of these
-// counts. Frames are seen by their components, and a turn takes a basis to a basis.
+// STAFF ONLY. H10 by features: of the triangle, its edges and its corners each has a nearest point, and the
+// nearest of these counts. Frames are seen by their components, and a turn takes a basis to a basis.
 #include "hair/strand_synthesis.h"
 
 #include <algorithm>

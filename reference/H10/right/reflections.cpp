@@ -1,6 +1,6 @@
-// STAFF ONLY. A right solution of H10 with matrices: a turn is two half turns, about the direction that it takes and about the
-// middle of both; a guide is carried over by the product of two frames; weights by the regions around a triangle, in long
-// double.
+// STAFF ONLY. A right solution of H10 with matrices: a turn is two half turns, about the direction that it
+// takes and about the middle of both; a guide is carried over by the product of two frames; weights by the
+// regions around a triangle, in long double.
 #include "hair/strand_synthesis.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 //
 //   grad phi = -grad c / s,   d2phi = -d2c / s - (c / s^3) grad c grad c^T.
 //
-// It divides by the sine where other formulas need not, and so rounds most. A joint that is as good as straight has
-// products of its own.
+// It divides by the sine where other formulas need not, and so rounds most. A joint that is as good as
+// straight has products of its own.
 
 #include "hair/angular_springs.h"
 

@@ -1,4 +1,5 @@
-// STAFF ONLY. A right solution of H3 with everything multiplied out. Its terms cancel where a strand is bent a little.
+// STAFF ONLY. A right solution of H3 with everything multiplied out. Its terms cancel where a strand is bent
+// a little.
 
 #include "hair/bend_springs.h"
 

@@ -1,4 +1,5 @@
-// STAFF ONLY. A right H4 with vectors of its own, particle by particle, that gives ConjGrad a right-hand side of length 1.
+// STAFF ONLY. A right H4 with vectors of its own, particle by particle, that gives ConjGrad a right-hand side
+// of length 1.
 #include "particles/implicit_euler.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// STAFF ONLY. A right H5 by relaxation alone, from the tip to the root and back: no Newton's method, another direction.
+// STAFF ONLY. A right H5 by relaxation alone, from the tip to the root and back: no Newton's method, another
+// direction.
 #include "hair/length_correction.h"
 
 #include <cmath>

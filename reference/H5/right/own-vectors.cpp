@@ -1,5 +1,5 @@
-// STAFF ONLY. A right H5 with vectors of its own, that eliminates from the tip to the root, sweeps that way, too, and takes all impulses on
-// velocities at once.
+// STAFF ONLY. A right H5 with vectors of its own, that eliminates from the tip to the root, sweeps that way,
+// too, and takes all impulses on velocities at once.
 #include "hair/length_correction.h"
 
 #include <array>

@@ -1,5 +1,5 @@
-// STAFF ONLY. A right H6 as the lecture prints it, with its names: what the solves find is written as the force F^{n+1} that
-// acts for dt/2.
+// STAFF ONLY. A right H6 as the lecture prints it, with its names: what the solves find is written as the
+// force F^{n+1} that acts for dt/2.
 #include "hair/predictor_corrector.h"
 
 namespace hair {

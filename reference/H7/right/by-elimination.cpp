@@ -1,6 +1,7 @@
-// STAFF ONLY. A right solution of H7 that moves no inertia by formulas. Pass 1 differentiates velocities by Plücker's cross product of
-// motions. Pass 2 writes a link's equations and its joint's in one symmetric table of numbers, for the motion of the parent
-// and the joint's rates, and eliminates the rates. All in long double.
+// STAFF ONLY. A right solution of H7 that moves no inertia by formulas. Pass 1 differentiates velocities by
+// Plücker's cross product of motions. Pass 2 writes a link's equations and its joint's in one symmetric table
+// of numbers, for the motion of the parent and the joint's rates, and eliminates the rates. All in long
+// double.
 
 #include <array>
 
@@ -11,8 +12,8 @@ namespace {
 
 using Real = long double;
 
-// Row 0 to 5: along the link's six motions (linear, then angular); then its joint's rates; the last column is what is
-// there without acceleration.
+// Row 0 to 5: along the link's six motions (linear, then angular); then its joint's rates; the last column is
+// what is there without acceleration.
 struct Table {
   std::array<std::array<Real, 10>, 9> row{};
   int rates = 0;

@@ -1,6 +1,6 @@
-// STAFF ONLY. A right solution of H7 that differentiates velocities by time, with vectors that carry their change, and finds
-// no c^ on paper. In long double, with symmetric matrices: [linear; angular] and [force; torque], and Cholesky's factor of
-// s'I s.
+// STAFF ONLY. A right solution of H7 that differentiates velocities by time, with vectors that carry their
+// change, and finds no c^ on paper. In long double, with symmetric matrices: [linear; angular] and [force;
+// torque], and Cholesky's factor of s'I s.
 
 #include <Eigen/Cholesky>
 

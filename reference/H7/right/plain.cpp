@@ -1,5 +1,5 @@
-// STAFF ONLY. A right solution of H7 as Mirtich writes it: vectors of six numbers, matrices of 6 x 6, motions [alpha; a] and
-// forces [f; tau].
+// STAFF ONLY. A right solution of H7 as Mirtich writes it: vectors of six numbers, matrices of 6 x 6, motions
+// [alpha; a] and forces [f; tau].
 
 #include "hair/rigid_links.h"
 

@@ -1,5 +1,6 @@
-// STAFF ONLY. A right solution of H8 that puts an element together from two halves, again and again: from a piece so short that five
-// nodes of Gauss integrate it. Stumpff's functions by the same idea. In long double, with a Cholesky factorisation of its own.
+// STAFF ONLY. A right solution of H8 that puts an element together from two halves, again and again: from a
+// piece so short that five nodes of Gauss integrate it. Stumpff's functions by the same idea. In long double,
+// with a Cholesky factorisation of its own.
 
 #include "hair/super_helix.h"
 
@@ -87,7 +88,8 @@ Matrix3d columns(const std::vector<HelixElement>& elements, int number, const He
 
 }  // namespace
 
-// From x / 4^m, where the series has few terms, by what doubling the angle makes of cos, sin and the two after them.
+// From x / 4^m, where the series has few terms, by what doubling the angle makes of cos, sin and the two
+// after them.
 std::array<double, 8> stumpff(double x) {
   Real small = x;
   int doublings = 0;

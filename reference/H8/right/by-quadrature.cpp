@@ -1,6 +1,6 @@
-// STAFF ONLY. A right solution of H8 that turns frames by quaternions, integrates along the element by Gauss's quadrature with
-// as many panels as it winds radians, has no matrix of J but motions that are carried from the root and forces from the tip,
-// and solves by Eigen's conjugate gradients.
+// STAFF ONLY. A right solution of H8 that turns frames by quaternions, integrates along the element by
+// Gauss's quadrature with as many panels as it winds radians, has no matrix of J but motions that are carried
+// from the root and forces from the tip, and solves by Eigen's conjugate gradients.
 
 #include "hair/super_helix.h"
 

@@ -1,4 +1,5 @@
-// STAFF ONLY. A right solution of H8 as the lecture has it: a Jacobian for each point, full matrices, and Eigen's LDLT.
+// STAFF ONLY. A right solution of H8 as the lecture has it: a Jacobian for each point, full matrices, and
+// Eigen's LDLT.
 
 #include "hair/super_helix.h"
 

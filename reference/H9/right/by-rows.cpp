@@ -1,5 +1,6 @@
-// STAFF ONLY. A right solution of H9 in which every link and every contact is a row of weights of particles: its displacement is the
-// row times their places, and forces go back by the same weights. In long double, with shares from a system of 2 x 2.
+// STAFF ONLY. A right solution of H9 in which every link and every contact is a row of weights of particles:
+// its displacement is the row times their places, and forces go back by the same weights. In long double,
+// with shares from a system of 2 x 2.
 
 #include "hair/static_links.h"
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. A right solution of H9 that writes down energies, and leaves forces to dual numbers and products to dual numbers
-// of dual numbers.
+// STAFF ONLY. A right solution of H9 that writes down energies, and leaves forces to dual numbers and
+// products to dual numbers of dual numbers.
 #include "hair/static_links.h"
 
 #include <cmath>

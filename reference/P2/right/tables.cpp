@@ -1,4 +1,5 @@
-// STAFF ONLY. A right P2 that writes J and J' out as tables of all their numbers, row by row, and multiplies by them.
+// STAFF ONLY. A right P2 that writes J and J' out as tables of all their numbers, row by row, and multiplies
+// by them.
 #include "particles/constraint_forces.h"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ void put(Table& table, int row, int particle, double sign, const Vector3d& value
   for (int k = 0; k < 3; ++k) table.row(row)[3 * particle + k] += sign * value[k];
 }
 
-// dC/dx where rods and radii are differences of `at`, and planes have their normals. At the velocities, without normals, it
-// is J'.
+// dC/dx where rods and radii are differences of `at`, and planes have their normals. At the velocities,
+// without normals, it is J'.
 Table jacobian(const Constraints& constraints, Input at, bool rate) {
   Table J(constraints.rows(), static_cast<int>(at.size()));
   int row = 0;

@@ -1,6 +1,5 @@
-// STAFF ONLY. What a step of the engine costs, compared with given code. Prints Markdown. CPU times, so that other
-// programs on the machine matter less: the least of some steps.
-// Usage: engine_bench [STRANDS].
+// STAFF ONLY. What a step of the engine costs, compared with given code. Prints Markdown. CPU times, so that
+// other programs on the machine matter less: the least of some steps. Usage: engine_bench [STRANDS].
 #include <hwy/targets.h>
 
 #include <algorithm>
@@ -86,7 +85,8 @@ double least(int times, const std::function<void()>& work, double (*clock)() = t
   return least;
 }
 
-// ns per particle and step, of CPU time if the clock says so. Says how many bytes a particle takes, if `bytes` is not null.
+// ns per particle and step, of CPU time if the clock says so. Says how many bytes a particle takes, if
+// `bytes` is not null.
 double engine_ns(const FullHeadSettings& settings, int strands, const hair::Groom& groom,
                  double (*clock)() = timing::process_cpu_seconds, double* bytes = nullptr) {
   FullHead head(std::vector<int>(strands, kPoints), settings);

@@ -25,7 +25,8 @@ void shift(std::vector<double>& points, int k, const Vector3d& by) {
   for (int axis = 0; axis < 3; ++axis) points[3 * (kPoints * k + 1) + axis] += by[axis];
 }
 
-// Of 20 strands one may be farther off than `most`: strand k is off by k mm at one of two points, so that e_k = k mm / sqrt(2).
+// Of 20 strands one may be farther off than `most`: strand k is off by k mm at one of two points, so that e_k
+// = k mm / sqrt(2).
 TEST(HeadErrors, AreRootMeanSquaresAndTheNinetyFifthPercentile) {
   std::vector<double> made = still();
   double squares = 0;
@@ -36,7 +37,8 @@ TEST(HeadErrors, AreRootMeanSquaresAndTheNinetyFifthPercentile) {
   HeadErrorTally tally(kPoints);
   tally.add(made, still(), Matrix3d::Identity());
   const HeadError start = tally.errors().start;
-  // Coordinates of a quarter of a metre have an error of 2^-54 m, sums of 40 squares a relative one of 40 units.
+  // Coordinates of a quarter of a metre have an error of 2^-54 m, sums of 40 squares a relative one of 40
+  // units.
   EXPECT_NEAR(start.rms, std::sqrt(squares / (kPoints * kStrands)), 100 * kUnit);
   EXPECT_NEAR(start.most, 18e-3 / std::sqrt(2.0), 100 * kUnit);
   EXPECT_EQ(tally.errors().end.rms, start.rms);

@@ -21,8 +21,9 @@ HeadCase studied(const GrownHead& head, const HeadStudySettings& settings, const
   return *study_head(std::make_shared<Bust>(), head, settings, kNever, say_nothing, see);
 }
 
-// Straight strands of eight points on a level square of 10 cm, side x side of them. They leave it in directions that turn smoothly along it,
-// and nothing is in their way: a strand's motion is a smooth function of where it grows.
+// Straight strands of eight points on a level square of 10 cm, side x side of them. They leave it in
+// directions that turn smoothly along it, and nothing is in their way: a strand's motion is a smooth function
+// of where it grows.
 GrownHead smooth_patch(int side) {
   static const HeadHair hair = {"patch", "A patch", *find_hair_style("long-smooth"), 8, false};
   GrownHead head{&hair, {}, {}, 0.14};
@@ -43,8 +44,9 @@ class Hairs : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(HeadStudy, Hairs, testing::Values("straight", "wavy", "curly"),
                          [](const auto& one) { return std::string(one.param); });
 
-// A child that grows where a guide does has its weight 1 to 1e-8: root_weights finds its place to 1e-10 of a triangle's edge, which is
-// at most a hundred times the triangle's height. The rest is of guides that lie at most two lengths away.
+// A child that grows where a guide does has its weight 1 to 1e-8: root_weights finds its place to 1e-10 of a
+// triangle's edge, which is at most a hundred times the triangle's height. The rest is of guides that lie at
+// most two lengths away.
 TEST_P(Hairs, HaveNoErrorIfEachIsAGuide) {
   const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 4);
   const HeadCase one = studied(head, {true, 1, {4}});
@@ -71,9 +73,10 @@ TEST_P(Hairs, HaveTheSameErrorsAgainOnTwoThreads) {
   }
 }
 
-// Of n guides that are chosen farthest first, each root is within twice the least possible distance, which falls as the root of n. So sixteen
-// times the guides are at most half as far away. Interpolation between them has an error of second order in this distance, at the rim, where
-// there is no triangle, of first: it falls to a half at least. Extrapolation keeps the shape of the nearest guide: first order.
+// Of n guides that are chosen farthest first, each root is within twice the least possible distance, which
+// falls as the root of n. So sixteen times the guides are at most half as far away. Interpolation between
+// them has an error of second order in this distance, at the rim, where there is no triangle, of first: it
+// falls to a half at least. Extrapolation keeps the shape of the nearest guide: first order.
 TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
   const HeadCase one = studied(smooth_patch(13), {false, 1, {4, 64}});
   ASSERT_EQ(one.runs.size(), 2u);
@@ -87,9 +90,10 @@ TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
   }
 }
 
-// Where all strands have one shape, that is what is interpolated, however few guides there are. Before the head moves, strands that start
-// alike are moved alike, but for the rounding of where they are: u of 0.1 m at each of 30 steps, which the stiffness of segments of 2 cm
-// makes larger by h^2 k / m = 2e6 at most. H10's own rounding is 1e-12 of coordinates below a metre.
+// Where all strands have one shape, that is what is interpolated, however few guides there are. Before the
+// head moves, strands that start alike are moved alike, but for the rounding of where they are: u of 0.1 m at
+// each of 30 steps, which the stiffness of segments of 2 cm makes larger by h^2 k / m = 2e6 at most. H10's
+// own rounding is 1e-12 of coordinates below a metre.
 TEST(HeadStudy, EqualStrandsAreInterpolatedWithoutAnError) {
   GrownHead head = smooth_patch(4);
   for (std::size_t k = 0; k < head.strands.size(); ++k)

@@ -1,4 +1,5 @@
-// STAFF ONLY. Links that hang: their frequencies are those of closed forms, and methods break where theory has it.
+// STAFF ONLY. Links that hang: their frequencies are those of closed forms, and methods break where theory
+// has it.
 #include "hair/lab/stability/hanging_body.h"
 
 #include <gtest/gtest.h>
@@ -32,8 +33,9 @@ const hair::Material& material_of(const Description& hair) {
   return hair.modelled[0].spec.fibre.material;
 }
 
-// Half a rod twists at the clamp: the chain goes on behind it as in a mirror that turns motions round, and at the tip as in
-// one that does not. So its waves are sines, and their frequencies (2 c / l) sin((2j - 1) pi / (4 n)).
+// Half a rod twists at the clamp: the chain goes on behind it as in a mirror that turns motions round, and at
+// the tip as in one that does not. So its waves are sines, and their frequencies (2 c / l) sin((2j - 1) pi /
+// (4 n)).
 TEST(HangingBody, TwistsAsInTheClosedFormWithoutDrag) {
   constexpr int kLinks = 6;
   const Description description = links(kLinks);
@@ -52,8 +54,8 @@ TEST(HangingBody, TwistsAsInTheClosedFormWithoutDrag) {
   EXPECT_EQ(hanging.fastest(), hanging.fastest_with_drag(false));
 }
 
-// Euler and Bernoulli's clamped beam, 1.8751^2 sqrt(EI / (rho A)) / L^2: of second order in the links' length. Twice the
-// modulus is sqrt(2) times the frequency.
+// Euler and Bernoulli's clamped beam, 1.8751^2 sqrt(EI / (rho A)) / L^2: of second order in the links'
+// length. Twice the modulus is sqrt(2) times the frequency.
 TEST(HangingBody, SwingsWithoutWeightAsABeam) {
   Description description = links(5);
   description.gravity.setZero();
@@ -71,8 +73,8 @@ TEST(HangingBody, SwingsWithoutWeightAsABeam) {
   EXPECT_NEAR(slowest(description, 2) / slowest(description, 1), std::sqrt(2), 1e-5);
 }
 
-// Drag c for each metre damps what moves across with c / (rho A); what a rod's own thickness adds to its inertia is
-// (r / l)^2 of it.
+// Drag c for each metre damps what moves across with c / (rho A); what a rod's own thickness adds to its
+// inertia is (r / l)^2 of it.
 TEST(HangingBody, DragDampsWhatMovesAcross) {
   const Description description = links(5);
   const HangingBody hanging = hair::hang_body(description, 1);

@@ -1,4 +1,5 @@
-// STAFF ONLY. Refinement: few cells tell all, islands of a size are met, and smaller ones are known to be missable.
+// STAFF ONLY. Refinement: few cells tell all, islands of a size are met, and smaller ones are known to be
+// missable.
 
 #include "hair/lab/stability/refine.h"
 
@@ -49,8 +50,8 @@ void expect_same_within_a_cell(const Classes& classes, const hair::RefinedGrid& 
     }
 }
 
-// Boundaries that rise and fall by `steep` cells a column at most, 12 cells apart at least, and away from the edges: one that
-// dips below an edge for a few columns leaves an island there.
+// Boundaries that rise and fall by `steep` cells a column at most, 12 cells apart at least, and away from the
+// edges: one that dips below an edge for a few columns leaves an island there.
 struct Boundaries {
   double steep, turn, bend, between;
   int operator()(int column, int row) const {
@@ -194,13 +195,15 @@ TEST(Refine, FindsTheShoresOfLargerIslands) {
     }
 }
 
-// As the header says: what holds no square of its stride can be missed. This one is beside all cells that are asked for.
+// As the header says: what holds no square of its stride can be missed. This one is beside all cells that are
+// asked for.
 TEST(Refine, MissesAnIslandBesideTheCellsThatItAsksFor) {
   const Island island{hair::kCoarse + 1, 33, hair::kCoarse - 1, hair::kCoarse - 1};
   EXPECT_EQ(cells_met(refined(island.in(20))), 0);
 }
 
-// A narrow one between two columns that are searched is met where it is as high as half of a stretch, or at an edge.
+// A narrow one between two columns that are searched is met where it is as high as half of a stretch, or at
+// an edge.
 TEST(Refine, MeetsNarrowIslandsHalfwayBetweenItsColumns) {
   for (int between = 0; between + hair::kCoarse < kSize; between += hair::kCoarse) {
     const int column = between + hair::kCoarse / 2 - 1;
@@ -209,7 +212,8 @@ TEST(Refine, MeetsNarrowIslandsHalfwayBetweenItsColumns) {
   }
 }
 
-// What is met on the way to a boundary, and is neither class: where it is looked for first, and in its last halving.
+// What is met on the way to a boundary, and is neither class: where it is looked for first, and in its last
+// halving.
 TEST(Refine, MeetsNarrowIslandsWhereABoundaryShouldBe) {
   for (int between = 0; between + hair::kCoarse < kSize; between += hair::kCoarse) {
     EXPECT_GT(cells_met(refined(Island{between + 2, 20, 1, 1}.in(20))), 0) << "after column " << between;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Maps: the measured boundary is where theory has it, few runs find what all find, and classes are what
-// they say.
+// STAFF ONLY. Maps: the measured boundary is where theory has it, few runs find what all find, and classes
+// are what they say.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,8 @@ hair::StudyMethod implicit_method(Method method, hair::GeometricTerm term) {
   return one;
 }
 
-// The first h that is wrong, halved to a thousandth, from where it is stable: half of theory's limit; up to twice that.
+// The first h that is wrong, halved to a thousandth, from where it is stable: half of theory's limit; up to
+// twice that.
 double measured_limit(const Description& description, const hair::StabilityMap& map, std::size_t column,
                       double theory) {
   const bool stiffness = map.sweep == hair::Swept::stiffness;
@@ -60,9 +61,10 @@ double measured_limit(const Description& description, const hair::StabilityMap& 
   return low;
 }
 
-// The curve that a map draws, beside runs of many steps, in columns from end to end. Where a method keeps errors bounded it
-// exchanges energy, by 100 at 99/101 of its limit (experiment.h): 2 % too low, and a thousandth is the bisection's. A growth by
-// 10 in so many steps, from which on it is seen, is less than 1 % beyond the limit, or the last curve says where it is.
+// The curve that a map draws, beside runs of many steps, in columns from end to end. Where a method keeps
+// errors bounded it exchanges energy, by 100 at 99/101 of its limit (experiment.h): 2 % too low, and a
+// thousandth is the bisection's. A growth by 10 in so many steps, from which on it is seen, is less than 1 %
+// beyond the limit, or the last curve says where it is.
 void expect_theory(const Description& hair, const hair::StudyMethod& method, hair::Swept sweep,
                    const hair::MapSettings& few) {
   hair::MapSettings settings = few;

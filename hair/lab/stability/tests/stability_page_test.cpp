@@ -1,4 +1,5 @@
-// STAFF ONLY. What a stability page says: no disagreement is passed over, and nothing that is not there is claimed.
+// STAFF ONLY. What a stability page says: no disagreement is passed over, and nothing that is not there is
+// claimed.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Limits that theory gives, beside the spectral radius of the matrix that a step is: just below a limit it is
-// at most 1, just above it is more.
+// STAFF ONLY. Limits that theory gives, beside the spectral radius of the matrix that a step is: just below a
+// limit it is at most 1, just above it is more.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-// Gelfand's formula, |A^N|^(1/N) with N = 2^40: what the norm of a power is apart from the radius' power has a logarithm of at most
-// some tens, divided by N.
+// Gelfand's formula, |A^N|^(1/N) with N = 2^40: what the norm of a power is apart from the radius' power has
+// a logarithm of at most some tens, divided by N.
 double spectral_radius(MatrixXd power) {
   double logarithm = 0;
   for (int k = 0; k < 40; ++k) {

@@ -11,10 +11,10 @@ namespace {
 
 using hair::Norm;
 
-// An error c h^p (1 + d h + ...) shows the order p + d h / (2 ln 2) from h to h/2: each halving of the step halves what
-// is missing, so that the last order is off by as much as it differs from the one before. Half as much again for the
-// terms that follow, and 0.02 for the reference's own error, which is below 1/100 of these. At a single moment c may pass
-// through 0; over all of them it does not.
+// An error c h^p (1 + d h + ...) shows the order p + d h / (2 ln 2) from h to h/2: each halving of the step
+// halves what is missing, so that the last order is off by as much as it differs from the one before. Half as
+// much again for the terms that follow, and 0.02 for the reference's own error, which is below 1/100 of
+// these. At a single moment c may pass through 0; over all of them it does not.
 void expect_order(const hair::Study& study, const std::string& id, int order) {
   const Norm norm = Norm::trajectory;
   const hair::Sweep& sweep = sweep_of(study, id);
@@ -72,7 +72,8 @@ TEST(KnownOrders, OfRigidLinks) {
   expect_order(study, "implicit-euler", 1);
 }
 
-// Once its errors are below what the reference knows, a method has no finer steps, and none of these errors is quoted.
+// Once its errors are below what the reference knows, a method has no finer steps, and none of these errors
+// is quoted.
 TEST(KnownOrders, ASweepEndsAtTheFloor) {
   const hair::Study study = studied(kPendulum, 0.1, {"runge-kutta-4"}, 1e7).whole();
   const hair::Sweep& sweep = study.sweeps[0];

@@ -25,8 +25,8 @@ TEST(WrongMethod, IsExposed) {
   EXPECT_NEAR(*seen("midpoint").order, 1, 0.25) << shown(sweep_of(study, "midpoint"));
   EXPECT_EQ(said("midpoint"), "less than theory says");
 
-  // To another motion: 1 % of what gravity does in a tenth of a second, 0.01 * 9.81 * 0.1^2 / 2 = 5e-4 m, and no less
-  // than a tenth of that since springs hold.
+  // To another motion: 1 % of what gravity does in a tenth of a second, 0.01 * 9.81 * 0.1^2 / 2 = 5e-4 m, and
+  // no less than a tenth of that since springs hold.
   const hair::ObservedOrder off = seen("runge-kutta-4");
   ASSERT_TRUE(off.stays_at) << shown(sweep_of(study, "runge-kutta-4"));
   EXPECT_GT(*off.stays_at, 5e-5);

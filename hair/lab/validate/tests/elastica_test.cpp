@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Collocation at Chebyshev's points t_i = (1 - cos(pi i / n)) / 2, with the matrix of derivatives there (L. N.
-// Trefethen, "Spectral Methods in MATLAB", 2000, chapter 6): psi'' = Gamma t sin(psi), psi'(0) = 0, psi(1) =
-// pi/2, by Newton's method. Places are integrals, and so the same matrix's inverse.
+// Collocation at Chebyshev's points t_i = (1 - cos(pi i / n)) / 2, with the matrix of derivatives there (L.
+// N. Trefethen, "Spectral Methods in MATLAB", 2000, chapter 6): psi'' = Gamma t sin(psi), psi'(0) = 0, psi(1)
+// = pi/2, by Newton's method. Places are integrals, and so the same matrix's inverse.
 Eigen::Vector2d collocated_tip(double gamma, int n) {
   const auto point = [n](int i) { return (1 - std::cos(kPi * i / n)) / 2; };
   const auto weight = [n](int i) { return (i == 0 || i == n ? 2.0 : 1.0) * (i % 2 == 0 ? 1 : -1); };

@@ -1,5 +1,5 @@
-// STAFF ONLY. Chains, pendulums and double pendulums: the reference swings as theory says, and what is wrong by a little
-// is found out.
+// STAFF ONLY. Chains, pendulums and double pendulums: the reference swings as theory says, and what is wrong
+// by a little is found out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -178,7 +178,8 @@ TEST(Oscillations, WhatBreaksDoesNotHoldAndIsShown) {
   }
 }
 
-// One pendulum by the lecture's five steps, written as angles, with the parts of a step for which its filters act.
+// One pendulum by the lecture's five steps, written as angles, with the parts of a step for which its filters
+// act.
 class HalfStepPendulum : public MovingChain {
  public:
   HalfStepPendulum(const HangingChain& chain, const particles::State& state, double step, double first,
@@ -210,9 +211,10 @@ std::unique_ptr<MovingChain> start_halves(const HangingChain& chain, const parti
   return std::make_unique<HalfStepPendulum>(chain, state, step, first / 4.0, second / 4.0);
 }
 
-// These are H6's five steps for one segment that does not stretch: a filter takes what goes along the segment away, the
-// correction turns a step along the tangent into one along the circle, the impulse makes its chord the velocity. So the
-// same numbers come out, but for what springs stretch (1e-11 in each step) and solves leave (1e-12).
+// These are H6's five steps for one segment that does not stretch: a filter takes what goes along the segment
+// away, the correction turns a step along the tangent into one along the circle, the impulse makes its chord
+// the velocity. So the same numbers come out, but for what springs stretch (1e-11 in each step) and solves
+// leave (1e-12).
 TEST(Oscillations, H6IsTheMapThatItsFiveStepsMakeOfAPendulum) {
   ChainMethod map = chain_by_h6();
   map.start = start_halves<2, 2>;
@@ -221,8 +223,8 @@ TEST(Oscillations, H6IsTheMapThatItsFiveStepsMakeOfAPendulum) {
               measured_period_ratio(chain_by_h6(), angle, 800, kQuick), 1e-7);
 }
 
-// The map is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving steps changes it
-// by as much as that error: no measure of what is left.
+// The map is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving
+// steps changes it by as much as that error: no measure of what is left.
 TEST(Oscillations, ALostOrderIsFoundOutAtEachAngle) {
   ChainMethod map = chain_by_h6();
   map.start = start_halves<2, 2>;

@@ -1,5 +1,5 @@
-# STAFF ONLY. How many pictures a second the page of `hairlab view` draws, without a card: HAIRLAB=build/release/hairlab frame_rate.py. Writes the rows of
-# hair/MEASURED.md.
+# STAFF ONLY. How many pictures a second the page of `hairlab view` draws, without a card:
+# HAIRLAB=build/release/hairlab frame_rate.py. Writes the rows of hair/MEASURED.md.
 import array
 import base64
 import json
