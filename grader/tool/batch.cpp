@@ -14,20 +14,10 @@
 #include "grader/report/text.h"
 #include "grader/tool/blind.h"
 #include "grader/tool/class_files.h"
-#include "grader/tool/folder_of_grades.h"
 #include "grader/tool/progress.h"
-#include "grader/tool/rows.h"
 
 namespace grader::inline tool {
 namespace {
-
-std::string names_of(const std::vector<Submission>& submissions) {
-  constexpr std::size_t kMost = 20;
-  std::string names;
-  for (std::size_t i = 0; i < submissions.size() && i < kMost; ++i)
-    names += (i > 0 ? ", " : "") + submissions[i].name;
-  return names + (submissions.size() > kMost ? " and more" : "");
-}
 
 // Adds what an earlier run found of exercises that this one was not asked for, in the course's order, and of
 // all of them together, but for a study: that would be of code that is not this. Then no fingerprint is right
@@ -60,27 +50,12 @@ std::string in_a_line(const SubmissionResult& result, const NamesForPeople& peop
 
 }  // namespace
 
-Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, const BatchSettings& settings,
+Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& record,
                   const std::atomic<bool>& interrupted) {
-  if (settings.only && std::none_of(submissions.begin(), submissions.end(),
-                                    [&](const Submission& s) { return s.name == *settings.only; }))
-    throw BadInput("--only " + *settings.only + ": no submission has that name; there are " +
-                   names_of(submissions));
   Batch batch;
-  const std::optional<FolderOfGrades> folder =
-      FolderOfGrades::open(settings.out, grading.made_by(), interrupted, std::cerr, settings.hand_in);
-  if (!folder) {
-    batch.interrupted = true;
-    batch.began = false;
-    return batch;
-  }
-  Record& record = folder->record();
-  if (settings.blind) record.set_blind();
-  if (record.is_blind()) give_codes(submissions, record.codes());
-  std::vector<Accounted> listed = settings.listed;
-  std::optional<std::string> only = settings.only;
-  keep_rows(submissions, listed, record, only);  // another process may have graded since they were read
-  settle_origins(settings.out, submissions, only, settings.word, settings.hand_in);
+  std::vector<Submission>& submissions = plan.submissions;
+  const std::optional<std::string>& only = plan.only;
+  if (plan.blind) record.set_blind();
   record.put_people(hand_ins_of(submissions),
                     settings.roster ? std::optional(settings.roster->people()) : std::nullopt, only);
   const NamesForPeople people = record.names_for_people();
@@ -96,7 +71,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   const bool is_part = only && before && !before->is_whole();
   if (is_part) run = *before;
   record.set_run(reference, run);
-  record.set_listed(listed);
+  record.set_listed(plan.listed);
   record.set_rules(settings.rules);
   if (const std::vector<std::string> there = record.names();
       !there.empty())  // pages of an earlier run say that this one is at work

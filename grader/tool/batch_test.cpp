@@ -57,10 +57,12 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   BatchSettings batch;
   batch.out = folder.path() / "grades";
   batch.jobs = 2;
-  const Batch graded = grade_batch(grading, {quick, slow}, batch, false);
+  fs::create_directory(batch.out);
+  Record record(batch.out);
+  const Batch graded = grade_batch(grading, {{quick, slow}}, batch, record, false);
   EXPECT_EQ(graded.graded, 2);
   EXPECT_EQ(graded.problems, std::vector<std::string>());
-  const SubmissionResult result = Record(batch.out).find("slow").value().result;
+  const SubmissionResult result = record.find("slow").value().result;
   EXPECT_EQ(result.ended_by_the_clock, std::vector<std::string>());
   EXPECT_EQ(result.fingerprint, grading.fingerprint(slow));
   for (const ExerciseResult& exercise : result.exercises) {

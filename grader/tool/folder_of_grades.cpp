@@ -50,8 +50,7 @@ bool has_older_grades(const fs::path& folder) {
   return false;
 }
 
-}  // namespace
-
+// The record says how its results are made before the first one is there.
 void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in) {
   if (!Record::is_in(folder)) {
     if (has_older_grades(folder))
@@ -66,28 +65,43 @@ void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string
         folder,
         "its grades are of a course with one hand-in without a name, not of \"" + printable(hand_in) + "\"",
         "");
-  // In this order: another hairgrade may write how it grades and its first result just now.
   if (record.names().empty()) return;
   const std::optional<MadeBy> there = made_by_from_json(record.made_by());
   if (!there) refuse(folder, std::string(kRecordFile) + " in it does not say what they were made with", "");
   if (const std::vector<Difference> found = differences(*there, mine); !found.empty()) refuse(folder, found);
 }
 
+}  // namespace
+
 std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
                                                    const std::atomic<bool>& interrupted, std::ostream& says,
                                                    const std::string& hand_in) {
-  std::error_code error;
-  if (fs::create_directories(folder, error))
-    fs::permissions(folder, fs::perms::owner_all);  // it holds everybody's grades
-  if (error) can_not_write(folder, error.message());
-  if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
-  std::optional<FolderLock> lock = FolderLock::take(folder, interrupted, says);
-  if (!lock) return {};
+  std::optional<FolderLock> lock;
+  bool made = false;
+  do {  // once more if the process that had it took the folder away
+    std::error_code error;
+    made = fs::create_directories(folder, error);
+    if (made) fs::permissions(folder, fs::perms::owner_all);  // it holds everybody's grades
+    if (error) can_not_write(folder, error.message());
+    if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
+    lock = FolderLock::take(folder, interrupted, says);
+    if (!lock) return {};
+  } while (!fs::exists(folder / kFolderLock));
   check_made_by(folder, mine, hand_in);
   remove_half_written(folder);
-  FolderOfGrades opened(std::move(*lock), folder, hand_in);
+  FolderOfGrades opened(std::move(*lock), folder, made, hand_in);
   opened.record().set_made_by(to_json(mine));
   return opened;
+}
+
+FolderOfGrades::~FolderOfGrades() {
+  if (!record_ || made_.empty()) return;
+  try {
+    if (!record_->names().empty()) return;
+    record_.reset();
+    fs::remove_all(made_);
+  } catch (const std::exception&) {  // an empty folder is left
+  }
 }
 
 }  // namespace grader::tool

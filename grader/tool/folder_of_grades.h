@@ -14,30 +14,33 @@
 
 namespace grader::inline tool {
 
-// Throws BadInput if the folder has results of this hand-in that were made otherwise, or that are of an older
-// version and in no record; and if a hand-in has a name here and none there. It needs no lock: the record
-// says how its results are made before the first one is there.
-void check_made_by(const std::filesystem::path& folder, const MadeBy& mine, const std::string& hand_in = "");
-
 // The right to write to a folder, and its record, until the end of this object's life or of the process,
 // however that ends.
 class FolderOfGrades {
  public:
   // Makes the folder if it is not there. While another process has it, waits, and says so once on `says`.
-  // Nothing if `interrupted` was set meanwhile. Throws BadInput as check_made_by does, and for a folder that
-  // can't be written.
+  // Nothing if `interrupted` was set meanwhile. Throws BadInput if the folder has results of this hand-in that
+  // were made otherwise, or that are of an older version and in no record; if a hand-in has a name here and
+  // none there; and for a folder that can't be written.
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
                                             const std::atomic<bool>& interrupted, std::ostream& says,
                                             const std::string& hand_in = "");
 
+  // A folder that it made goes again if no row is in it.
+  ~FolderOfGrades();
+  FolderOfGrades(FolderOfGrades&&) = default;
+
   Record& record() const { return *record_; }
 
  private:
-  FolderOfGrades(FolderLock lock, const std::filesystem::path& folder, const std::string& hand_in)
-      : lock_(std::move(lock)), record_(std::make_unique<Record>(folder, hand_in)) {}
+  FolderOfGrades(FolderLock lock, const std::filesystem::path& folder, bool made, const std::string& hand_in)
+      : lock_(std::move(lock)),
+        record_(std::make_unique<Record>(folder, hand_in)),
+        made_(made ? folder : std::filesystem::path()) {}
 
   FolderLock lock_;
   std::unique_ptr<Record> record_;
+  std::filesystem::path made_;  // the folder, if it was not there before
 };
 
 }  // namespace grader::tool

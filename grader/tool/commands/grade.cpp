@@ -8,7 +8,6 @@
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/left_over.h"
 #include "grader/intake/names.h"
 #include "grader/intake/submission.h"
 #include "grader/record/hand_ins.h"
@@ -103,11 +102,10 @@ int grade(GradeOptions options) {
   GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
-  std::optional<Record> before;
-  if (Record::is_in(options.batch.out)) before.emplace(options.batch.out, hand_in);
   std::optional<Roster> roster = options.batch.roster;
-  if (!roster && before)
-    if (std::optional<std::vector<Person>> people = before->roster()) roster.emplace(std::move(*people));
+  if (!roster && Record::is_in(options.batch.out))
+    if (std::optional<std::vector<Person>> people = Record(options.batch.out, hand_in).roster())
+      roster.emplace(std::move(*people));
   BatchSettings& batch_settings = options.batch;
   CallersWord& word = batch_settings.word;
   if (roster) word.choices.known = known_by(*roster);
@@ -122,42 +120,24 @@ int grade(GradeOptions options) {
       if (const std::string time = times->find(one.name, one.owner, one.system, roster ? &*roster : nullptr);
           !time.empty() && (time != "-" || one.handed_in.empty()))
         one.handed_in = time;
-  const bool blind = options.batch.blind || (before && before->is_blind());
-  if (blind) give_codes(intake.submissions, before ? before->codes() : std::map<std::string, std::string>());
-  batch_settings.listed = listed(intake);
-  if (before) {
-    // In blind grading the batch gives codes once more, and then finds the rows of listed files.
-    std::vector<Accounted> not_blind = blind ? std::vector<Accounted>() : std::move(batch_settings.listed);
-    for (std::string& line : keep_rows(intake.submissions, not_blind, *before, batch_settings.only))
-      intake.remarks.push_back(std::move(line));
-    if (!blind) batch_settings.listed = std::move(not_blind);
-  }
-  if (blind) {
-    const std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
-    const HiddenNames names(hand_ins, roster ? std::optional(class_list(*roster, hand_ins)) : std::nullopt);
-    hide(names, intake);
-    hide(names, batch_settings.listed);
-  }
-  before.reset();
   check_zone(rules, intake.submissions);
-  check_made_by(options.batch.out, made_by(settings), hand_in);  // before the reference takes its seconds
-  const Settled settled = asking(word.class_over_rows, word.replace, [&] {
-    return settle_origins(options.batch.out, intake.submissions, batch_settings.only, word, hand_in);
-  });
-  for (const std::string& line : settled.replaced) std::cerr << "hairgrade: " << line << "\n";
-  std::ranges::copy(settled.missing, std::back_inserter(intake.notices));
-  for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
   const std::atomic<bool>& interrupted = note_interruptions();
+  const std::optional<FolderOfGrades> folder =
+      FolderOfGrades::open(options.batch.out, made_by(settings), interrupted, std::cerr, hand_in);
+  if (!folder) {
+    std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
+    return 130;
+  }
+  Record& record = folder->record();
+  const Plan plan = asking(word.class_over_rows, word.replace,
+                           [&] { return plan_of(intake, record, roster, batch_settings); });
+  for (const std::string& line : plan.replaced) std::cerr << "hairgrade: " << line << "\n";
+  for (const std::string& line : plan.taken_for) std::cout << line << "\n" << std::flush;
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
   const Grading grading(std::move(settings));
   batch_settings.rules = rules;
   batch_settings.merge = options.settings.exercise.has_value();
-  const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
-  if (!batch.began) {
-    std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
-    return 130;
-  }
-  Record record(options.batch.out, hand_in);
+  const Batch batch = grade_batch(grading, plan, batch_settings, record, interrupted);
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   print_table(std::cout, batch.results, people);
@@ -175,16 +155,15 @@ int grade(GradeOptions options) {
   if (times) {
     for (const std::string& line : times->said())
       std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
-    for (const Submission& one : intake.submissions)
+    for (const Submission& one : plan.submissions)
       if (const std::string kept = record.handed_in(one.name); one.handed_in.empty() && read_time(kept))
         std::cerr << "hairgrade: " << called(one.name, people) << ": has no time in "
                   << printable(options.times->string(), 4096) << ", and keeps " << kept << "\n";
   }
   for (const std::string& remark : batch.remarks) std::cerr << "hairgrade: " << remark << "\n";
-  for (const std::string& remark : intake.remarks) std::cerr << "hairgrade: " << remark << "\n";
-  for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
-  if (const std::string names = without_time(intake.submissions, record);
-      !rules.due.empty() && !names.empty())
+  for (const std::string& remark : plan.remarks) std::cerr << "hairgrade: " << remark << "\n";
+  for (const std::string& notice : plan.notices) std::cerr << "hairgrade: " << notice << "\n";
+  if (const std::string names = without_time(plan.submissions, record); !rules.due.empty() && !names.empty())
     std::cerr << "hairgrade: nobody knows whether these are late, for the download has no time of them: "
               << names << "; give their times by --times\n";
   for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";
@@ -198,10 +177,10 @@ int grade(GradeOptions options) {
   if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
     if (!batch.problems.empty()) return 1;
-    return not_final.empty() && intake.notices.empty() && batch.conflicts.empty() && people_are_clear ? 0 : 3;
+    return not_final.empty() && plan.notices.empty() && batch.conflicts.empty() && people_are_clear ? 0 : 3;
   }
   std::cerr << "hairgrade: interrupted after " << batch.done << " of "
-            << (options.batch.only ? 1 : intake.submissions.size())
+            << (plan.only ? 1 : plan.submissions.size())
             << " submissions; the same command with --resume goes on\n";
   return 130;
 }
