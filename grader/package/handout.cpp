@@ -184,6 +184,11 @@ struct TemporaryFile {
 
 }  // namespace
 
+void check_pages(const Files& pages, const HandoutSources& sources, const Course& course) {
+  check_canary(pages, {});
+  check_reference_lines(pages, solutions_of(sources, course), {});
+}
+
 Files handout_files(const HandoutSources& sources, const Course& course) {
   const Paths solved = solved_files(course);
   const std::vector<ManifestLine> lines = lines_of(sources, course);

@@ -23,6 +23,9 @@ void make_handout(const HandoutSources& sources, const Course& course, const std
 // has looked at them.
 void accept_files(const HandoutSources& sources, const Course& course);
 
+// Pages that anybody may read hold neither the staff's mark nor lines of a solution. Throws HandoutError.
+void check_pages(const Files& pages, const HandoutSources& sources, const Course& course);
+
 // The files of the handout, by their paths in it.
 Files handout_files(const HandoutSources& sources, const Course& course);
 

@@ -95,6 +95,14 @@ class SmallProject : public testing::Test {
   Course course_;
 };
 
+// Pages of the site, of which nothing is packed.
+TEST_F(SmallProject, PagesForEverybodyHoldNoSolutionAndNothingOfTheStaffs) {
+  const auto check = [&](const std::string& page) { check_pages({{"a/b.html", page}}, sources_, course_); };
+  check("<pre>int f();</pre>");
+  EXPECT_THROW(check("<!-- STAFF ONLY. -->"), HandoutError);
+  EXPECT_THROW(check("<pre>" + kSolved.substr(kSolved.find('\n')) + "</pre>"), HandoutError);
+}
+
 TEST_F(SmallProject, ShipsStubsOfAssignedAndOptionalExercises) {
   course_.exercises[1].role = Role::optional;
   const Files shipped = files();

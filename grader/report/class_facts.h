@@ -20,6 +20,7 @@ struct ClassFacts {
   std::optional<LastRun> run = {};
   std::string due = {};                       // "": there is no date
   std::map<std::string, Lateness> late = {};  // of each hand-in, by name
+  bool is_public = false;  // anybody may read it: it leads to students' reports, and to nothing of the staff's
 };
 
 }  // namespace grader::report

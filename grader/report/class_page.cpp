@@ -14,15 +14,21 @@ namespace {
 
 using Results = std::vector<SubmissionResult>;
 
-Html staff_link(const SubmissionResult& result, const std::string& exercise, const std::string& text) {
-  return html("<a href=\"staff/{}.html{}{}\">{}</a>",
-              {result.name, exercise.empty() ? "" : "#", exercise, text});
-}
+// The readers of a page, and the names and links that they get.
+struct Readers {
+  bool are_public;
+  const NamesForPeople& people;
 
-Html person_link(const SubmissionResult& result, const NamesForPeople& people) {
-  Html link = staff_link(result, "", shown_name(result.name, people));
-  return link += folder_beside(result.name, people);
-}
+  std::string page_of(const SubmissionResult& result) const {
+    return are_public ? result.name + "/report.html" : "staff/" + result.name + ".html";
+  }
+  Html link(const SubmissionResult& result, const std::string& exercise, const std::string& text) const {
+    return html("<a href=\"{}{}{}\">{}</a>", {page_of(result), exercise.empty() ? "" : "#", exercise, text});
+  }
+  Html person_link(const SubmissionResult& result) const {
+    return link(result, "", shown_name(result.name, people)) += folder_beside(result.name, people);
+  }
+};
 
 Html list_of(const Html& heading, std::size_t count, const Html& items, const char* look) {
   if (count == 0) return {};
@@ -32,13 +38,13 @@ Html list_of(const Html& heading, std::size_t count, const Html& items, const ch
 
 // An instructor looks here first: results that went wrong in the worst way come first. People are counted,
 // with all their exercises.
-Html to_look_at(const Results& results, const NamesForPeople& people) {
+Html to_look_at(const Results& results, const Readers& readers) {
   Html groups, notes;
   std::size_t with_note = 0;
   for (const SubmissionResult& result : results) {
     if (result.note.empty()) continue;
     ++with_note;
-    notes += html("<li>{}: {}</li>\n", {person_link(result, people), result.note});
+    notes += html("<li>{}: {}</li>\n", {readers.person_link(result), result.note});
   }
   groups += list_of(html("<span class=\"badge bad\">could not be taken</span>"), with_note, notes, "notes");
   Html by_the_clock;
@@ -47,7 +53,7 @@ Html to_look_at(const Results& results, const NamesForPeople& people) {
     if (result.ended_by_the_clock.empty()) continue;
     ++not_final;
     by_the_clock +=
-        html("<li>{}: {}</li>\n", {person_link(result, people), in_a_row(result.ended_by_the_clock)});
+        html("<li>{}: {}</li>\n", {readers.person_link(result), in_a_row(result.ended_by_the_clock)});
   }
   groups += list_of(html("<span class=\"badge bad\">not final: ended by the clock, grade again</span>"),
                     not_final, by_the_clock, "notes");
@@ -61,11 +67,11 @@ Html to_look_at(const Results& results, const NamesForPeople& people) {
       Html exercises;
       for (const ExerciseResult& exercise : result.exercises)
         if (exercise.status == status)
-          exercises += html(" {}", {staff_link(result, exercise.id, exercise.id)});
+          exercises += html(" {}", {readers.link(result, exercise.id, exercise.id)});
       if (exercises.text.empty()) continue;
       ++count;
-      items += html("<li>{}{}:{}</li>\n",
-                    {shown_name(result.name, people), folder_beside(result.name, people), exercises});
+      items += html("<li>{}{}:{}</li>\n", {shown_name(result.name, readers.people),
+                                           folder_beside(result.name, readers.people), exercises});
     }
     groups += list_of(badge(status), count, items, "who");
   }
@@ -73,12 +79,11 @@ Html to_look_at(const Results& results, const NamesForPeople& people) {
   return html("<section id=\"look\">\n<h2>Worth a look</h2>\n{}</section>\n", {groups});
 }
 
-Html class_row(const SubmissionResult& result, const std::vector<Column>& columns,
-               const NamesForPeople& people) {
+Html class_row(const SubmissionResult& result, const std::vector<Column>& columns, const Readers& readers) {
   Html row = html(
       "<tr><th scope=\"row\" data-value=\"{}\">{}</th><td class=\"number\" "
       "data-value=\"{}\"><strong>{}</strong></td>",
-      {shown_name(result.name, people), person_link(result, people), shown_points(points(result)),
+      {shown_name(result.name, readers.people), readers.person_link(result), shown_points(points(result)),
        shown_points(points(result))});
   for (const Column& column : columns) {
     const ExerciseResult* exercise = find_exercise(result, column.id);
@@ -88,17 +93,17 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
     }
     row += html(
         "<td class=\"number\" data-id=\"{}\" data-value=\"{}\"><a class=\"badge {}\" "
-        "href=\"staff/{}.html#{}\" title=\"{}: "
+        "href=\"{}#{}\" title=\"{}: "
         "{}\">{}</a></td>",
-        {column.id, shown_points(exercise->points), look_of(exercise->status), result.name, column.id,
-         column.id, to_string(exercise->status), in_short(*exercise)});
+        {column.id, shown_points(exercise->points), look_of(exercise->status), readers.page_of(result),
+         column.id, column.id, to_string(exercise->status), in_short(*exercise)});
   }
   return row += html("<td><a href=\"{}/report.html\">report</a>{}</td></tr>\n",
                      {result.name,
                       result.studied ? html(" <a href=\"{}/study.html\">study</a>", {result.name}) : Html()});
 }
 
-Html class_table(const Results& results, const std::vector<Column>& columns, const NamesForPeople& people) {
+Html class_table(const Results& results, const std::vector<Column>& columns, const Readers& readers) {
   Html table = html(R"(<section id="submissions">
 <h2>Submissions</h2>
 <div class="wide"><table class="class">
@@ -109,7 +114,7 @@ Html class_table(const Results& results, const std::vector<Column>& columns, con
                    column.extra_credit ? "+" : "of ", shown_points(column.max_points)});
   }
   table += html("<th scope=\"col\">Student&#39;s</th></tr></thead>\n<tbody>\n");
-  for (const SubmissionResult& result : results) table += class_row(result, columns, people);
+  for (const SubmissionResult& result : results) table += class_row(result, columns, readers);
   return table += html("</tbody>\n</table></div>\n</section>\n");
 }
 
@@ -127,27 +132,31 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
     totals.push_back(points(result));
     reachable = std::max(reachable, max_points(result));
   }
-  const Html pictures = pictures_by_distance(results, {"staff/pictures"}, people);
+  const Readers readers{facts.is_public, people};
+  const Html pictures = facts.is_public ? Html() : pictures_by_distance(results, {"staff/pictures"}, people);
   const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
+  const Html files = html(
+      "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
+      "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n");
   Html body = stamps(least_isolation(results), all_with_images(results));
   body += run_section(facts.run);
   body += html(
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong>{} on "
       "average, median {}, {} people</p>\n"
-      "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
-      "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n"
+      "{}"
       "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> {}<a "
       "href=\"#exercises\">Exercises</a> <a "
       "href=\"#distribution\">Distribution</a> <a "
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)),
        reachable > 0 ? " of " + shown_points(reachable) + " points" : std::string(" points of extra credit"),
-       shown_points(timing::median(totals)), results.size(), link_to_pictures});
+       shown_points(timing::median(totals)), results.size(), facts.is_public ? Html() : files,
+       link_to_pictures});
   body += people_section(facts.people);
   body += left_over_section(facts.listed, people);
   body += late_section(facts, people);
-  body += to_look_at(results, people);
-  body += class_table(results, columns, people);
+  body += to_look_at(results, readers);
+  body += class_table(results, columns, readers);
   body += pictures;
   body += exercises_part(results);
   body += distribution_part(results);

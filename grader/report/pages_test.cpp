@@ -11,6 +11,7 @@
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
+#include "grader/report/student_view.h"
 #include "grader/result/base64.h"
 #include "hair/io/plot/readable.h"
 #include "hair/io/plot/tests/parsed.h"
@@ -125,6 +126,7 @@ TEST(Pages, StudentsSeeNothingOfTheStaffs) {
   EXPECT_EQ(count(student_page(result), "yourline"), 1u);
   EXPECT_EQ(count(class_page({result}) + grades_csv({result}) + junit_xml({result}), "STAFFSECRET"), 0u);
   EXPECT_EQ(count(student_page(result), "staff"), 0u);
+  EXPECT_EQ(count(class_page({for_student(result)}, {.is_public = true}), "staff"), 0u);
   EXPECT_GE(count(staff_page(result), "STAFFSECRET"), 3u);
 }
 

@@ -1,6 +1,6 @@
-// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json
-// OUT.json. It has positions alone, of few strands where there are many (hair/view/motion.h), and hairlab's
-// page plays it.
+// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json OUT.json
+// [POINTS]. It has positions alone, of few strands where there are many, and hairlab's page plays it. POINTS
+// is the most in all frames together (hair/view/motion.h).
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -14,8 +14,8 @@
 namespace {
 
 // Of dense hair as many strands as the page shows.
-hair::Scene thinned(hair::Scene scene) {
-  const std::size_t most = hair::kMostPointsShipped / static_cast<std::size_t>(scene.frames + 1);
+hair::Scene thinned(hair::Scene scene, std::size_t most_points) {
+  const std::size_t most = most_points / static_cast<std::size_t>(scene.frames + 1);
   for (hair::DenseHair& dense : scene.dense) {
     auto& children = dense.description.children;
     const std::size_t every = children.size() * static_cast<std::size_t>(dense.description.points) / most + 1;
@@ -29,18 +29,19 @@ hair::Scene thinned(hair::Scene scene) {
 }  // namespace
 
 int main(int count, char** arguments) try {
-  if (count != 3) {
-    std::fprintf(stderr, "make_motion SCENE.json OUT.json\n");
+  if (count != 3 && count != 4) {
+    std::fprintf(stderr, "make_motion SCENE.json OUT.json [POINTS]\n");
     return 2;
   }
+  const std::size_t most_points = count == 4 ? std::stoul(arguments[3]) : hair::kMostPointsShipped;
   const hair::TemporaryFolder folder("make-motion");
-  const hair::Scene scene = thinned(hair::read_scene(arguments[1]));
+  const hair::Scene scene = thinned(hair::read_scene(arguments[1]), most_points);
   const std::filesystem::path run = folder.path() / "run";
   hair::RunSettings settings;
   settings.out = run;
   settings.render = false;
   settings.draws = settings.only_shown = true;
-  settings.most_points = hair::kMostPointsShipped;
+  settings.most_points = most_points;
   std::ostream no_notes(nullptr);
   const hair::RunResult played = hair::run_scene(scene, settings, false, no_notes, nullptr);
   if (played.record.ending != hair::Ending::finished)

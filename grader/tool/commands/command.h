@@ -40,11 +40,12 @@ Command add_whatif(CLI::App& hairgrade);
 Command add_similar(CLI::App& hairgrade);
 Command add_gradebook(CLI::App& hairgrade);
 Command add_feedback(CLI::App& hairgrade);
+Command add_site(CLI::App& hairgrade);
 
 inline constexpr AddCommand kCommands[] = {
     add_grade,   add_compare,   add_handout, add_package, add_gradescope, add_secret,  add_samples,
     add_similar, add_log,       add_diff,    add_export,  add_forget,     add_set,     add_excuse,
-    add_comment, add_late_days, add_unset,   add_whatif,  add_gradebook,  add_feedback};
+    add_comment, add_late_days, add_unset,   add_whatif,  add_gradebook,  add_feedback, add_site};
 
 // Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup
 // has started it).

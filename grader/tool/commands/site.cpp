@@ -1,0 +1,107 @@
+// STAFF ONLY. `hairgrade site`: writes pages for people who build nothing: a start page, views of scenes, and
+// a class as its students may see it.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "grader/course/course.h"
+#include "grader/course/input.h"
+#include "grader/package/handout.h"
+#include "grader/report/pages.h"
+#include "grader/report/pictures.h"
+#include "grader/report/student_view.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/commands/of_a_record.h"
+#include "hair/io/files/read_file.h"
+#include "hair/view/view_page.h"
+
+namespace grader::inline tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SiteOptions {
+  fs::path grades, out;
+  std::vector<fs::path> motions;
+};
+
+// The run that is farthest from the reference's, in pictures; empty if all are the same.
+Html worst_run(const std::vector<SubmissionResult>& results) {
+  const std::vector<PictureResult>* worst = nullptr;
+  double most = 0;
+  for (const SubmissionResult& result : results)
+    for (const ExerciseResult& exercise : result.exercises)
+      for (const PictureResult& picture : exercise.pictures)
+        if (picture.flip > most) most = picture.flip, worst = &exercise.pictures;
+  return worst ? moments(*worst, "A wrong program's run beside the reference's", report::Ending::whole,
+                         "Theirs", {})
+               : Html();
+}
+
+std::string start_page(const std::vector<SubmissionResult>& results, const std::vector<fs::path>& motions) {
+  Html body = html(
+      "<header>\n<h1>Hair: a course assignment, and the machine that grades it</h1>\n<p>Students write the "
+      "parts of a hair simulation, from conjugate gradients up to whole strands. Each submission is built in "
+      "a sandbox and compared with a reference solution.</p>\n</header>\n<main>\n<section>\n<h2>Hair that "
+      "moves</h2>\n<p>Turn it with the mouse.</p>\n<ul>\n");
+  for (const fs::path& motion : motions)
+    body += html("<li><a href=\"{}.html\">{}</a></li>\n", {motion.stem().string(), motion.stem().string()});
+  body += html(
+      "</ul>\n</section>\n<section>\n<h2>A class</h2>\n<p><a href=\"class/index.html\">Grades of a class of "
+      "{} samples</a>. Each row leads to the report that its student gets.</p>\n",
+      {results.size()});
+  for (const SubmissionResult& result : results)
+    if (result.studied)
+      body += html("<p><a href=\"class/{}/study.html\">Error against run time</a> of {}.</p>\n",
+                   {result.name, result.name});
+  body += worst_run(results);
+  return html_page("Hair", body += html("</section>\n</main>\n"));
+}
+
+int site(const SiteOptions& options) {
+  const std::unique_ptr<Record> record = open_record(options.grades, "");
+  Files pages;
+  std::vector<SubmissionResult> results;
+  for (const std::string& name : record->names()) {
+    const std::optional<Recorded> one = record->find_decided(name);
+    if (!one) continue;
+    results.push_back(for_student(one->result));
+    pages["class/" + name + "/report.html"] = student_page(one->result);
+    if (one->study)
+      pages["class/" + name + "/study.html"] =
+          study_page(results.back(), one->study->own, one->study->beside_itself);
+  }
+  pages["class/index.html"] = class_page(results, {.is_public = true});
+  for (const fs::path& motion : options.motions) {
+    const std::string scene = motion.stem().string();
+    pages[scene + ".html"] = hair::view_page({{scene, hair::bytes_of(motion)}});
+  }
+  pages["index.html"] = start_page(results, options.motions);
+  check_pages(pages, {HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, read_course(HAIR_EXERCISES_JSON, {}));
+  if (fs::exists(options.out) && !fs::is_empty(options.out))
+    throw BadInput(options.out.string() + ": is not empty; name a new folder with --out");
+  std::uintmax_t bytes = 0;
+  for (const auto& [path, text] : pages) {
+    fs::create_directories((options.out / path).parent_path());
+    write_file(options.out / path, text);
+    bytes += text.size();
+  }
+  std::cout << (options.out / "index.html").string() << ": " << pages.size() << " pages, "
+            << bytes / 1'000'000 << " MB\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_site(CLI::App& hairgrade) {
+  const auto options = std::make_shared<SiteOptions>();
+  CLI::App* command = hairgrade.add_subcommand(
+      "site", "Write pages for everybody: a start page, views, and a class as its students see it");
+  command->add_option("GRADES", options->grades, "A folder of grades")->required();
+  command->add_option("--motion", options->motions, "motion.json of a run, to be looked at")
+      ->check(CLI::ExistingFile);
+  command->add_option("--out", options->out, "A new folder")->required();
+  return {command, [options] { return site(*options); }};
+}
+
+}  // namespace grader::tool
