@@ -23,8 +23,8 @@ struct Batch {
   bool interrupted = false;
 };
 
-// Carries a plan out, in the folder that it was made for. When `interrupted` is set from outside (Ctrl-C), the
-// batch starts nothing new and ends. Throws BadInput if the folder can't be written.
+// Carries a plan out, in the folder that it was made for. When `interrupted` is set from outside (Ctrl-C),
+// the batch starts nothing new and ends. Throws BadInput if the folder can't be written.
 Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& record,
                   const std::atomic<bool>& interrupted);
 

@@ -19,9 +19,9 @@ namespace grader::inline tool {
 class FolderOfGrades {
  public:
   // Makes the folder if it is not there. While another process has it, waits, and says so once on `says`.
-  // Nothing if `interrupted` was set meanwhile. Throws BadInput if the folder has results of this hand-in that
-  // were made otherwise, or that are of an older version and in no record; if a hand-in has a name here and
-  // none there; and for a folder that can't be written.
+  // Nothing if `interrupted` was set meanwhile. Throws BadInput if the folder has results of this hand-in
+  // that were made otherwise, or that are of an older version and in no record; if a hand-in has a name here
+  // and none there; and for a folder that can't be written.
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
                                             const std::atomic<bool>& interrupted, std::ostream& says,
                                             const std::string& hand_in = "");

@@ -1,5 +1,5 @@
-// STAFF ONLY. The plan of a run of grading: the submissions, and the rows of a folder of grades that they get. It
-// is made once, while no other hairgrade can write to the folder, and then carried out (batch.h).
+// STAFF ONLY. The plan of a run of grading: the submissions, and the rows of a folder of grades that they
+// get. It is made once, while no other hairgrade can write to the folder, and then carried out (batch.h).
 #pragma once
 
 #include <filesystem>
@@ -39,8 +39,9 @@ struct Plan {
   std::vector<std::string> remarks = {};    // and others
 };
 
-// Writes nothing into `record`, which is that of the folder. `known` are the people of the class: the new roster, or
-// else the record's. Throws BadInput if settings.only names no submission, and Question as settle_origins does.
+// Writes nothing into `record`, which is that of the folder. `known` are the people of the class: the new
+// roster, or else the record's. Throws BadInput if settings.only names no submission, and Question as
+// settle_origins does.
 Plan plan_of(Intake intake, Record& record, const std::optional<Roster>& known,
              const BatchSettings& settings);
 
