@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Converts colours between sRGB, XYZ, CIELAB and FLIP's opponent space.
 #include "grader/compare/color.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the distances of pictures: identical, shifted, brighter and with missing hair.
 #include "grader/compare/compare.h"
 
 #include <gtest/gtest.h>

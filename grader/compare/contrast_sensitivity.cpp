@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes the filter of the eye's contrast sensitivity.
 #include "grader/compare/contrast_sensitivity.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the filter on waves of known frequency.
 #include "grader/compare/contrast_sensitivity.h"
 
 #include <gtest/gtest.h>

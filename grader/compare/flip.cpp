@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes FLIP's error map of two pictures.
 #include "grader/compare/flip.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests FLIP's error maps on pictures with known differences.
 #include "grader/compare/flip.h"
 
 #include <gtest/gtest.h>

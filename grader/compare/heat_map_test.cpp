@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests that heat colours are brighter where the error is larger.
 #include "grader/compare/heat_map.h"
 
 #include <gtest/gtest.h>

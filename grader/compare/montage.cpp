@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Puts pictures side by side, and makes them smaller.
 #include "grader/compare/montage.h"
 
 #include <algorithm>

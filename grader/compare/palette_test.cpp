@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the choice of 256 colours.
 #include "grader/compare/palette.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Filters planes with separable kernels.
 #include "grader/compare/plane.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests filters of planes against direct sums.
 #include "grader/compare/plane.h"
 
 #include <gtest/gtest.h>

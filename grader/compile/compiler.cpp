@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's file becomes an object: from the cache, or by compiler and linker in cages.
+// STAFF ONLY. A student's file becomes an object: from the cache, or by compiler and linker in sandboxes.
 #include "grader/compile/compiler.h"
 
 #include <fstream>
@@ -35,7 +35,7 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   const std::string hash = key(exercise, source, build);
   const fs::path kept = cache_ / (hash + ".object");
   const Turns::Turn turn(turns_, hash);
-  // What was compiled without a cage may hold anything, and is not kept.
+  // What was compiled without a sandbox may hold anything, and is not kept.
   if (toolchain_.isolated())
     if (const std::optional<KeptObject> found = read_kept(kept)) {
       mark_as_used(kept);

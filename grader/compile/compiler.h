@@ -1,9 +1,9 @@
 // STAFF ONLY. Compiles a student's file to a shared object that exports only the exercise's functions.
 //
-// The file is compiled in a cage with the file, the given headers and the system's compiler; it is linked in
-// another cage with the object and the prerequisites' shared objects. Objects are cached by a hash of all
-// their inputs: of threads that want the same one, the first makes it, and the others take it from the cache.
-// What does not compile is compiled by each, in turn. Without a sandbox nothing is kept.
+// The file is compiled in a sandbox with the file, the given headers and the system's compiler; it is linked
+// in another sandbox with the object and the prerequisites' shared objects. Objects are cached by a hash of
+// all their inputs: of threads that want the same one, the first makes it, and the others take it from the
+// cache. What does not compile is compiled by each, in turn. Without a sandbox nothing is kept.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Makes the precompiled header of the given headers, in a cage, or takes it from the cache.
+// STAFF ONLY. Makes the precompiled header of the given headers, in a sandbox, or takes it from the cache.
 #include "grader/compile/precompiled.h"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Options of compiler and linker, and the cages that they run in.
+// STAFF ONLY. Options of compiler and linker, and the sandboxes that they run in.
 #include "grader/compile/toolchain.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. The system's compiler and linker, run in cages.
+// STAFF ONLY. The system's compiler and linker, run in sandboxes.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace grader::inline compile {
 // How a student's file is built: as it is graded, or with the sanitizers that find memory errors.
 enum class Build { ordinary, sanitised };
 
-// In a cage that compiles: as at home, student/ beside the folders of the contracts.
+// In a sandbox that compiles: as at home, student/ beside the folders of the contracts.
 inline constexpr const char* kStudentFolder = "/handout/student";
 
 class Toolchain {
@@ -32,19 +32,19 @@ class Toolchain {
   // Runs a command about `file`.
   Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& file) const;
 
-  // Whose fault is it that a command failed? Runs the same tools in the same cage on nothing at all. Throws
-  // std::runtime_error, our fault, if that fails, too. What a student's file makes the tools say decides
-  // nothing.
+  // Whose fault is it that a command failed? Runs the same tools in the same sandbox on nothing at all.
+  // Throws std::runtime_error, our fault, if that fails, too. What a student's file makes the tools say
+  // decides nothing.
   void prove_it_compiles(const Cage& cage) const;
   void prove_it_links(const Cage& cage) const;
 
-  // A cage for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and the command
-  // to compile in it. The caller adds the input, the output, and the mounts for both.
+  // A sandbox for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and the
+  // command to compile in it. The caller adds the input, the output, and the mounts for both.
   Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
                                            Build build = Build::ordinary) const;
 
-  // The same for linking: a cage without headers.
+  // The same for linking: a sandbox without headers.
   Cage linking(double cpu_seconds) const;
   std::vector<std::string> link_command(Build build = Build::ordinary) const;
 

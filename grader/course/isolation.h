@@ -1,4 +1,4 @@
-// STAFF ONLY. The kinds of isolation: how a cage keeps a process away from all else.
+// STAFF ONLY. The kinds of isolation: how a sandbox keeps a process away from all else.
 #pragma once
 
 #include <optional>

@@ -42,7 +42,7 @@ class Archive : public Container {
 };
 
 // How archives are opened. `open_here` reads them in this process, with all its rights, whatever their bytes
-// do to the library; caged_archive.h reads them in a cage.
+// do to the library; caged_archive.h reads them in a sandbox.
 using OpenArchive =
     std::function<std::unique_ptr<Container>(ArchiveSource, const std::string& shown, ArchiveLimits)>;
 std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits);

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Serves an archive's contents from inside the sandbox.
 #include "grader/intake/archive_service.h"
 
 #include <signal.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. An archive's reader in a cage, and what it says. It begins with two open descriptors: the
+// STAFF ONLY. An archive's reader in a sandbox, and what it says. It begins with two open descriptors: the
 // archive, and one end of a conversation about it.
 //
 //   intake -> reader             reader -> intake

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Starts an archive's reader in a sandbox and asks it for entries.
 #include "grader/intake/caged_archive.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Archives, read in a cage: libarchive meets hostile bytes in a process that holds nothing but
+// STAFF ONLY. Archives, read in a sandbox: libarchive meets hostile bytes in a process that holds nothing but
 // the system's libraries, without rights, network or names of files. Each archive, also each one in another,
 // has a process of its own, so that one that breaks its reader costs itself alone.
 //
@@ -35,7 +35,7 @@ class CagedReader {
   Cage cage_;
 };
 
-// The cage of a reader, whose program is the file `program`.
+// The sandbox of a reader, whose program is the file `program`.
 Cage reader_cage(const std::filesystem::path& program, Isolation isolation);
 
 }  // namespace grader::intake

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the cage of a reader keeps from it, and what a reader that breaks down costs: itself.
+// STAFF ONLY. What the sandbox of a reader keeps from it, and what a reader that breaks down costs: itself.
 #include "grader/intake/caged_archive.h"
 
 #include <signal.h>

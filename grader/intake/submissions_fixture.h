@@ -39,7 +39,7 @@ inline std::string zip(const std::string& path, const std::string& text = "int x
   return ArchiveBuilder(Packing::zip).file(path, text).bytes();
 }
 
-// How the tests open archives: in a cage, if the environment's HAIR_READER names a reader.
+// How the tests open archives: in a sandbox, if the environment's HAIR_READER names a reader.
 inline const OpenArchive& opener() {
   static const char* program = std::getenv("HAIR_READER");
   static const std::unique_ptr<CagedReader> reader =

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks the recorded questions again of a worker with sanitizers.
 #include "grader/judge/memory_errors.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 //
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //
-// The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
+// The objects are loaded in their order, the exercise's last, in a process without a sandbox: this is for
 // staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
 // read of the first; for each bound the largest error / bound, its seed, the category, and the quantity; and
 // for each category a hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Compares numbers of a student with the reference's, and describes the first failure.
 #include "grader/judge/trial.h"
 
 #include <algorithm>

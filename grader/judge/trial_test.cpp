@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests comparisons of numbers, and the sentences about failures.
 #include "grader/judge/trial.h"
 
 #include <gtest/gtest.h>

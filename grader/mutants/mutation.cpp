@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Finds all small changes of a source.
 #include "grader/mutants/mutation.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Divides a source into words and signs.
 #include "grader/mutants/words.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Checks a handout's contents before its release.
 #include "grader/package/gates.h"
 
 #include <algorithm>

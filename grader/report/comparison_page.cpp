@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes the page of compared pictures.
 #include "grader/report/comparison_page.h"
 
 #include "grader/report/pictures.h"

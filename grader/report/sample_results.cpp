@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes synthetic results of a class for tests.
 #include "grader/report/sample_results.h"
 
 #include <array>

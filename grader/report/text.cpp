@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes points as text.
 #include "grader/report/text.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Encodes bytes with libsodium.
 #include "grader/result/base64.h"
 
 #include <sodium.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads samples and their groups.
 #include "grader/samples/sample.h"
 
 #include <algorithm>

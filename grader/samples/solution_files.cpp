@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Copies a sample's solution files and edits them.
 #include "grader/samples/solution_files.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Starts a command in a cage of either kind, and reads from the kernel what the command does.
+// STAFF ONLY. Starts a command in a sandbox of either kind, and reads from the kernel what the command does.
 #include "grader/sandbox/cage.h"
 
 #include <fcntl.h>
@@ -70,7 +70,7 @@ void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy
   }
 }
 
-// We and the suite hold the rest: the kernel shall end no run that the warden could have ended.
+// We and the suite hold the rest: the kernel shall end no run that the supervisor could have ended.
 std::size_t most_memory_of_a_run() {
   constexpr std::size_t kOurs = std::size_t{128} << 20;
   static const std::size_t usable = usable_memory_bytes();

@@ -1,11 +1,11 @@
-// STAFF ONLY. A process in a cage: no /proc, no environment, a read-only root with only the mounts, and a
+// STAFF ONLY. A process in a sandbox: no /proc, no environment, a read-only root with only the mounts, and a
 // system call filter. There are two kinds (grader/course/isolation.h). Namespaces: bubblewrap's of users,
 // processes, network, mounts, IPC and host names. Container: a user that nobody else has, and a root folder
 // that holds links and copies of the mounts.
 //
-// Fences limit its resources: limits inside the cage (`with_inner_limits`, or the worker sets its own), a
-// control group if the machine has one, a warden that counts what all processes of the cage take, and a
-// watchdog outside that ends the whole cage.
+// Fences limit its resources: limits inside the sandbox (`with_inner_limits`, or the worker sets its own), a
+// control group if the machine has one, a supervisor that counts what all processes of the sandbox take, and
+// a watchdog outside that ends the whole sandbox.
 #pragma once
 
 #include <sys/types.h>
@@ -45,12 +45,12 @@ struct Limits {
   int processes = 32;                              // and threads
   int cpu_seconds = 20;                            // of one process
   double cpu_seconds_of_all = 0;                   // of all together; 0: no limit
-  double wall_seconds = 120;                       // of the cage
+  double wall_seconds = 120;                       // of the sandbox
 };
 
 struct Cage {
   std::vector<Mount> mounts;
-  std::string folder = "/";               // the current folder inside the cage
+  std::string folder = "/";               // the current folder inside the sandbox
   std::size_t tmp_bytes = 0;              // the size of a writable /tmp; 0: none
   std::optional<Syscalls> syscalls = {};  // the filter at the start; none: the process puts itself under one
   Limits limits = {};
@@ -64,14 +64,14 @@ struct Ending {
   int signal = 0;              // or the signal that killed it
   bool timed_out = false;      // it used up its CPU time, or we killed it
   bool out_of_memory = false;  // the kernel killed it
-  double cpu_seconds = 0;      // of all processes in the cage
+  double cpu_seconds = 0;      // of all processes in the sandbox
 
   bool well() const { return code == 0 && signal == 0 && !timed_out && !out_of_memory; }
 };
 
 class CagedProcess {
  public:
-  // Starts a command, given by its path inside the cage. `requests` becomes descriptor 3 and `replies`
+  // Starts a command, given by its path inside the sandbox. `requests` becomes descriptor 3 and `replies`
   // descriptor 4 (both optional: -1), and `output` descriptors 1 and 2. Throws std::system_error if it can't
   // be started.
   CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
@@ -92,10 +92,10 @@ class CagedProcess {
   // The data for a watchdog: what the process has done so far, by the kernel's clocks.
   struct Activity {
     bool alive = false;
-    bool started = false;    // its cage is made, and the command runs in it
+    bool started = false;    // its sandbox is made, and the command runs in it
     double cpu_seconds = 0;  // of all its threads, also those that have ended
     // What each of its threads has computed and waited for a processor; and those of the processes that made
-    // its cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
+    // its sandbox. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
     struct Busy {
       double computed = 0, queued = 0;  // s; the kernel counts a wait when it is over
       bool runnable = false;            // it runs, or waits for a processor
@@ -118,7 +118,7 @@ class CagedProcess {
   std::optional<Ending> ending_;
 };
 
-// Adds limits to a command inside the cage, as the unprivileged user: `prlimit ... -- command`.
+// Adds limits to a command inside the sandbox, as the unprivileged user: `prlimit ... -- command`.
 std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command);
 
 }  // namespace grader::sandbox

@@ -1,4 +1,4 @@
-// STAFF ONLY. What a cage keeps from the process inside, tried from inside with a shell.
+// STAFF ONLY. What a sandbox keeps from the process inside, tried from inside with a shell.
 #include "grader/sandbox/cage.h"
 
 #include <fcntl.h>

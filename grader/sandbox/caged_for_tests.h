@@ -1,4 +1,4 @@
-// STAFF ONLY. A shell in a cage, for tests of either kind.
+// STAFF ONLY. A shell in a sandbox, for tests of either kind.
 #pragma once
 
 #include <gtest/gtest.h>

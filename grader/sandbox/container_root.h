@@ -1,8 +1,8 @@
-// STAFF ONLY. The root folder of a cage where nothing can be mounted. Files are links, or copies where links
-// can't be made; writable folders are moved in, and come back.
+// STAFF ONLY. The root folder of a sandbox where nothing can be mounted. Files are links, or copies where
+// links can't be made; writable folders are moved in, and come back.
 //
-//   ROOTS/system/   copies of what cages need of the system, made once: links to the system's own files would share owner and mode
-//   ROOTS/KEY-0     a root folder with the system's part of some cage; others with the same part use it after that cage, KEY-1 beside it
+//   ROOTS/system/   copies of what sandboxes need of the system, made once: links to the system's own files would share owner and mode
+//   ROOTS/KEY-0     a root folder with the system's part of some sandbox; others with the same part use it after that sandbox, KEY-1 beside it
 #pragma once
 
 #include <filesystem>

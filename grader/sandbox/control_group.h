@@ -1,5 +1,5 @@
-// STAFF ONLY. Limits on memory and processes for a whole cage, if the kernel's control groups (v1 or v2) are
-// writable. Otherwise only the limits inside the cage apply.
+// STAFF ONLY. Limits on memory and processes for a whole sandbox, if the kernel's control groups (v1 or v2)
+// are writable. Otherwise only the limits inside the sandbox apply.
 #pragma once
 
 #include <filesystem>

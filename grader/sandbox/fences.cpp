@@ -1,4 +1,4 @@
-// STAFF ONLY. Runs hairprobe in cages.
+// STAFF ONLY. Runs hairprobe in sandboxes.
 #include "grader/sandbox/fences.h"
 
 #include <signal.h>
@@ -66,7 +66,7 @@ std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out
   if (const Tried tried = tries(filtered, {"network"}, leave_out); !tried.ending.well())
     return "student code " + tried.said;
 
-  if (cage.isolation == Isolation::namespaces) {  // a container's cages have the filter alone
+  if (cage.isolation == Isolation::namespaces) {  // a container's sandboxes have the filter alone
     const Listener listener;
     if (const Tried tried = tries(open, {"reach", std::to_string(listener.port())}, leave_out);
         !tried.ending.well())

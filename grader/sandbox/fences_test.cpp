@@ -57,7 +57,7 @@ const LeftOut kFences[] = {
     {"Nothing", Isolation::namespaces, [](Launch&, RunLimits&) {}, ""},
     {"User", Isolation::namespaces, [](Launch& launch, RunLimits&) { launch.identity = {}; },
      "student code can do all that root may: it is root\n"},
-    // A grader that is not root has the same user as its cages.
+    // A grader that is not root has the same user as its sandboxes.
     {"Processes", Isolation::namespaces,
      [](Launch& launch, RunLimits&) {
        launch.identity = {};

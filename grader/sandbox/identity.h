@@ -1,5 +1,5 @@
-// STAFF ONLY. The user that runs a cage. A cage started by root could write host kernel settings through
-// /proc, so root first becomes a separate unprivileged user.
+// STAFF ONLY. The user that runs a sandbox. A sandbox started by root could write host kernel settings
+// through /proc, so root first becomes a separate unprivileged user.
 #pragma once
 
 #include <sys/types.h>

@@ -71,13 +71,13 @@ bool set_limits() {
   return other_stack;
 }
 
-// A folder in which cages find what lies there, and where programs may run.
+// A folder in which sandboxes find what lies there, and where programs may run.
 bool serves_for_temporary_files(const fs::path& folder) {
   struct statvfs system = {};
   if (!folder.is_absolute() || access(folder.c_str(), W_OK | X_OK) != 0 ||
       statvfs(folder.c_str(), &system) != 0 || (system.f_flag & ST_NOEXEC) != 0)
     return false;
-  // Root is somebody else in a cage.
+  // Root is somebody else in a sandbox.
   std::error_code error;
   for (fs::path part = folder; geteuid() == 0; part = part.parent_path()) {
     if ((fs::status(part, error).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
@@ -118,7 +118,7 @@ bool set_personality() {
 
 // The shadow is an eighth of 2^48 bytes or less, and AddressSanitizer's heap 2^42.
 constexpr rlim_t kAddressesOfSanitizers = rlim_t{1} << 46;
-// hairsuite with OpenGL; a compiler in its cage has 2 GiB.
+// hairsuite with OpenGL; a compiler in its sandbox has 2 GiB.
 constexpr rlim_t kAddresses = rlim_t{4} << 30;
 // A precompiled header, at most.
 constexpr rlim_t kFile = rlim_t{512} << 20;

@@ -3,9 +3,9 @@
 // grader sets all of it, and what it starts inherits that.
 //
 //   soft limits            as high as is ever needed; the stack's is 8 MiB, as at home; no core files
-//   the environment        HOME, XDG_..., TMPDIR if cages can use it, options of sanitizers; nothing else
+//   the environment        HOME, XDG_..., TMPDIR if sandboxes can use it, options of sanitizers; nothing else
 //   signals                none is ignored or blocked, but SIGHUP if it was ignored (nohup)
-//   the mask (umask)       takes nothing from the owner; what a cage reads gets its mode by name
+//   the mask (umask)       takes nothing from the owner; what a sandbox reads gets its mode by name
 //   standard descriptors   /dev/null where one is closed
 //   the personality        Linux's own: random addresses, no compatible layouts
 #pragma once

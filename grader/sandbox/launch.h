@@ -11,7 +11,7 @@
 namespace grader::inline sandbox {
 
 struct Launch {
-  // Descriptors of the program in its cage. bwrap writes of its child to kInfo, and reads a filter from
+  // Descriptors of the program in its sandbox. bwrap writes of its child to kInfo, and reads a filter from
   // kFilter.
   enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6 };
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Tries from inside of a cage what student code could try. Exit code 0: it was stopped. 1: it
+// STAFF ONLY. Tries from inside of a sandbox what student code could try. Exit code 0: it was stopped. 1: it
 // succeeded, and standard output says with what, as "can ...".
 //
 //   hairprobe start | files STAFF_FOLDER | processes STAFF_PROCESS | rights | network | reach PORT | fork COUNT | memory BYTES | stay
@@ -72,7 +72,7 @@ bool reach(int port) {
              "reach servers of this machine");
 }
 
-// They last until the cage ends, or a minute.
+// They last until the sandbox ends, or a minute.
 bool start_processes(int count) {
   constexpr unsigned kSeconds = 60;
   for (int i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. The system calls that a caged process may use. All others fail with EPERM; clone3 fails with
-// ENOSYS, so that the C library falls back to clone, whose flags a filter can inspect.
+// STAFF ONLY. The system calls that a sandboxed process may use. All others fail with EPERM; clone3 fails
+// with ENOSYS, so that the C library falls back to clone, whose flags a filter can inspect.
 #pragma once
 
 #include <linux/filter.h>

@@ -1,5 +1,5 @@
-// STAFF ONLY. What cages need of the system, as mounts. In namespaces whole folders are mounted; where each
-// file has to be copied or linked, the files alone that are used.
+// STAFF ONLY. What sandboxes need of the system, as mounts. In namespaces whole folders are mounted; where
+// each file has to be copied or linked, the files alone that are used.
 #pragma once
 
 #include <filesystem>

@@ -194,7 +194,7 @@ RunReport Warden::wait() {
   ssize_t size;
   do size = read(report_.get(), &told, sizeof told);
   while (size < 0 && errno == EINTR);
-  if (size != sizeof told) {  // somebody has ended the warden
+  if (size != sizeof told) {  // somebody has ended the supervisor
     told.status = SIGKILL;
     if (user_ != 0) end_all_of(user_);
   }

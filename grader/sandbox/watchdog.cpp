@@ -57,7 +57,7 @@ void Watchdog::greets() {
 
 void Watchdog::look() {
   CagedProcess::Activity now = process_.activity();
-  // Once it has started, what is seen instead of it is one of those that made its cage: it has ended.
+  // Once it has started, what is seen instead of it is one of those that made its sandbox: it has ended.
   if (!now.alive || (started_ && !now.started)) return;
   const CagedProcess::Activity::Busy busy = busy_between(last_, now);
   if (waits(busy, now)) {

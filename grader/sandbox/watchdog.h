@@ -1,5 +1,5 @@
-// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the cage bound the CPU
-// time of a worker by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
+// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the sandbox bound the
+// CPU time of a worker by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
 //
 // Idle is the time that we wait for it less what it computes and less what the thread that waited most waited
 // for a processor, whatever state the kernel calls them in, and less what we ourselves wait for one after its
@@ -9,7 +9,7 @@
 // nothing. Threads that wait for a processor at the same time wait once: thirty that wake each other up
 // excuse no more than one does. The sum is taken over windows of 0.25 s of waiting, and what is computed in
 // one hides no idling in another. A window is longer where a thread waits for a processor all through it: the
-// kernel counts a wait when it is over. The sum begins when the worker's own code does: while its cage is
+// kernel counts a wait when it is over. The sum begins when the worker's own code does: while its sandbox is
 // made, the kernel's locks may have us wait for others.
 #pragma once
 

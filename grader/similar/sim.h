@@ -1,6 +1,6 @@
 // STAFF ONLY. Finds runs of equal tokens in C++ sources with sim, Debian's similarity-tester. To sim all
 // names are equal, and so are all numbers and all texts; layout and comments don't exist. It reads what
-// strangers have written, so it runs in a cage.
+// strangers have written, so it runs in a sandbox.
 #pragma once
 
 #include <cstddef>

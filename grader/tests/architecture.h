@@ -10,7 +10,7 @@ struct Room {
   std::string folder;              // from the project's root
   std::vector<std::string> lines;  // what it does
   int column, row;
-  bool caged = false;  // meets strangers' bytes or code in a cage
+  bool caged = false;  // meets strangers' bytes or code in a sandbox
 };
 
 // Data goes from the one to the other. Rooms side by side, or one above the other.

@@ -4,7 +4,7 @@
 // what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one sample
 // alone. HAIR_TOLD names a folder that keeps what the checks tell of each program that fails them.
 //
-// A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in
+// A sample's file is compiled and linked as for grading, in a sandbox, and the public checks run with it in
 // another. Wrong ones that they do not catch are compiled once more with sanitizers, as students' checks are:
 // these take longer, and tell more of memory errors alone. What was compiled is kept.
 #include <fcntl.h>

@@ -113,7 +113,7 @@ void print_nearest(const std::string& exercise, const std::vector<Nearest>& near
   std::printf("| %s | all | %zu others | | |\n", exercise.c_str(), far);
 }
 
-// Runs it without a cage: these are our own programs.
+// Runs it without a sandbox: these are our own programs.
 ProgramRun run(const std::vector<std::string>& words, const fs::path& log) {
   std::string command;
   for (const std::string& word : words) command += "'" + word + "' ";

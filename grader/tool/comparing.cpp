@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Compares pictures or folders of frames and writes the page.
 #include "grader/tool/comparing.h"
 
 #include <unistd.h>

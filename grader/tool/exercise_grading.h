@@ -1,5 +1,5 @@
-// STAFF ONLY. Grades one exercise of a submission: compiles and links its file in cages, and runs its hidden
-// suite.
+// STAFF ONLY. Grades one exercise of a submission: compiles and links its file in sandboxes, and runs its
+// hidden suite.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // STAFF ONLY. Grades one submission, from its files to its result: compiles and links each exercise's file in
-// cages and runs its hidden suite; then studies all files together, if it is asked to. Needs no lock:
+// sandboxes and runs its hidden suite; then studies all files together, if it is asked to. Needs no lock:
 // submissions are graded in parallel.
 #pragma once
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Asks the fences of each kind of cage.
+// STAFF ONLY. Asks the fences of each kind of sandbox.
 #include "grader/tool/isolation_here.h"
 
 #include <sys/syscall.h>

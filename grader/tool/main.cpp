@@ -33,7 +33,7 @@ std::string names_of(const std::vector<Command>& commands) {
 
 int run(int argc, char* argv[]) {
   setlocale(LC_CTYPE, "C.UTF-8");  // names in archives may hold any letters
-  signal(SIGPIPE, SIG_IGN);        // who reads what we write may be gone, as an archive's reader in its cage
+  signal(SIGPIPE, SIG_IGN);  // who reads what we write may be gone, as an archive's reader in its sandbox
   if (sodium_init() < 0) {
     std::cerr << "hairgrade: no source of random numbers\n";
     return 1;

@@ -1,5 +1,5 @@
 // STAFF ONLY. The public checks of a hand-in, as a platform shows them before the deadline: each file is
-// compiled as in grading, with the same messages, and its checks run in a cage with the student's own
+// compiled as in grading, with the same messages, and its checks run in a sandbox with the student's own
 // prerequisites, as at home. They give no points. There is no secret and no reference in it; which check
 // passed the student's process says of itself.
 #pragma once

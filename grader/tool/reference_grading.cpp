@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Grades the reference with all kinds of workers.
 #include "grader/tool/reference_grading.h"
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs the hidden suite and reads its results.
 #include "grader/tool/suite_run.h"
 
 #include <signal.h>

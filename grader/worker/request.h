@@ -17,7 +17,7 @@ struct Current {
 inline Current current;
 
 // Runs it on a stack whose ends AddressSanitizer knows: where an exception unwinds it, the runtime must
-// forget what it had marked there. The main thread's ends stand in /proc, which no cage has. Only in the
+// forget what it had marked there. The main thread's ends stand in /proc, which no sandbox has. Only in the
 // worker with sanitizers.
 __attribute__((weak)) void run_on_known_stack(void (*run)());
 

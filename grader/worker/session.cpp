@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Receives requests, sends answers, and puts a guard page behind each buffer.
 #include "grader/worker/session.h"
 
 #include <sys/mman.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs a scene and keeps its frames.
 #include "grader/judge/run/play_scene.h"
 
 #include "grader/judge/run/dense_strands.h"

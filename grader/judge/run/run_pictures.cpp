@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws the pictures of two runs and compares them.
 #include "grader/judge/run/run_pictures.h"
 
 #include <memory>

@@ -131,7 +131,7 @@ pid_t parent_of(const fs::path& process) {
   return parent;
 }
 
-// The files that runs have mapped, without the system's: children of their wardens, which are ours.
+// The files that runs have mapped, without the system's: children of their supervisors, which are ours.
 std::set<std::string> mapped_by_runs() {
   std::set<std::string> files;
   for (const fs::directory_entry& process : fs::directory_iterator("/proc")) {

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs the hidden scene and compares the submission's run with the reference's.
 #include "grader/judge/run/whole_run.h"
 
 #include <algorithm>

@@ -74,7 +74,7 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
   return patience;
 }
 
-// 0 is no limit. The kernel counts all threads of a user in a user name space: with no cage, those of his
+// 0 is no limit. The kernel counts all threads of a user in a user name space: with no sandbox, those of his
 // other programs, too.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Divides scenes into the parts of a study.
 #include "grader/judge/study/parts.h"
 
 #include <nlohmann/json.hpp>

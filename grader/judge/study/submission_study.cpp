@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs all parts of a submission's study.
 #include "grader/judge/study/submission_study.h"
 
 #include <algorithm>

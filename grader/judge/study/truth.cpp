@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes and stores a part's reference solution.
 #include "grader/judge/study/truth.h"
 
 #include <algorithm>
