@@ -1,4 +1,4 @@
-// STAFF ONLY. Opens a folder of grades, and compares what its grades were made with.
+// STAFF ONLY. Opens a folder of grades, and compares how its grades were made.
 #include "grader/tool/folder_of_grades.h"
 
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
                  "name another folder with --out, or move this one away to grade all again");
 }
 
-// "a; b" and "a and b": what is different, and what would make it the same.
+// Joins differences as "a; b", and the ways to remove them as "a and b".
 void refuse(const fs::path& folder, const std::vector<Difference>& differences) {
   std::string what, way;
   for (const Difference& one : differences) {
@@ -30,7 +30,7 @@ void refuse(const fs::path& folder, const std::vector<Difference>& differences) 
   refuse(folder, "its grades were made with " + what, way + " to add to it, ");
 }
 
-// What a hairgrade that was killed had not finished. Nobody else is writing here.
+// Removes unfinished files of a killed hairgrade. No other process writes here.
 void remove_half_written(const fs::path& folder) {
   std::vector<fs::path> left;
   std::error_code ignored;

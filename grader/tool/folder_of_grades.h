@@ -1,5 +1,5 @@
-// STAFF ONLY. The folder of grades as something that several people use: one hairgrade at a time writes to
-// it, and all that do agree on the course, the suite and the secret.
+// STAFF ONLY. A folder of grades that several people use: one hairgrade at a time writes to it, and all of
+// them agree on the course, the suite and the secret.
 #pragma once
 
 #include <atomic>

@@ -23,7 +23,7 @@ void study_reference(const SuiteJobs& jobs, ReferenceGraded& graded) {
   }
 }
 
-// What a worker printed may be the reason: the sanitizers' runtime says there what it could not do.
+// The worker's output may have the reason: the sanitizers' runtime writes there what it could not do.
 std::string also_said(const fs::path& log) {
   const std::string text = beginning_of(log, 400);
   return text.empty() ? "" : "; the worker says: " + printable(text, 400);
