@@ -1,5 +1,5 @@
-// STAFF ONLY. What a class's page says beside results: who should be there, which files were left over,
-// how the last run ended, who was late.
+// STAFF ONLY. The facts on a class's page beside results: people on the roster, files left over, the end of
+// the last run, late hand-ins.
 #pragma once
 
 #include <map>

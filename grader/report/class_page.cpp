@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts the class on a page.
+// STAFF ONLY. Writes the class's page.
 #include <algorithm>
 #include <utility>
 
@@ -63,7 +63,7 @@ Html to_look_at(const Results& results, const Readers& readers) {
     Html items;
     std::size_t count = 0;
     for (const SubmissionResult& result : results) {
-      if (!result.note.empty()) continue;  // it stands above, whatever became of its exercises
+      if (!result.note.empty()) continue;  // a note stands above, whatever the exercises' status
       Html exercises;
       for (const ExerciseResult& exercise : result.exercises)
         if (exercise.status == status)
