@@ -19,8 +19,8 @@ struct HandoutSources {
 // can't be written, and HandoutError for a failed gate; then `out` stays unchanged.
 void make_handout(const HandoutSources& sources, const Course& course, const std::filesystem::path& out);
 
-// Writes the list of the whole course's files, handout/packed.txt, which make_handout compares with: somebody
-// has looked at them.
+// Writes the list of the whole course's files, handout/packed.txt, after a person has looked at them.
+// make_handout compares with it.
 void accept_files(const HandoutSources& sources, const Course& course);
 
 // Pages that anybody may read hold neither the staff's mark nor lines of a solution. Throws HandoutError.
