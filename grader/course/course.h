@@ -1,6 +1,6 @@
-// STAFF ONLY. course/course/course.h), and of the course file what a submission may take of the machine
-// (budget.h), and whether a category gives points for the share of its cases that hold ("partial": all or
-// nothing without it). Both may be missing:
+// STAFF ONLY. A course as the grader has it: the exercises (hair/course/course.h), and from the course file
+// the limits on a submission (budget.h), and "partial": a category then gives points for the share of its
+// cases that hold, and all or nothing without it. Both may be missing:
 //
 //   {"exercises": {"S2": {"role": "optional", "points": 5}}, "budget": {"idle_seconds": 10}, "partial": true}
 #pragma once

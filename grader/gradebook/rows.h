@@ -5,8 +5,8 @@
 
 namespace grader::inline gradebook {
 
-// Writes Brightspace's import: its ids as exported, the points of an existing item, and its mark at the end
-// of each row.
+// Writes Brightspace's import: its ids as exported, the points of an existing item, and its mark at the
+// end of each row.
 Gradebook fill_brightspace(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
 
 // Writes Autolab's bulk grades: no titles; e-mail, a value for each of the lab's problems in their order,

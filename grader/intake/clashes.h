@@ -1,6 +1,6 @@
 // STAFF ONLY. Separates submissions that get the same name. Owners whose names differ ("x 1" and "x_1") get
-// names of their own. If the owner is the same (x.zip and x.tar.gz), it is unclear which one counts, so none
-// of them is graded; all others are. An argument keeps its name if a member of a class has the same one.
+// names of their own. If the owner is the same (x.zip and x.tar.gz), it is unclear which one counts:
+// none is graded; all others are. An argument keeps its name if a member of a class has the same one.
 #pragma once
 
 #include <string>

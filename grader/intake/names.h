@@ -16,8 +16,8 @@ namespace grader::inline intake {
 std::string submission_name(std::string_view name);
 
 // Returns the same for an owner: name and id, as "Jane_Doe_4711". It stays for all hand-ins of this owner.
-// Letters outside ASCII lose their marks; if nothing else is left of some and there is no id, a number made
-// of the name replaces them.
+// Letters outside ASCII lose their marks; if nothing else is left of some and there is no id, a number
+// made of the name replaces them.
 std::string name_of_owner(const Owner& owner);
 
 // Returns a name for one of several submissions called `name`. It depends on the path alone.

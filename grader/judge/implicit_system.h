@@ -6,7 +6,7 @@
 //
 //   ||rhs - A dv|| <= tolerance ||rhs|| + 65 (10 + 2e) u ||A|| X,   ||dv - dv*|| <= that / lambda_min,
 //
-// where ||A|| is the norm of the matrix of all |a_ij|, at most Frobenius'. e: our product sums 3n terms for
+// with ||A|| the norm of the matrix of all |a_ij|, at most Frobenius'. e: our product sums 3n terms for
 // each of df/dx and df/dv, and a few more operations combine them: 2 (3n + 8). The right-hand side has the
 // same rounding error.
 #pragma once

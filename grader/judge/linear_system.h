@@ -68,9 +68,9 @@ int usual_limit(const LinearSystem& system);
 double true_residual(const LinearSystem& system, const std::vector<double>& x);  // ||b - Ax||
 double drift(const LinearSystem& system, const std::vector<double>& x, double value);
 
-// Finds a tolerance at which CG takes a fixed number of steps for any order of summation: the geometric mean
-// of the squared residuals before and after a step that changes them enough. If CG ends before `least_steps`,
-// it takes the last such step.
+// Finds a tolerance at which CG takes a fixed number of steps for any order of summation: the geometric
+// mean of the squared residuals before and after a step that changes them enough. If CG ends before
+// `least_steps`, it takes the last such step.
 struct Tolerance {
   double epsilon;
   int steps;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Runs hidden cases under many seeds, for the suite's bounds: a right program must pass under all
-// of them, and a wrong one must fail under all of them.
+// STAFF ONLY. Runs hidden cases under many seeds, for the suite's bounds: a right program must pass under
+// all of them, and a wrong one must fail under all of them.
 //
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //

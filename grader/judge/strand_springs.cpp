@@ -196,8 +196,8 @@ void expect_own_directions(Trial& trial, const Springs& springs, const Posed& be
   }
 }
 
-// One of two springs is longer than at rest, and the other shorter: each has its own term. `moved` is an end
-// of one spring alone.
+// One of two springs is longer than at rest, and the other shorter: each has its own term. `moved` is an
+// end of one spring alone.
 void expect_own_term(Trial& trial, const Springs& springs, const Posed& two, int moved, bool longer) {
   VectorXd dx = VectorXd::Zero(two.x.size());
   dx.segment<3>(3 * moved) = random_vector(trial.random, 3);

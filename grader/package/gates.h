@@ -33,9 +33,9 @@ void check_canary(const Files& handout, const Paths& solved);
 
 // Checks that no file except `solved`, stubs included, has the letters of four or more consecutive lines of
 // the reference: as many as it takes until three have letters, 30 in all. Digits and underscores count as
-// letters. Ends of lines, blanks, marks of comments and escapes hide nothing; comments after // are compared
-// and also left out. Blank lines, #include, and the beginnings of using and namespace are left out. The keys
-// of `reference` are file names ("conj_grad.cpp").
+// letters. Ends of lines, blanks, marks of comments and escapes hide nothing; comments after // are
+// compared and also left out. Blank lines, #include, and the beginnings of using and namespace are left
+// out. The keys of `reference` are file names ("conj_grad.cpp").
 void check_reference_lines(const Files& handout, const Files& reference, const Paths& solved);
 
 // True if a text has the staff's mark in its first lines.

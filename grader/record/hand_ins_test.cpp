@@ -1,5 +1,5 @@
-// STAFF ONLY. Tests that a course file names its hand-ins, and that each has results, decisions and lateness
-// of its own in one record.
+// STAFF ONLY. Tests that a course file names its hand-ins, and that each has results, decisions and
+// lateness of its own in one record.
 #include "grader/record/hand_ins.h"
 
 #include <gtest/gtest.h>

@@ -58,8 +58,8 @@ struct Fields<HandInRules> {
 
 namespace grader::inline record {
 
-// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place and
-// what would be right.
+// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place
+// and what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
 
 // Returns how many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing

@@ -125,8 +125,8 @@ TEST(RowNames, OfCanvasGroupsDontFollowWhoeverHandedIn) {
   EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"team7_1"});
 }
 
-// Groups of two to four are renamed at random, in any order; in each at most one member leaves and one joins,
-// who is in no other group: of two or more at least one stays, and nobody is in two groups.
+// Groups of two to four are renamed at random, in any order; in each at most one member leaves and one
+// joins, who is in no other group: of two or more at least one stays, and nobody is in two groups.
 TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);

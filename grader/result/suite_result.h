@@ -15,8 +15,8 @@ namespace grader::inline result {
 
 // Is the result of the search for memory errors, see grader/judge/memory_errors.h.
 struct MemoryLook {
-  // Hold a memory error, as a sentence for the student, and the number of the called function, in the order
-  // of exercises.json. Empty: none was found.
+  // Hold a memory error, as a sentence for the student, and the number of the called function, in the
+  // order of exercises.json. Empty: none was found.
   std::string message;
   int call = -1;
   double cpu_seconds = 0;  // is the worker's with sanitizers

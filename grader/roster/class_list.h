@@ -1,5 +1,5 @@
-// STAFF ONLY. The class, made of the roster and its hand-ins: a row for each person on the roster, and a list
-// of people who are on no roster.
+// STAFF ONLY. The class, made of the roster and its hand-ins: a row for each person on the roster, and a
+// list of people who are on no roster.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
-// STAFF ONLY. The sample class: submissions with known bugs and attacks, and their expected results. A group
-// of them is a file, GROUP.samples, or an exercise's wrong.samples, with a line for each fact. Lines before
-// the first sample hold for all samples that don't say otherwise:
+// STAFF ONLY. The sample class: submissions with known bugs and attacks, and their expected results. A
+// group of them is a file, GROUP.samples, or an exercise's wrong.samples, with a line for each fact. Lines
+// before the first sample hold for all samples that don't say otherwise:
 //
 //   title Bugs in H2
 //   file plain angular_springs.cpp

@@ -50,8 +50,8 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
   return argv;
 }
 
-// Adds the time that each thread of a process has computed and waited for a processor: the first two numbers
-// of its `schedstat`, in nanoseconds.
+// Adds the time that each thread of a process has computed and waited for a processor: the first two
+// numbers of its `schedstat`, in nanoseconds.
 void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy) {
   std::error_code error;
   const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
@@ -186,7 +186,7 @@ Ending CagedProcess::wait(double seconds) {
     ending.code = WEXITSTATUS(report.status);
   }
   ending.out_of_memory = report.over_memory || (group_ && group_->ran_out_of_memory());
-  // Where a container's memory runs out, the kernel ends the runs first.
+  // If a container's memory runs out, the kernel ends the runs first.
   if (!ending.well() && ended_for_memory_before_ && ended_for_memory() > *ended_for_memory_before_)
     ending.out_of_memory = true;
   // SIGXCPU is the soft limit on CPU time. SIGKILL has several causes; one is the hard limit, a second later,

@@ -106,7 +106,7 @@ ContainerRoot::ContainerRoot(const Cage& cage, const Identity& user) : roots_(ca
     const fs::path tmp = path_ / "tmp";
     add_folder(tmp, false);
     if (chown(tmp.c_str(), user.user, user.group) != 0) fail("can't give away", tmp);
-    // Where /dev/null can't be made, no program of ours needs it.
+    // If /dev/null can't be made, no program of ours needs it.
     const fs::path null = path_ / "dev" / "null";
     add_folder(null.parent_path(), true);
     if (mknod(null.c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) chmod(null.c_str(), 0666);

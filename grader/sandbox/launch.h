@@ -1,5 +1,5 @@
-// STAFF ONLY. Prepares a new process between fork and exec: the program finds what it needs, and nothing else
-// of ours.
+// STAFF ONLY. Prepares a new process between fork and exec: the program finds what it needs, and nothing
+// else of ours.
 #pragma once
 
 #include <linux/filter.h>

@@ -26,8 +26,8 @@ struct ProvidedAsker {
         request, [&](int which, std::vector<double>& x, std::vector<double>& y) { products(which, x, y); });
   }
   bool served(const particles::Force& force) const { return &force == provided_session->served_force; }
-  // Clears the columns that the contract gives a function: a caller loses values there, as with any function
-  // of that contract.
+  // Clears the columns that the contract gives a function: a caller loses values there, as with any
+  // function of that contract.
   void scratch(particles::Scratch scratch, int columns) const {
     if (scratch.cols() < columns)
       throw std::invalid_argument("scratch of " + std::to_string(scratch.cols()) + " columns; expected " +

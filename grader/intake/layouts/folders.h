@@ -1,9 +1,9 @@
 // STAFF ONLY. Decides if an argument without a learning system's names is one submission or a class of them.
 // Only the names in it decide, so that the contents of files can't change the owner.
 //
-// Items are the exercise files, also under names that copies get (exercise_names.h), and the archives. Names
-// of operating systems (ignored.h), and everything below them, are ignored. The root is the deepest folder
-// that contains all items, so that enclosing folders make no difference.
+// Items are the exercise files, also under names that copies get (exercise_names.h), and the archives.
+// Names of operating systems (ignored.h), and everything below them, are ignored. The root is the deepest
+// folder that contains all items, so that enclosing folders make no difference.
 //
 // The first of these rules that holds decides:
 // 1. A student's project is one submission: the root, or a folder around it, has a CMakeLists.txt and beside

@@ -3,11 +3,12 @@
 // goes to a worker of its own, which holds the submission's object, provided prerequisites (provided.h), and
 // nothing else. One category judges the run and its pictures.
 //
-// The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
-// where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
-// within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
-// scene can amplify. MEASURED.md)./MEASURED.md). Dense hair (H10) is made anew in each frame from the
-// reference's guides. Nothing amplifies its rounding, so its points are compared.
+// The run. It must end with finite numbers. It must start as the scene says, and held particles must
+// stay where the reference has them. Energy and stretch, by our own forces, must agree with the
+// reference's run within kEnergy and kStretch. Positions are not compared: correct solutions may differ
+// by rounding, which a scene can amplify (measured in grader/MEASURED.md, with the mistakes that these
+// bounds find). Dense hair (H10) is made anew in each frame from the reference's guides: nothing amplifies
+// its rounding, and its points are compared.
 //
 // Its pictures. We draw a few frames of the submission and of the reference. The RMSE of the blurred pictures
 // and the mean FLIP must each be below a threshold.

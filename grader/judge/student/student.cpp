@@ -74,8 +74,8 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
   return patience;
 }
 
-// 0 is no limit. The kernel counts all threads of a user in a user name space: without a sandbox, also those
-// of the user's other programs.
+// 0 is no limit. The kernel counts all threads of a user in a user name space: without a sandbox, it
+// also counts the user's other programs.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {
       "/worker", std::to_string(limits.cpu_seconds),

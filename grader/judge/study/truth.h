@@ -19,10 +19,10 @@ struct Truth {
   std::string method;                    // "CVODE 6.4.1 (BDF), relative tolerance 1e-12"
 };
 
-// The accurate solution of the equations of motion if there is one (hair/truth/accurate_motion.h). Otherwise
-// (several strands, hair with obstacles, or rods and wires) the reference itself, with many times the steps
-// of the finest division. `kept` is a folder for stored motions. Throws std::runtime_error if the reference
-// breaks.
+// The accurate solution of the equations of motion if there is one (hair/truth/accurate_motion.h).
+// Otherwise (several strands, hair with obstacles, or rods and wires) the reference itself, with many times
+// the steps of the finest division. `kept` is a folder for stored motions. Throws std::runtime_error if the
+// reference breaks.
 Truth true_motion(const StudiedPart& part, const std::optional<std::filesystem::path>& kept);
 
 }  // namespace grader::judge
