@@ -1,9 +1,9 @@
 // STAFF ONLY. The record of a class: one file, class.sqlite, that holds data that can't be made again or must
-// agree: results, costs, hand-ins, the seeds of students' inputs, decisions of people, and a log of all
-// changes. Pages, CSV and JSON are made from it, and never read back.
+// agree: results, costs, hand-ins, the names that students' inputs are drawn from, decisions of people, and
+// a log of all changes. Pages, CSV and JSON are made from it, and never read back.
 //
-// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and seeds. An
-// object of this class is about one of them, unless a comment says otherwise.
+// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and these
+// names. An object of this class is about one of them, unless a comment says otherwise.
 //
 // Several processes and threads may use it at once. Each change is one transaction: a process that is killed
 // leaves all of it or nothing.

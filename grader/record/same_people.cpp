@@ -30,7 +30,7 @@ bool has_ids_of_groups(const HandIn& a, const HandIn& b) {
 }
 
 // Rates two hand-ins; 0: others. It is the share of people in both among those in either; an equal id of the
-// group counts more, and an own hand-in of one person most.
+// group counts more, and one person's hand-ins with the same name most.
 double sameness(const HandIn& a, const HandIn& b) {
   constexpr double kById = 2, kByName = 3;
   const bool same_system = a.system == b.system;

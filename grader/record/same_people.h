@@ -1,6 +1,6 @@
-// STAFF ONLY. Chooses the seeds of hand-ins: a hand-in keeps its seed while its people are the same, whatever
-// its folder's name is. A group is known by its id in the system, else by its members: people who leave or
-// join change nothing for the rest.
+// STAFF ONLY. Chooses the seed of a hand-in, a name that its inputs are drawn from: it stays while the people
+// are the same, whatever the folder's name is. A group is known by its id in the system, else by its members:
+// people who leave or join change nothing for the rest.
 //
 // A hand-in also keeps its row, with all decisions of people about it, if all of its people are still there:
 // a group may get another name, and new members. If a member has left, the row's decisions would become other

@@ -1,15 +1,14 @@
 // STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the sandbox bound a
 // worker's CPU time by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
 //
-// The idle time is the time that we wait for the worker, less four times: its computing; the longest time
-// that one of its threads waits for a processor; our own wait for a processor after its answer; and the time
-// that two processes need to wake each other up, since a whole run has ten thousands of answers. So a worker
-// on a busy machine is not idle, and one that sleeps in short naps is. Waking up is forgiven once for each
-// message that we sent, up to a bound: unasked messages excuse nothing. Threads that wait for a processor at
-// the same time count once. The sum is taken over windows of 0.25 s of waiting, and computing in one window
-// hides no idling in another. A window lasts longer while a thread waits for a processor: the kernel counts a
-// wait only at its end. The sum begins with the worker's own code: while its sandbox is made, the kernel's
-// locks may delay us.
+// It counts our waiting for the worker as idle, and subtracts the worker's computing, the longest time that
+// one of its threads waits for a processor, our own wait for a processor after its answer, and the time in
+// which two processes wake each other up: a whole run has ten thousands of answers. So a worker on a busy
+// machine is not idle, and one that sleeps in short naps is. Waking up is forgiven once for each message that
+// we sent, up to a bound: unasked messages excuse nothing. Waits of several threads at the same time count
+// once. The sum is taken over windows of 0.25 s of waiting, and computing in one window hides no idling in
+// another. A window lasts longer while a thread waits for a processor: the kernel counts a wait only at its
+// end. The sum begins with the worker's own code: while its sandbox is made, the kernel's locks may delay us.
 #pragma once
 
 #include <chrono>

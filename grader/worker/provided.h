@@ -26,7 +26,7 @@ struct ProvidedAsker {
         request, [&](int which, std::vector<double>& x, std::vector<double>& y) { products(which, x, y); });
   }
   bool served(const particles::Force& force) const { return &force == provided_session->served_force; }
-  // Clears the columns that the contract gives a function: a caller loses values there, as with any
+  // Fills the columns that the contract gives a function with NaN: a caller loses values there, as with any
   // function of that contract.
   void scratch(particles::Scratch scratch, int columns) const {
     if (scratch.cols() < columns)
