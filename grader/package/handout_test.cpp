@@ -95,7 +95,7 @@ class SmallProject : public testing::Test {
   Course course_;
 };
 
-// Pages of the site, of which nothing is packed.
+// Checks pages of the site; packs nothing.
 TEST_F(SmallProject, PagesForEverybodyHoldNoSolutionAndNothingOfTheStaffs) {
   const auto check = [&](const std::string& page) { check_pages({{"a/b.html", page}}, sources_, course_); };
   check("<pre>int f();</pre>");

@@ -19,8 +19,8 @@ struct ClassFacts {
   std::vector<Accounted> listed = {};
   std::optional<LastRun> run = {};
   std::string due = {};                       // "": there is no date
-  std::map<std::string, Lateness> late = {};  // of each hand-in, by name
-  bool is_public = false;  // anybody may read it: it leads to students' reports, and to nothing of the staff's
+  std::map<std::string, Lateness> late = {};  // by the hand-in's name
+  bool is_public = false;  // true: it links to students' reports alone, and shows nothing of the staff
 };
 
 }  // namespace grader::report

@@ -19,9 +19,8 @@
 namespace grader::inline tool {
 namespace {
 
-// Adds what an earlier run found of exercises that this one was not asked for, in the course's order, and of
-// all of them together, but for a study: that would be of code that is not this. Then no fingerprint is right
-// for all of it.
+// Adds an earlier run's results and costs of exercises that this run does not grade, in the course's order,
+// but not its study, whose code may have changed. A mixed result has no fingerprint.
 void keep_other_exercises(Recorded& one, const Recorded& earlier, const Course& course) {
   SubmissionResult& result = one.result;
   for (const ExerciseResult& old : earlier.result.exercises)

@@ -38,7 +38,7 @@ class Folder : public testing::Test {
   }
   std::string said() const { return hair::bytes_of(said_file_); }
   std::string memory() const { return Record(grades_).made_by(); }
-  // The line with which the folder refuses; "" if it does not.
+  // Returns the line with which the folder refuses; "" if it does not.
   std::string refusal(const MadeBy& made_by, const std::string& hand_in = "") {
     try {
       FolderOfGrades::open(grades_, made_by, interrupted_, said_, hand_in);
