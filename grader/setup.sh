@@ -1,8 +1,8 @@
 #!/bin/sh
 # STAFF ONLY. Installs the Debian packages that are missing, then builds TARGETs in build/release.
 # Usage: grader/setup.sh [--with study|check|browser|lint] [TARGET...]
-#   Without --with: what grading and hairlab need. study: also what studies measure errors against. check: also the tests and
-#   benchmarks. browser: also a browser that tests drive. lint: also what .ci/run needs.
+#   Without --with: packages for grading and hairlab. study: also for the reference solutions of studies.
+#   check: also for tests and benchmarks. browser: also a browser for tests. lint: also for .ci/run.
 set -eu
 if [ "${1-}" = --help ]; then
   sed -n '/^set /q; s/^# STAFF ONLY\. //p; s/^# / /p' "$0"
@@ -12,13 +12,13 @@ fi
 to_grade() {
   sed 's/#.*//' <<'LIST'
 g++                  # compiles the project, and submissions
-cmake                # the build,
-ninja-build          #   and what runs it
+cmake                # the build
+ninja-build          # runs the build
 pkg-config           # finds libseccomp, libsodium, libutf8proc and yaml-cpp
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
 libstb-dev           # writes pictures
-libosmesa6           # OpenGL without a window: draws what is graded
+libosmesa6           # OpenGL without a window: draws graded scenes
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz
@@ -37,7 +37,7 @@ LIST
 
 to_study() {
   sed 's/#.*//' <<'LIST'
-libsundials-dev      # CVODE: how things really move
+libsundials-dev      # CVODE: accurate motions
 LIST
 }
 
@@ -54,22 +54,22 @@ LIST
 
 to_browse() {
   sed 's/#.*//' <<'LIST'
-chromium             # opens pages,
-chromium-driver      #   and does on them what
-python3-selenium     #   tests of pages ask for
+chromium             # opens pages
+chromium-driver      # controls chromium
+python3-selenium     # tests of pages
 LIST
 }
 
 to_lint() {
   sed 's/#.*//' <<'LIST'
-ccache               # remembers what was compiled
-clang                # the second compiler for the handout,
-libclang-rt-dev      #   and its sanitisers and libFuzzer
+ccache               # remembers compiled files
+clang                # the second compiler for the handout
+libclang-rt-dev      # clang's sanitisers and libFuzzer
 clang-format         # layout
-libc++-dev           # macOS's standard library:
-libc++abi-dev        #   what students build compiles with it
-clang-tidy           # common mistakes, names,
-python3              #   and what runs it
+libc++-dev           # macOS's standard library
+libc++abi-dev        # its low level, for students' builds
+clang-tidy           # common mistakes, names
+python3              # runs clang-tidy
 shellcheck           # these scripts
 LIST
 }
@@ -85,7 +85,7 @@ install() {
     exit 2
   fi
   echo "Installing $* (this can take a few minutes)" >&2
-  # Somebody else's broken package source must not stop us: if ours is broken, the second command says so.
+  # Another broken package source must not stop us: if ours is broken, the second command says so.
   $sudo apt-get -qq update </dev/null >/dev/null || true
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 \
     install --no-install-recommends "$@" </dev/null >/dev/null
@@ -139,7 +139,7 @@ case $top in
     exit 2
     ;;
 esac
-# Tests and benchmarks are built where their packages are, from the first time on that they were asked for.
+# Builds tests and benchmarks if their packages were installed once.
 tests=
 if [ "$with" = check ] || [ "$with" = browser ] || [ "$with" = lint ]; then
   tests=ON

@@ -59,7 +59,7 @@ void write_entries(archive* a, const std::vector<ArchiveEntry>& entries, std::ti
   check(a, archive_write_close(a));
 }
 
-// A gzip member of its own; members in a row decompress to their contents in a row.
+// Makes a gzip member of its own; members in a row decompress to their contents in a row.
 std::string gzip(const std::string& bytes) {
   std::string member(bytes.size() + bytes.size() / 1000 + 1024, '\0');
   std::size_t used = 0;
@@ -74,8 +74,8 @@ std::string gzip(const std::string& bytes) {
   return member;
 }
 
-// Gathers the tar stream in members. It is handed whole blocks of zeros by address: nothing is copied or
-// compressed twice.
+// Collects the tar stream in members. Whole blocks of zeros come by address: nothing is copied or compressed
+// twice.
 struct TarGz {
   std::ofstream out;
   std::string pending, zero_member;

@@ -1,16 +1,16 @@
-// STAFF ONLY. The functions of an exercise, as both ends of a pipe see them. Their own types say what goes
-// which way:
+// STAFF ONLY. The functions of an exercise, as both ends of a pipe see them. The types of their parameters
+// decide which way values go:
 //
 //   numbers, const T&, std::span<const T>, Input     there
 //   Output, T&                                       there and back; a list keeps its length
-//   Scratch                                          its shape and a number that fills it, the server makes it
-//   const Force&, Dynamics&, Operator                stays with the client, the server asks it (grader/calls/remote.h)
-//   implicitMatrix&                                  the same; square, of the size of the call's vectors
-//   std::unique_ptr<implicitMatrix>, returned        stays with the server; a request makes it and multiplies with it
+//   Scratch                                          its shape and a filling number; the server makes it
+//   const Force&, Dynamics&, Operator                stays with the client, the server asks (remote.h)
+//   implicitMatrix&                                  likewise; square, of the size of the call's vectors
+//   std::unique_ptr<implicitMatrix>, returned        stays with the server, which makes and multiplies it
 //
-// reference/<ID>/calls.h lists an exercise's calls, and the forms of the structs that it alone has. From the
-// list follow the client (client.h), of the suite, of whole runs and of provided functions, and the server
-// (server.h), in a worker and for provided functions.
+// reference/<ID>/calls.h lists an exercise's calls, and the forms of its own structs. From the list follow
+// the client (client.h), of the suite, of whole runs and of provided functions, and the server (server.h), in
+// a worker and for provided functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,15 +25,15 @@
 
 namespace grader::inline calls {
 
-// What a contract promises beside its types.
+// Holds a contract's promises that its types don't show.
 struct Contract {
-  int scratch_columns = 0;       // of its Scratch; 0: a matrix is no scratch, it goes there and back
-  bool scratch_of_size = false;  // and as many columns more as a vector of the call has numbers
-  int sweeps = -1;               // the number of the argument that bounds its work, to bound hostile callers
+  int scratch_columns = 0;       // are its Scratch's; 0: a matrix is no scratch, it goes there and back
+  bool scratch_of_size = false;  // adds as many columns as a vector of the call has numbers
+  int sweeps = -1;               // is the argument that bounds its work, to bound hostile callers
   bool may_share = false;        // its Output may be one of its Inputs
 };
 
-// A matrix of the client's, of a contract that has plain pointers.
+// Is a matrix of the client's, for a contract with plain pointers.
 struct Operator {
   int rows, cols;
   implicitMatrix* matrix;
@@ -48,13 +48,13 @@ struct Signature<R (*)(P...)> {
   static constexpr bool returns_matrix = std::is_same_v<R, std::unique_ptr<implicitMatrix>>;
 };
 
-// Of the function's declared types: the result, and a parameter by its number.
+// These take the function's declared types: the result, and a parameter by its number.
 template <auto function>
 using ResultOf = typename Signature<decltype(function)>::Result;
 template <auto function, std::size_t i>
 using ParameterOf = std::tuple_element_t<i, typename Signature<decltype(function)>::Parameters>;
 
-// The numbers of an argument that is a vector, or a state; -1 of all others.
+// Counts the numbers of an argument that is a vector or a state; -1 for all others.
 template <class Argument>
 Eigen::Index numbers_of(const Argument& argument) {
   if constexpr (std::is_same_v<Argument, particles::State>) {
@@ -66,7 +66,7 @@ Eigen::Index numbers_of(const Argument& argument) {
   return -1;
 }
 
-// The numbers of a vector of the call, 3n: of the first argument that is one. 0 if there is none.
+// Returns the length of the call's vectors, 3n: that of the first vector. 0 if there is none.
 template <class... Arguments>
 Eigen::Index size_of(const Arguments&... arguments) {
   for (const Eigen::Index size : {numbers_of(arguments)...})
@@ -74,9 +74,9 @@ Eigen::Index size_of(const Arguments&... arguments) {
   return 0;
 }
 
-// A check of a call's arguments: throws MalformedMessage if they do not fit each other. This one is of
-// functions whose vectors all have 3n numbers. A check of functions that return a matrix has
-// shape(arguments...), too: its rows and columns.
+// Checks a call's arguments: throws MalformedMessage if they do not fit each other. This check is for
+// functions whose vectors all have 3n numbers. A check of functions that return a matrix also has
+// shape(arguments...), its rows and columns.
 struct SameSizes {
   template <class... Arguments>
   static void check(const Arguments&... arguments) {
@@ -109,7 +109,7 @@ struct Call {
   using Signature = grader::Signature<decltype(function_)>;
 };
 
-// A type for each function: UBSan's compilers do not compare functions before they are linked.
+// Is a type for each function: UBSan's compilers do not compare functions before they are linked.
 template <auto function>
 struct Named;
 

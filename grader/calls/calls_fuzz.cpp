@@ -1,6 +1,6 @@
-// STAFF ONLY. Hostile bytes for every call of every exercise: as the request that a server reads, and as the
-// questions and the reply that a client gets. They go the way of relay.h. Of the input, the first byte is the
-// exercise's place in the list; then come the request's length, in two bytes, and the request; then the
+// STAFF ONLY. Reads hostile bytes as every call of every exercise: as the request that a server reads, and as
+// the questions and the reply that a client gets. They go the way of relay.h. The first byte of the input is
+// the exercise's place in the list; then come the request's length, in two bytes, and the request; then the
 // number of questions, and each in two bytes: the operator, and how many numbers it gets; the rest is the
 // reply.
 #include <algorithm>
@@ -36,7 +36,7 @@ class Input {
   std::string_view bytes_;
 };
 
-// Numbers of matrices, and those of a force: force_message.h.
+// Returns the number of a matrix, or of a force's question: force_message.h.
 int operator_of(unsigned byte) {
   return byte < 128 ? static_cast<int>(byte) - 1 : static_cast<int>(byte) - 128 + grader::kForceEnergy - 1;
 }
@@ -62,7 +62,7 @@ void try_calls(Input input) {
   grader::relay::send<Calls>(way, request, fuzz::expect_readable);
 }
 
-// A request that fits, with a reply that does.
+// Makes a request that fits, with a reply that does.
 template <class Calls, int number>
 std::string seed(int exercise) {
   grader::draw::Source source(number);
@@ -101,8 +101,8 @@ void fuzz::try_input(std::string_view bytes) {
   });
 }
 
-// Scratch grows with the square of a vector, and a matrix of S2 may have 2^20 rows, with no vector of so many
-// numbers.
+// Scratch grows with the square of a vector, and a matrix of S2 may have 2^20 rows without a vector of that
+// length.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 100'000'000 + 100 * input;
 }

@@ -1,5 +1,5 @@
-// STAFF ONLY. Every call of every exercise, with arguments drawn at random: what is sent arrives as it was,
-// and any reply is taken or refused.
+// STAFF ONLY. Tests every call of every exercise with random arguments: they arrive unchanged, and any reply
+// is taken or refused.
 #include <gtest/gtest.h>
 
 #include "all_calls.h"
@@ -26,7 +26,7 @@ void expect_readable(const char* message) {
   EXPECT_EQ(text.find_first_of("\n\r\t\x1b"), std::string_view::npos) << text;
 }
 
-// A reply of the right form.
+// Makes a reply of the right form.
 template <class Calls>
 Bytes reply_to(const MessageWriter& request, draw::Source& source) {
   draw::Idle idle(source);
@@ -36,7 +36,7 @@ Bytes reply_to(const MessageWriter& request, draw::Source& source) {
   return reply.bytes();
 }
 
-// Cut off, longer, or with other bytes somewhere.
+// Cuts, extends or changes bytes.
 Bytes poisoned(Bytes bytes, draw::Source& source) {
   const int size = static_cast<int>(bytes.size()), at = source.integer(0, std::max(0, size - 1));
   switch (source.integer(0, 3)) {
@@ -101,8 +101,8 @@ TEST(Calls, TakeOrRefuseAnyRequestAndReply) {
   });
 }
 
-// A function with other arguments stands in front of some, and its name is a part of theirs. So a report says
-// which function was called.
+// A function with other arguments stands before some, and its name is a part of theirs: a report must still
+// name the right one.
 TEST(Calls, StandInTheOrderOfTheExercisesFunctions) {
   const Course course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
   for_each_exercise([&]<class Calls>() {

@@ -1,17 +1,17 @@
-// STAFF ONLY. Asks for an exercise's calls: ask<Calls, function>(asker, arguments...) sends a request,
-// answers the questions about the caller's objects, and puts what comes back into the arguments. Answers are
-// untrusted: their lengths are checked, and numbers may be anything. Whom a client asks is an Asker:
+// STAFF ONLY. Makes an exercise's calls: ask<Calls, function>(asker, arguments...) sends a request, answers
+// the questions about the caller's objects, and puts the reply into the arguments. Answers are untrusted:
+// their lengths are checked, and numbers may be anything. An Asker is the client's way to the server:
 //
-//   asker.start<function>(request, arguments...)  writes what comes before the number of the call
+//   asker.start<function>(request, arguments...)  writes the beginning of a request, before the call's number
 //   asker.ask(request, products)  sends it, and returns the reply; `products` answers questions
-//   asker.served(force)           `force` is the one that the other side serves already: it asks itself
-//   asker.scratch(scratch, n)     `scratch` is the caller's, of which the contract gives the function n columns
-//   asker.changed()               the function wrote to an input
+//   asker.served(force)           true if the other side serves `force` already and asks itself
+//   asker.scratch(scratch, n)     `scratch` is the caller's; the contract gives the function n columns of it
+//   asker.changed()               reports that the function wrote to an input
 //
 // Askers are cases (grader/judge/case_asker.h), whole runs (grader/judge/run/asked.h), and a worker's code
-// that calls a provided function (grader/worker/provided.h). In place of an object of the caller's that is
-// asked, a server of it may be given, which counts: ForceServer, DynamicsServer; Served for an Operator or a
-// matrix. In place of Scratch: Filling.
+// that calls a provided function (grader/worker/provided.h). A server that counts questions may replace an
+// object of the caller's: ForceServer, DynamicsServer; Served for an Operator or a matrix. Filling replaces
+// Scratch.
 #pragma once
 
 #include <limits>
@@ -28,13 +28,13 @@ struct Served {
   Products products;
 };
 
-// Scratch of as many columns as the contract says and some more, all of them of one number.
+// Is scratch with the contract's columns and some more, all filled with one number.
 struct Filling {
   int more_columns = 0;
   double number = std::numeric_limits<double>::quiet_NaN();
 };
 
-// Who answers questions during a request.
+// Answers questions during a request.
 class Answering {
  public:
   int add_operator(Products products) {
@@ -55,16 +55,16 @@ class Answering {
   Products force_;
 };
 
-inline constexpr int kNoLimit = std::numeric_limits<int>::max();  // the submission's budget is one
+inline constexpr int kNoLimit = std::numeric_limits<int>::max();  // the submission's budget limits it
 
-// Parameters of type P: send(), and take() of what comes back.
+// Send parameters of type P, and take() their returned values.
 template <class P, Contract contract, class Asker>
 class Sender {
  public:
   Sender(MessageWriter& request, Answering& answering, Asker& asker, Eigen::Index size)
       : request_(request), answering_(answering), asker_(asker), size_(size) {}
 
-  // `own`: its number among all arguments.
+  // `own` is its number among all arguments.
   template <int own, class Given>
   void send(Given& given, auto&... all) {
     if constexpr (std::is_same_v<P, particles::Output>) {
@@ -87,7 +87,7 @@ class Sender {
   }
 
  private:
-  // The number, counted from 1, of another argument that lies at the same place; 0 if none does.
+  // Returns the number, counted from 1, of another argument in the same memory; 0 if there is none.
   template <int own, class Given>
   static int place_of(Given& given, auto&... all) {
     int number = 0, found = 0;
@@ -166,7 +166,7 @@ class Sender {
   Eigen::Index size_;
 };
 
-// The value that comes back for a parameter of type P; void if none does.
+// Is the returned value of a parameter of type P; void if there is none.
 template <class P>
 inline constexpr bool kIsAsked =
     std::is_same_v<P, particles::Dynamics&> || std::is_same_v<P, implicitMatrix&>;
@@ -179,7 +179,7 @@ using Returned = std::conditional_t<
                                               !std::is_const_v<std::remove_reference_t<P>> && !kIsAsked<P>,
                                           std::remove_cvref_t<P>, void>>>;
 
-// Into the caller's argument. Throws MalformedMessage for another length.
+// Puts it into the caller's argument. Throws MalformedMessage for another length.
 template <class Value, class Given>
 void take_back(MessageReader& reply, Given& given) {
   if constexpr (!std::is_void_v<Value>) {
@@ -215,8 +215,8 @@ class Client {
     }
   }
 
-  // Of a function that returns a matrix: `times` products with x, and x after them. `filling` is what their
-  // buffers hold before. With `after`, the matrix is made of `made`, which then become these.
+  // Calls a function that returns a matrix: `times` products with x, and x after them. `filling` fills their
+  // buffers before. With `after`, the matrix is made of `made`, which `after` then replaces.
   struct Products {
     std::vector<Eigen::VectorXd> products;
     Eigen::VectorXd x;
@@ -273,9 +273,9 @@ class Client {
   }
 };
 
-// What a function returns that makes a matrix: each product is a request of its own. It refers to the
-// arguments, as contracts allow. AskedMatrix keeps its own view of a vector: the caller's is gone when the
-// function returns.
+// Is the matrix that a function returns: each product is a request of its own. It refers to the arguments, as
+// contracts allow. AskedMatrix keeps its own view of a vector: the caller's is gone when the function
+// returns.
 template <class P>
 using Kept = std::conditional_t<std::is_same_v<P, particles::Input>, Eigen::Ref<const Eigen::VectorXd>, P>;
 template <class Calls, auto function, class Asker, class Parameters>
@@ -320,8 +320,8 @@ ResultOf<function> ask(Asker& asker, Given&&... given) {
   return Client<Calls, function>::ask(asker, given...);
 }
 
-// The same of values: returns what the function returns, then what becomes of each output; one value alone,
-// or a tuple.
+// Does the same for values: returns the function's result, then each output; a single value alone, or a
+// tuple.
 template <class Output, class Held>
 auto output_of(Held& held) {
   if constexpr (std::is_void_v<Output>)

@@ -1,5 +1,5 @@
-// STAFF ONLY. For tests: requests of any call, with numbers and lengths drawn at random, and a server that
-// answers with anything. Many requests do not fit.
+// STAFF ONLY. For tests: makes requests of any call, with random numbers and lengths, and a server that
+// answers anything. Many requests do not fit.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class Source {
     return integer(0, 9) == 0 ? kOdd[integer(0, 3)] : std::normal_distribution()(bits_);
   }
 
-  // A call is about so many particles, and most of its lengths and indices follow from that.
+  // Chooses a call's number of particles; most of its lengths and indices follow from that.
   void draw_particles() { particles_ = integer(0, 3); }
   int particles() const { return particles_; }
   int length() { return integer(0, 1) == 0 ? 3 * particles_ : std::max(0, particles_ - integer(0, 1)); }
@@ -85,7 +85,7 @@ struct Parameter<std::span<const Item>, contract> {
   static void put(MessageWriter& request, Source& source) { encode(request, any<std::vector<Item>>(source)); }
 };
 
-// Guides refer to points that somebody else keeps.
+// Guides refer to points that another object keeps.
 template <Contract contract>
 struct Parameter<const std::array<hair::GuideHair, 3>&, contract> {
   static void put(MessageWriter& request, Source& source) {
@@ -96,7 +96,7 @@ struct Parameter<const std::array<hair::GuideHair, 3>&, contract> {
   }
 };
 
-// A request of call number `number`.
+// Makes a request of call number `number`.
 template <class Calls, int number>
 std::vector<std::byte> request(Source& source) {
   using Call = typename Calls::template At<number>;
@@ -119,7 +119,7 @@ std::vector<std::byte> request(Source& source) {
   return message.bytes();
 }
 
-// A host whose functions return anything and change nothing.
+// Is a host whose functions return anything and change nothing.
 class Idle {
  public:
   using Vector = UnguardedVector;

@@ -10,11 +10,11 @@ namespace grader::inline calls {
 
 class DynamicsServer {
  public:
-  // For n particles; it answers `most` questions and then stops the request.
+  // Serves n particles; it answers `most` questions and then stops the request.
   DynamicsServer(particles::Dynamics& dynamics, int n, int most)
       : dynamics_(dynamics), size_(3 * n), most_(most) {}
 
-  // A handler of Products.
+  // Is a handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
     if (which != 0 || static_cast<int>(question.size()) != 2 * size_)
       throw MalformedMessage("a question that makes no sense");
@@ -25,7 +25,7 @@ class DynamicsServer {
     return ++evaluations <= most_;
   }
 
-  int evaluations = 0;  // so far
+  int evaluations = 0;  // counted so far
 
  private:
   particles::Dynamics& dynamics_;

@@ -6,7 +6,7 @@
 namespace grader::inline calls {
 namespace {
 
-// No step takes more; what a student's code asks for beyond them is counted, and not kept.
+// A step needs no more; further evaluations of a student's code are counted, and not kept.
 constexpr std::size_t kForcesKept = 4;
 
 }  // namespace

@@ -13,14 +13,14 @@ namespace grader::inline calls {
 
 class ForceServer {
  public:
-  // For n particles; it answers `most` questions and then stops the request.
+  // Serves n particles; it answers `most` questions and then stops the request.
   ForceServer(const particles::Force& force, int n, int most) : force_(force), size_(3 * n), most_(most) {}
 
-  // A handler of Products.
+  // Is a handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
-  int energies = 0, forces = 0, dfdx = 0, dfdv = 0, bands = 0;  // questions so far
-  // Of the first evaluations of the force: the states, and how many products with df/dv came before each.
+  int energies = 0, forces = 0, dfdx = 0, dfdv = 0, bands = 0;  // count questions so far
+  // Are the states of the first evaluations, and the number of products with df/dv before each.
   std::vector<particles::State> forces_at;
   std::vector<int> products_before;
 

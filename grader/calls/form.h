@@ -1,5 +1,5 @@
-// STAFF ONLY. How values travel in a message: numbers, vectors and matrices, arrays and lists, and structs
-// field by field.
+// STAFF ONLY. Values in a message: numbers, vectors and matrices, arrays and lists, and structs field by
+// field.
 //
 // A struct has a form, which names its fields once, in the order of the message:
 //
@@ -8,9 +8,8 @@
 //     static constexpr auto fields = std::tuple(&hair::StripLaw::thickness, &hair::StripLaw::stiffness, ...);
 //   };
 //
-// A form may also have check(value), which a value passes when it has been read: it throws MalformedMessage
-// for fields that do not fit each other, or bounds a number. Senders are hostile: all other numbers may be
-// anything.
+// A form may also have check(value), which is called after reading: it throws MalformedMessage for fields
+// that do not fit each other, or bounds a number. Senders are hostile: all other numbers may be anything.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +36,7 @@ concept DenseNumbers = requires {
   T::SizeAtCompileTime;
 };
 
-// The sizes of these are known to both sides, and are not sent.
+// Both sides know the sizes of these, so they are not sent.
 template <class T>
 inline constexpr bool kFixedLength = false;
 template <class T, std::size_t n>
@@ -57,7 +56,7 @@ void encode(MessageWriter& message, const T& value) {
     } else {
       if constexpr (T::ColsAtCompileTime != 1)
         message.put(static_cast<int>(value.rows())).put(static_cast<int>(value.cols()));
-      // A copy if they do not lie side by side.
+      // Copies them if they do not lie side by side.
       const Eigen::Ref<const typename T::PlainObject>& numbers = value;
       message.put(std::span<const double>(numbers.data(), static_cast<std::size_t>(numbers.size())));
     }
@@ -69,7 +68,7 @@ void encode(MessageWriter& message, const T& value) {
   }
 }
 
-// Throws MalformedMessage for a message that is too short, and for what a form's check refuses.
+// Throws MalformedMessage for a message that is too short, and for a value that a form's check refuses.
 template <class T>
 void decode(MessageReader& message, T& value) {
   if constexpr (std::is_enum_v<T>) {
@@ -99,7 +98,7 @@ void decode(MessageReader& message, T& value) {
     for (auto& item : value) decode(message, item);
   } else {
     const auto count = message.get<std::uint64_t>();
-    value.clear();  // it grows with what is really there
+    value.clear();  // grows only with the message's real bytes
     for (std::uint64_t i = 0; i < count; ++i) decode(message, value.emplace_back());
   }
 }
@@ -118,7 +117,7 @@ void fit(T& value, const T& model) {
   }
 }
 
-// Throws MalformedMessage where lengths differ from those of `model`.
+// Throws MalformedMessage if lengths differ from those of `model`.
 template <class T>
 void expect_like(const T& value, const T& model) {
   if constexpr (DenseNumbers<T>) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. Forms refuse what does not fit, by hand-made messages.
+// STAFF ONLY. Tests with hand-made messages that forms refuse values that do not fit.
 #include "grader/calls/form.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ T sent(const T& value) {
   return arrived;
 }
 
-// The words that a message is refused with; empty if it is read.
+// Returns the refusal's words; empty if the message is read.
 template <class T>
 std::string refusal(const MessageWriter& message) {
   MessageReader reader(message.bytes());
@@ -155,7 +155,7 @@ TEST(Form, OfReportsBoundsSteps) {
   EXPECT_EQ(sent(correction).iterations, 1 << 28);
 }
 
-// A list that was made longer or shorter goes back with the length that it had.
+// A list that was made longer or shorter goes back with its old length.
 TEST(Fit, GivesBackLengths) {
   const Constraints before{{{0, 1, 2.0}, {1, 2, 3.0}}, {}, 1, 2};
   Constraints after = before;
@@ -181,7 +181,7 @@ TEST(Client, TakesNoOtherLengths) {
   EXPECT_EQ(vector, three);
 }
 
-// A function of the reference's writes to all the columns that its contract names.
+// A function of the reference writes to all columns that its contract names.
 TEST(Server, GivesNoLessScratchThanTheContract) {
   const auto refused = [](int columns) {
     MessageWriter request, reply;
@@ -204,7 +204,7 @@ TEST(Server, GivesNoLessScratchThanTheContract) {
   for (const int columns : {-1, 0, 1000, std::numeric_limits<int>::max()}) EXPECT_NE(refused(columns), "");
 }
 
-// Of a call, what its check says; empty if the arguments fit.
+// Returns the error of a call's check; empty if the arguments fit.
 template <class Check, class... Arguments>
 std::string refusal_by(const Arguments&... arguments) {
   try {

@@ -1,4 +1,4 @@
-// STAFF ONLY. Forms (form.h) of what several exercises have: strands, particles, states, reports.
+// STAFF ONLY. Forms (form.h) that several exercises share: strands, particles, states, reports.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,8 @@ struct Form<particles::State> {
   static constexpr auto fields = std::tuple(&particles::State::x, &particles::State::v);
 };
 
-// Steps as an untrusted sender counts them: bounded, so that sums of a few such numbers are still ints. Fewer
-// than none stay wrong.
+// Bounds steps that an untrusted sender counts, so that sums of a few such numbers are still ints. Negative
+// ones stay wrong.
 inline void bound_steps(int& steps) {
   steps = std::clamp(steps, -1, 1 << 28);
 }

@@ -1,5 +1,5 @@
-// STAFF ONLY. A call as staff read it beside what is wrong: "frame_at({(0.1, 0, 0.2), 9 numbers up to 0.9},
-// (3, 50, 1), 0.012)".
+// STAFF ONLY. Writes a call as staff read it next to an error: "frame_at({(0.1, 0, 0.2), 9 numbers up to
+// 0.9}, (3, 50, 1), 0.012)".
 #pragma once
 
 #include <ranges>
@@ -12,7 +12,7 @@
 
 namespace grader::inline calls {
 
-// The function's name without its namespaces, from what GCC and Clang say of a template's arguments.
+// Takes the function's name without namespaces from GCC's and Clang's text of a template's arguments.
 template <auto function>
 std::string_view name_of() {
   const char* said = __PRETTY_FUNCTION__;
@@ -22,8 +22,8 @@ std::string_view name_of() {
   return text.substr(text.find_last_of(": &") + 1);
 }
 
-// The first item of a list stands for the others. Objects that are asked, and memory that is filled, say
-// nothing.
+// The first item of a list represents the others. Objects that answer questions, and scratch memory, are left
+// out.
 template <class T>
 void tell(std::ostream& out, const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {

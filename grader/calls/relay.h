@@ -1,11 +1,11 @@
-// STAFF ONLY. For tests: a request on its way through two servers and two clients. What one reads, the next
-// one sends:
+// STAFF ONLY. For tests: sends a request through two servers and two clients. Each one sends what the last
+// one read:
 //
 //   request -> server -> client -> server -> client -> end
 //
-// The second server must read what the first one did, and the first client must take what the second one did,
-// whatever the request and the end's reply are. The end may ask about the caller's objects: questions go the
-// same way back.
+// The second server must read the same as the first one, and the first client must take the second one's
+// reply, whatever the request and the end's reply are. The end may ask about the caller's objects: questions
+// go the same way back.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Way {
   std::function<MessageReader(const MessageWriter& request, const Products& products)> end;
   std::function<void(bool kept, const char* promise)> expect;
 
-  // Of the last request that the first client sent.
+  // These belong to the last request of the first client.
   std::vector<std::byte> sent, replied;
   bool arrived = false, answered = false;
 };
@@ -62,13 +62,13 @@ struct Asker {
   }
 };
 
-// Calls no function: it asks further on.
+// Calls no function: it asks the next server.
 template <class Calls>
 class Host {
  public:
   using Vector = UnguardedVector;
 
-  // `products` answers for the client's objects; null: nobody does, and all answers are 0.
+  // `products` answers for the client's objects; null: all answers are 0.
   Host(Way& way, bool second, Products products) : asker_{way, second}, products_(std::move(products)) {}
 
   void ask(const Question& question) {
@@ -92,8 +92,8 @@ class Host {
   Products products_;
 };
 
-// Sends a request on its way. False: a server, or a client, has refused what it read; `refused` is called
-// with what they say.
+// Sends a request on its way. False: a server, or a client, has refused its message; `refused` is called with
+// the error.
 template <class Calls>
 bool send(Way& way, const std::vector<std::byte>& request, const std::function<void(const char*)>& refused) {
   way.arrived = way.answered = false;

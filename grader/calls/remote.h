@@ -1,9 +1,9 @@
-// STAFF ONLY. Objects of the other side's, which is asked for each product and each value: so its counts are
-// right, and no code of the one side runs on the other. `Host` is where they live (server.h):
+// STAFF ONLY. Objects of the other side, which is called for each product and each value: so its counts are
+// right, and no code of one side runs on the other. `Host` is their server (server.h):
 //
 //   host.ask(question)  sends it, and waits for its answer
 //
-// No contract allows an output that overlaps the input of a product: what comes out is NaN.
+// No contract allows an output that overlaps the input of a product: the result is NaN.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,8 @@
 
 namespace grader::inline calls {
 
-// Operator `which` of the other side's. `provided`: of the force that the suite serves in this request, for
-// functions that it provides; see client.h.
+// Names operator `which` of the other side. `provided`: it belongs to the force that the suite serves in this
+// request, for functions that it provides; see client.h.
 struct Question {
   int which;
   bool provided;
@@ -48,7 +48,7 @@ class RemoteMatrix : public implicitMatrix {
   }
 
  private:
-  Host host_;  // a copy: it is some references
+  Host host_;  // a copy, since it holds only references
   int which_, rows_, cols_;
 };
 
@@ -78,7 +78,7 @@ class RemoteDynamics : public particles::Dynamics {
 template <class Host>
 class RemoteForce : public particles::Force {
  public:
-  // `provided`: it is the one that the suite serves.
+  // `provided`: the suite serves this force.
   RemoteForce(Host& host, Eigen::Index size, bool provided) : host_(host), size_(size), provided_(provided) {}
   RemoteForce(const RemoteForce&) = delete;
   RemoteForce& operator=(const RemoteForce&) = delete;

@@ -1,10 +1,10 @@
-// STAFF ONLY. Serves an exercise's calls: reads a request, calls the function, writes the reply. Where that
-// happens is a Host:
+// STAFF ONLY. Serves an exercise's calls: reads a request, calls the function, writes the reply. A Host calls
+// it:
 //
 //   Host::Vector(numbers)     numbers in memory of the host's, with view(), a vector
 //   host.call<Call>(arguments...)  calls the call's function
-//   host.bound(sweeps, size)  bounds how much a call may compute, for a vector of `size` numbers
-//   host.served(force)        `force` is the one that the other side serves in this request
+//   host.bound(sweeps, size)  bounds the work of a call, for a vector of `size` numbers
+//   host.served(force)        true if the other side serves `force` in this request
 //   host.ask                  see remote.h
 //
 // Hosts are a worker, which calls a student's function (grader/worker/worker_host.h), and the suite, which
@@ -19,7 +19,7 @@
 
 namespace grader::inline calls {
 
-// Numbers of a host that trusts what it calls.
+// Holds numbers of a host that trusts its functions.
 class UnguardedVector {
  public:
   explicit UnguardedVector(const std::vector<double>& numbers)
@@ -31,16 +31,16 @@ class UnguardedVector {
   Eigen::Map<Eigen::VectorXd> view_;
 };
 
-// What parameters have, unless they say otherwise.
+// Has the members of parameters that need no others.
 struct StoredParameter {
-  void prepare(Eigen::Index) {}             // when all are there; of the size of the call's vectors
-  Eigen::Index size() const { return -1; }  // the numbers of a vector, see size_of
-  void write(MessageWriter&) {}             // into the reply
-  bool changed() const { return false; }    // an input that the function wrote to
+  void prepare(Eigen::Index) {}             // runs last; gets the size of the call's vectors
+  Eigen::Index size() const { return -1; }  // is the length of a vector, see size_of
+  void write(MessageWriter&) {}             // adds to the reply
+  bool changed() const { return false; }    // true: the function wrote to an input
 };
 
-// A parameter P of a call: reads it from the request, keeps it, and has view(), which the function is called
-// with. Read once more, the same object holds other numbers.
+// Is a parameter P of a call: it reads the value from the request, keeps it, and has view(), the function's
+// argument. If it reads once more, the same object holds other numbers.
 template <class P, class Host, Contract contract>
 class Stored : public StoredParameter {
   using T = std::remove_cvref_t<P>;
@@ -77,7 +77,7 @@ class Stored<std::span<const Item>, Host, contract> : public StoredParameter {
   std::vector<Item> items_;
 };
 
-// Numbers of a vector, in the host's memory. The second time they must be as many.
+// Keeps the numbers of a vector in the host's memory. The second time they must be as many.
 template <class Host>
 class StoredVector : public StoredParameter {
  public:
@@ -119,7 +119,7 @@ class Stored<particles::Output, Host, contract> : public StoredVector<Host> {
     if constexpr (contract.may_share) shared_ = request.get<int>();
     StoredVector<Host>::read(request);
   }
-  int shared() const { return shared_; }  // the number of the Input that it is, counted from 1; 0: none
+  int shared() const { return shared_; }  // is the number of its Input, counted from 1; 0: none
   void share(Eigen::Map<Eigen::VectorXd>& input) { input_ = &input; }
   Eigen::Map<Eigen::VectorXd>& view() { return input_ != nullptr ? *input_ : StoredVector<Host>::view(); }
   void write(MessageWriter& reply) { encode(reply, view()); }
@@ -129,7 +129,7 @@ class Stored<particles::Output, Host, contract> : public StoredVector<Host> {
   Eigen::Map<Eigen::VectorXd>* input_ = nullptr;
 };
 
-// A matrix: scratch, or an output.
+// Is a matrix: scratch, or an output.
 template <class Host, Contract contract>
 class Stored<particles::Scratch, Host, contract> : public StoredParameter {
  public:
@@ -233,7 +233,7 @@ class Stored<Operator, Host, contract> : public StoredParameter {
   Operator operator_{};
 };
 
-// A request of one call.
+// Is a request of one call.
 template <class Call, class Host, class Parameters = typename Call::Signature::Parameters>
 class Request;
 template <class Call, class Host, class... P>
@@ -295,9 +295,9 @@ class Request<Call, Host, std::tuple<P...>> {
     }
   }
 
-  // The matrix is made of the arguments that came first. With others after them, these are in their place
-  // when it multiplies: so a matrix shows whether it keeps what it was made of. Their sizes stay. Each
-  // product is one of the same x, in a buffer that holds anything.
+  // The matrix is made of the arguments that came first. Others may follow, and replace them before it
+  // multiplies: so the result shows if the matrix keeps the values of its arguments. Their sizes stay. Each
+  // product is one of the same x, in a buffer with any content.
   void multiply(MessageReader& request, MessageWriter& reply) {
     const std::unique_ptr<implicitMatrix> matrix =
         each([&](auto&... stored) { return host_.template call<Call>(stored.view()...); });
@@ -332,7 +332,7 @@ class Request<Call, Host, std::tuple<P...>> {
 
   Host& host_;
   std::tuple<Stored<P, Host, Call::contract>...> stored_;
-  std::optional<Eigen::Index> size_;  // the numbers of a vector
+  std::optional<Eigen::Index> size_;  // is the length of a vector
 };
 
 template <class Calls, class Host>

@@ -1,8 +1,8 @@
-# STAFF ONLY. HAIR_PROVIDED, the exercises that are others' prerequisites; and definitions of an exercise's
-# functions that ask somebody else, made of their signatures in exercises.json:
+# STAFF ONLY. HAIR_PROVIDED lists the exercises that are others' prerequisites. Definitions of an exercise's
+# functions that call another process are made of their signatures in exercises.json:
 #
-#   hair_definitions(OUT ID ASKED)  writes the file OUT: each function of exercise ID calls grader::asked<Calls, function>(arguments...)
-#                                   of the header ASKED. Where reference/<ID>/asked.h is, it is included in their place.
+#   hair_definitions(OUT ID ASKED)  writes the file OUT: each function of exercise ID calls
+#       grader::asked<Calls, function>(arguments...) of the header ASKED. reference/<ID>/asked.h replaces it.
 function(hair_definitions OUT ID ASKED)
   string(TOLOWER ${ID} space)
   set(text "// STAFF ONLY. ${ID}'s functions, asked of somebody else. Made by grader/cmake/definitions.cmake.\n#include \"reference/${ID}/calls.h\"\n#include \"${ASKED}\"\n")
@@ -11,7 +11,7 @@ function(hair_definitions OUT ID ASKED)
   else()
     foreach(signature ${HAIR_${ID}_FUNCTIONS})
       string(REGEX REPLACE "[(].*" "" name "${signature}")
-      # Commas between parameters, and none of those within a type.
+      # Keeps commas between parameters, but none within a type.
       string(REGEX REPLACE "^[^(]*[(](.*)[)]$" "\\1" parameters "${signature}")
       foreach(depth RANGE 3)
         string(REGEX REPLACE "<[^<>]*>" "" parameters "${parameters}")
@@ -32,7 +32,7 @@ function(hair_definitions OUT ID ASKED)
   file(CONFIGURE OUTPUT "${OUT}" CONTENT "${text}" @ONLY)
 endfunction()
 
-# The exercises that are others' prerequisites: the suite provides their functions.
+# These exercises are others' prerequisites: the suite provides their functions.
 set(HAIR_PROVIDED)
 foreach(id ${HAIR_EXERCISES})
   list(APPEND HAIR_PROVIDED ${HAIR_${id}_PREREQUISITES})

@@ -1,9 +1,9 @@
 # STAFF ONLY. Fuzz programs: hostile bytes for a reader, made by libFuzzer. Preset `fuzz` links them, and each
-# is a test there, of a minute. Other presets know their sources, so that .ci/nightly looks at them, and build
+# is a test there, of a minute. Other presets know their sources, so that .ci/nightly checks them, and build
 # nothing.
 #
-#   hair_fuzz(NAME SOURCES ... LIBRARIES ...)   a program of ours, build/fuzz/programs/NAME; hair/io/fuzz/fuzz.h says what its
-#                                               sources define
+#   hair_fuzz(NAME SOURCES ... LIBRARIES ...)   our program build/fuzz/programs/NAME; its sources define the
+#                                               functions in hair/io/fuzz/fuzz.h
 option(HAIR_FUZZ "Link the fuzz programs; asks for clang++ and -fsanitize=fuzzer-no-link" OFF)
 if(HAIR_FUZZ)
   enable_testing()

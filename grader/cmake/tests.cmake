@@ -1,18 +1,18 @@
-# STAFF ONLY. Tests. Each has one of three labels, and the target of that name builds what it runs:
+# STAFF ONLY. Tests. Each has one of three labels, and the target of that name builds the programs that it
+# runs:
 #
 #   quick       for every change, optimised: in .ci/run and in ./grader/check
 #   sanitised   for every change, too; .ci/run runs it with sanitisers, ./grader/check without
 #   slow        in ./grader/check --all
 #
 # .ci/nightly runs all of them, optimised and with sanitisers.
-#
 #   hair_test(NAME [SANITISED] [SLOW CASES] SOURCES ... LIBRARIES ...)
-#       a GoogleTest program of our own and its test, both called NAME: quick, or sanitised. Cases that take long are a test of their
-#       own, NAME.slow: SLOW names them as --gtest_filter does
+#       a GoogleTest program of our own and its test, both called NAME: quick, or sanitised. Long cases are
+#       a test of their own, NAME.slow: SLOW names them as --gtest_filter does
 #   hair_program_test(LABEL NAME PROGRAM ARGUMENT...)
 #       the test NAME, which starts the target PROGRAM with these arguments
 #   hair_command_test(LABEL NAME PROGRAM COMMAND...)
-#       the test NAME, which starts a command that is about the target PROGRAM
+#       the test NAME, which starts a command for the target PROGRAM
 add_custom_target(quick)
 add_custom_target(sanitised)
 add_custom_target(slow)
@@ -27,7 +27,7 @@ function(hair_program_test LABEL NAME PROGRAM)
   hair_command_test(${LABEL} ${NAME} ${PROGRAM} ${PROGRAM} ${ARGN})
 endfunction()
 
-# What tests is compiled in a quarter less time when it is not optimised as far as what is tested.
+# Tests compile in a quarter less time with less optimisation than the tested code.
 set(HAIR_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 hair_precompiled(test PROGRAM HEADERS ${HAIR_USUAL_HEADERS} <gtest/gtest.h> LIBRARIES GTest::gtest Eigen3::Eigen)
 if(HAIR_PRECOMPILED)

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Converts colours between sRGB, XYZ, CIELAB and FLIP's opponent space.
 #include "grader/compare/color.h"
 
 #include <cmath>
@@ -14,8 +14,8 @@ constexpr Color product(const Matrix& m, const Color& v) {
   return result;
 }
 
-// sRGB's primaries and white, from their chromaticities exactly: (0.64, 0.33), (0.30, 0.60), (0.15, 0.06) and
-// (0.3127, 0.3290). Each row is then divided by its sum, white's X, Y or Z.
+// Returns sRGB's primaries and white, from their exact chromaticities: (0.64, 0.33), (0.30, 0.60), (0.15,
+// 0.06) and (0.3127, 0.3290). Each row is then divided by its sum, white's X, Y or Z.
 constexpr Matrix relative_to_white(Matrix m) {
   for (Color& row : m) {
     const double white = row[0] + row[1] + row[2];
@@ -29,7 +29,7 @@ constexpr Matrix to_xyz =
                         {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                         {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}});
 
-// By cofactors: row j, column i of the inverse is that of row i, column j over the determinant.
+// Uses cofactors: row j, column i of the inverse is the cofactor of row i, column j over the determinant.
 constexpr Matrix inverse(const Matrix& m) {
   Matrix cofactors{};
   for (std::size_t i = 0; i < 3; ++i)

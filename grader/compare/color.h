@@ -12,7 +12,7 @@ namespace grader::inline compare {
 
 using Color = std::array<double, 3>;
 
-double linear_from_srgb(std::uint8_t encoded);  // 0 to 1
+double linear_from_srgb(std::uint8_t encoded);  // returns 0 to 1
 
 Color xyz_from_linear(const Color& rgb);
 Color linear_from_xyz(const Color& xyz);

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes the distances of two pictures.
 #include "grader/compare/compare.h"
 
 #include <algorithm>

@@ -12,9 +12,9 @@ namespace grader::inline compare {
 inline constexpr double kBlur = 4;  // px, sigma of the Gaussian
 
 struct PictureDistance {
-  // The root mean square, over pixels and channels, of the difference of the pictures blurred by kBlur: from
-  // 0 to 1, which is black against white. It uses the encoded values, 0 to 1: equal steps of them look about
-  // equally large, so that hair in the shadow counts as much as hair in the light.
+  // Is the root mean square, over pixels and channels, of the difference of the pictures blurred by kBlur:
+  // from 0 to 1, which is black against white. It uses the encoded values, 0 to 1: equal steps of them look
+  // about equally large, so that hair in the shadow counts as much as hair in the light.
   double blurred_rmse = 0;
   double flip_mean = 0, flip_max = 0;
   bool identical = false;  // byte for byte
@@ -23,7 +23,7 @@ struct PictureDistance {
 // Both pictures must have the same size, else throws std::invalid_argument. The distance is symmetric.
 PictureDistance compare_pictures(const hair::Image& reference, const hair::Image& test);
 
-// The same, with a FLIP map that was already computed.
+// Does the same, with a FLIP map that was already computed.
 PictureDistance compare_pictures(const hair::Image& reference, const hair::Image& test, const ErrorMap& map);
 
 }  // namespace grader::compare

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the distances of pictures: identical, shifted, brighter and with missing hair.
 #include "grader/compare/compare.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using hair::Image;
 
-// Rounding of a filter's sums of 25 + 25 floats.
+// Bounds the rounding of a filter's sums of 25 + 25 floats.
 constexpr double kFilterRounding = 50 * 1.2e-7;
 
 TEST(ComparePictures, IdenticalOnesAreAtDistanceZero) {
@@ -31,8 +31,8 @@ TEST(ComparePictures, BlackIsOneFromWhite) {
               kFilterRounding);
 }
 
-// The squares of a Gaussian's weights sum to about 1 / (4 pi sigma^2); cut off at 3 sigma and sampled, to
-// within a hundredth.
+// The squares of a Gaussian's weights sum to about 1 / (4 pi sigma^2); cut off at 3 sigma and sampled, they
+// are right within a hundredth.
 TEST(ComparePictures, OfADotIsTheNormOfTheGaussian) {
   const int size = 64;
   Image dot = even({0, 0, 0}, size, size);
@@ -41,7 +41,7 @@ TEST(ComparePictures, OfADotIsTheNormOfTheGaussian) {
   EXPECT_NEAR(compare_pictures(even({0, 0, 0}, size, size), dot).blurred_rmse, expected, 0.01 * expected);
 }
 
-// Exact values of two pixels: the map that is shown is the map that is measured.
+// Two pixels have exact values: the shown map is the measured map.
 TEST(ComparePictures, FlipsMeanAndLargestAreThoseOfItsMap) {
   ErrorMap map(2, 1);
   map.values = {0.25F, 0.75F};
@@ -62,7 +62,7 @@ TEST(ComparePictures, AShiftByAPixelIsLessThanHalfOfTheHairGone) {
   EXPECT_LT(compare_pictures(whole, moved).blurred_rmse, 0.5 * compare_pictures(whole, half).blurred_rmse);
 }
 
-// One strand of twenty.
+// One strand of twenty is missing.
 TEST(ComparePictures, AMissingStrandIsSeen) {
   const PictureDistance one = compare_pictures(strands(160, 120, 20), strands(160, 120, 19));
   EXPECT_GT(one.blurred_rmse, 1e-3);

@@ -1,4 +1,4 @@
-// STAFF ONLY. The order, table and JSON of compared pictures.
+// STAFF ONLY. Sorts compared pictures, and writes their table and JSON.
 #include "grader/compare/comparison.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@ struct ComparedPair {
   std::string name;
   int width = 0, height = 0;
   PictureDistance distance;
-  std::string obstacle = {};  // why it could not be compared; the numbers then mean nothing
+  std::string obstacle = {};  // says why it could not be compared; the numbers then mean nothing
 };
 
 struct Comparison {
@@ -24,14 +24,14 @@ struct Comparison {
 // True if every picture of both folders was compared.
 bool is_complete(const Comparison& comparison);
 
-// A pair that could not be compared is worse than all others. Then by FLIP's mean, its maximum, and the name.
+// A pair that could not be compared is worse than all others. FLIP's mean, maximum, and the name follow.
 bool is_worse(const ComparedPair& a, const ComparedPair& b);
 
 std::size_t count_identical(const Comparison& comparison);
 std::size_t count_compared(const Comparison& comparison);
 
-// For a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are counted, not
-// listed.
+// Is for a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are counted,
+// not listed.
 std::string comparison_table(const Comparison& comparison);
 
 // {"pairs": [{"name", "width", "height", "identical", "blurred_rmse", "flip_mean", "flip_max"}], worst first,

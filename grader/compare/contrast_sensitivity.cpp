@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes the filter of the eye's contrast sensitivity.
 #include "grader/compare/contrast_sensitivity.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-// a exp(-b f^2): in degrees a Gaussian, a sqrt(pi / b) exp(-pi^2 x^2 / b).
+// Is a exp(-b f^2): in degrees a Gaussian, a sqrt(pi / b) exp(-pi^2 x^2 / b).
 struct Term {
   double a, b;
 };
@@ -21,7 +21,7 @@ double sigma_of(const Term& term) {  // in degrees
 }
 
 Plane seen(const Plane& channel, const Term& term, double pixels_per_degree) {
-  // Three standard deviations of the widest term, for all of them.
+  // All terms get three standard deviations of the widest one.
   const int radius = static_cast<int>(std::ceil(3 * sigma_of(blue_yellow) * pixels_per_degree));
   const Kernel kernel = gaussian(sigma_of(term) * pixels_per_degree, radius);
   return filtered(channel, kernel, kernel);

@@ -8,7 +8,7 @@ namespace grader::inline compare {
 
 enum class Opponent { achromatic, red_green, blue_yellow };
 
-// A channel of Y_y C_x C_z, filtered by the eye. A uniform channel does not change.
+// Filters a channel of Y_y C_x C_z as the eye does. A uniform channel does not change.
 Plane seen(const Plane& channel, Opponent opponent, double pixels_per_degree);
 
 }  // namespace grader::compare

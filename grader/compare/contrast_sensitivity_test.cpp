@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the filter on waves of known frequency.
 #include "grader/compare/contrast_sensitivity.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPixels = 67;  // per degree
 
-// How much of a wave of `frequency` cycles per degree is seen in the middle of its crest.
+// Returns how much of a wave of `frequency` cycles per degree is left in the middle of its crest.
 double seen_of_wave(Opponent opponent, double frequency) {
   Plane wave(121, 41);
   for (int y = 0; y < wave.height; ++y)
@@ -20,7 +20,7 @@ double seen_of_wave(Opponent opponent, double frequency) {
   return seen(wave, opponent, kPixels).row(20)[60];
 }
 
-// Cut off at three standard deviations, a Gaussian lacks 0.3 % of its weight; shares of it are off by that.
+// A Gaussian that is cut off at three standard deviations lacks 0.3 % of its weight; so do its parts.
 constexpr double kCutOff = 0.003;
 
 TEST(ContrastSensitivity, OfAWaveIsAGaussianOfItsFrequency) {
@@ -31,7 +31,7 @@ TEST(ContrastSensitivity, OfAWaveIsAGaussianOfItsFrequency) {
   }
 }
 
-// Two Gaussians, a weight of a sqrt(b) for each.
+// Two Gaussians have a weight of a sqrt(b) each.
 TEST(ContrastSensitivity, OfBlueAndYellowIsASumOfTwo) {
   const double first = 34.1 * std::sqrt(0.04), second = 13.5 * std::sqrt(0.025);
   for (const double frequency : {0.0, 1.0, 3.0, 6.0, 9.0, 12.0}) {

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes FLIP's error map of two pictures.
 #include "grader/compare/flip.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 using hair::Image;
 using Channels = std::array<Plane, 3>;
 
-// The paper's constants: exponents q, the knee of the redistribution of errors (p_c, p_t), the width of what
-// is an edge to the eye, in degrees.
+// These are the paper's constants: exponents q, the knee of the redistribution of errors (p_c, p_t), the
+// width of an edge to the eye, in degrees.
 constexpr double q_color = 0.7, q_feature = 0.5, p_color = 0.4, p_target = 0.95, feature_width = 0.082;
 
 void check_sizes(const Image& a, const Image& b) {
@@ -45,7 +45,7 @@ Channels ycxcz_of(const Image& image) {
   return channels;
 }
 
-// L*a*b* in which what is dark has less colour: the Hunt effect.
+// Returns L*a*b* in which dark colours have less chroma: the Hunt effect.
 Color hunt_lab(const Color& xyz) {
   const Color lab = lab_from_xyz(xyz);
   return {lab[0], 0.01 * lab[0] * lab[1], 0.01 * lab[0] * lab[2]};
@@ -56,8 +56,8 @@ double hyab(const Color& a, const Color& b) {
   return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
-// From 0 to the largest difference there is, green to blue: most of the range goes to differences below p_c
-// of it.
+// The argument goes from 0 to the largest difference, green to blue: most of the result's range goes to
+// differences below p_c of it.
 double redistributed(double difference) {
   static const double largest =
       std::pow(hyab(hunt_lab(xyz_from_linear({0, 1, 0})), hunt_lab(xyz_from_linear({0, 0, 1}))), q_color);
@@ -87,8 +87,8 @@ Plane color_differences(const Channels& reference, const Channels& test, double 
   return differences;
 }
 
-// The first or second derivative of a Gaussian, its positive weights scaled to the sum 1, its negative ones
-// to -1.
+// Is the first or second derivative of a Gaussian, its positive weights scaled to the sum 1, its negative
+// ones to -1.
 enum class Feature { edge, point };
 
 Kernel detector(Feature feature, double sigma, int radius) {
@@ -106,7 +106,7 @@ Kernel detector(Feature feature, double sigma, int radius) {
   return kernel;
 }
 
-// How strong an edge or a point is in each pixel: the norm of the two directions' answers.
+// Measures an edge or a point in each pixel: the norm of the filter's results in both directions.
 Plane strength(Feature feature, const Plane& brightness, double pixels_per_degree) {
   const double sigma = 0.5 * feature_width * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sigma));
@@ -129,7 +129,7 @@ Plane feature_differences(const Plane& reference, const Plane& test, double pixe
   return largest;
 }
 
-// Y_y as 0 to 1.
+// Scales Y_y to 0 to 1.
 Plane brightness_of(Plane achromatic_channel) {
   for (float& value : achromatic_channel.values) value = (value + 16) / 116;
   return achromatic_channel;
@@ -142,7 +142,7 @@ ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degre
   if (!(pixels_per_degree >= 1 && pixels_per_degree <= 1000))
     throw std::invalid_argument("FLIP: " + std::to_string(pixels_per_degree) +
                                 " pixels per degree; it needs 1 to 1000");
-  if (reference == test) return {reference.width, reference.height};  // as most frames of a film are
+  if (reference == test) return {reference.width, reference.height};  // most frames of a film are equal
   const Channels a = ycxcz_of(reference), b = ycxcz_of(test);
   ErrorMap map = color_differences(a, b, pixels_per_degree);
   const Plane features = feature_differences(brightness_of(a[0]), brightness_of(b[0]), pixels_per_degree);

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests FLIP's error maps on pictures with known differences.
 #include "grader/compare/flip.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ double largest(const ErrorMap& map) {
   return *std::max_element(map.values.begin(), map.values.end());
 }
 
-// A photograph and what a video codec made of it. Published with 67.02 pixels per degree: the mean within
-// 1e-4.
+// These are a photograph and its copy by a video codec, published with 67.02 pixels per degree: the mean
+// agrees within 1e-4.
 TEST(Flip, OfThePublishedPairIsThePublishedOne) {
   const char* folder = std::getenv("HAIR_IMAGES");
   if (folder == nullptr) GTEST_SKIP() << "HAIR_IMAGES is not set to the folder with tree-ref.png";
@@ -50,9 +50,9 @@ TEST(Flip, IsSymmetric) {
   EXPECT_EQ(forth.values, back.values);
 }
 
-// Even pictures have no features, and filters leave them as they are, so that colours alone decide. CIELAB of
-// sRGB's primaries from B. Lindbloom, www.brucelindbloom.com, four decimals: (87.7347, -86.1827, 83.1793) is
-// green, (32.2970, 79.1875, -107.8602) is blue.
+// Even pictures have no features, and filters do not change them, so that colours alone decide. CIELAB of
+// sRGB's primaries is from B. Lindbloom, www.brucelindbloom.com, with four decimals: (87.7347, -86.1827,
+// 83.1793) is green, (32.2970, 79.1875, -107.8602) is blue.
 TEST(Flip, OfEvenPicturesFollowsFromTheirColours) {
   const auto hunt_distance = [](const Color& a, const Color& b) {
     const auto hunt = [](const Color& lab, std::size_t i) { return 0.01 * lab[0] * lab[i]; };
@@ -63,18 +63,18 @@ TEST(Flip, OfEvenPicturesFollowsFromTheirColours) {
   const auto expect = [](const Image& a, const Image& b, double value) {
     for (const float found : flip(a, b).values) ASSERT_NEAR(found, value, 2e-5);
   };
-  // Black and white: L* 0 and 100, beyond the knee at 0.4.
+  // Black and white have L* 0 and 100, beyond the knee at 0.4.
   const double contrast = std::pow(100, 0.7) / most;
   ASSERT_GT(contrast, 0.4);
   expect(even({0, 0, 0}), even({255, 255, 255}), 0.95 + 0.05 * (contrast - 0.4) / 0.6);
-  // The largest of all.
+  // This difference is the largest of all.
   expect(even({0, 255, 0}), even({0, 0, 255}), 1);
-  // Two greys: sRGB 119 has L* 50.0344, 118 has 49.6365.
+  // These are two greys: sRGB 119 has L* 50.0344, 118 has 49.6365.
   const double step = std::pow(50.0344 - 49.6365, 0.7) / most;
   expect(even({119, 119, 119}), even({118, 118, 118}), 0.95 * step / 0.4);
 }
 
-// A point of one pixel at a distance where the eye can't resolve it is less than one from near.
+// A point of one pixel counts less from a distance at which the eye can't resolve it than from near.
 TEST(Flip, SeesLessFromFurtherAway) {
   Image dot = even({0, 0, 0});
   std::fill_n(dot.pixels.begin() + 3 * (16 * dot.width + 16), 3, 255);
@@ -87,7 +87,7 @@ TEST(Flip, SeesLessFromFurtherAway) {
   }
 }
 
-// Of strands a pixel wide FLIP sees even the smallest shift; compare_test.cpp has the measure that does not.
+// FLIP sees even the smallest shift of strands a pixel wide; compare_test.cpp has the measure that does not.
 TEST(Flip, AShiftIsTheMoreTheLargerItIs) {
   double before = 0;
   for (int shift = 1; shift <= 3; ++shift) {
@@ -97,7 +97,7 @@ TEST(Flip, AShiftIsTheMoreTheLargerItIs) {
   }
 }
 
-// A difference in a corner reaches no further than the widest filter does: 10 px and 9 px at this distance.
+// A difference in a corner reaches as far as the widest filter: 10 px and 9 px at this distance.
 TEST(Flip, ADifferenceStaysWhereItIsAndBordersAddNothing) {
   const Image before = strands(64, 48, 5);
   Image after = before;

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Colours an error by the table of heat colours.
 #include "grader/compare/heat_map.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests that heat colours are brighter where the error is larger.
 #include "grader/compare/heat_map.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(HeatMap, LightnessGrowsWithTheError) {
   EXPECT_GT(lightness(heat_color(1)), 95);
 }
 
-// Equal steps of the error look about equally large: a tenth is never less than half of its share.
+// Equal steps of the error look about equally large: a tenth is at least half of its share.
 TEST(HeatMap, NoPartOfItIsFlat) {
   for (int i = 1; i <= 10; ++i)
     EXPECT_GT(lightness(heat_color(i / 10.0)) - lightness(heat_color((i - 1) / 10.0)), 5) << i;

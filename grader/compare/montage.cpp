@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Puts pictures side by side, and makes them smaller.
 #include "grader/compare/montage.h"
 
 #include <algorithm>
@@ -14,12 +14,12 @@ using hair::Image;
 
 constexpr int kGap = 8;  // px
 
-// What share of a pixel lies between two numbers.
+// Returns the share of a pixel between two numbers.
 double covered(int pixel, double from, double to) {
   return std::max(0.0, std::min(to, pixel + 1.0) - std::max(from, static_cast<double>(pixel)));
 }
 
-// A channel with its rows made shorter; called twice, for rows and for columns, with the result turned.
+// Shortens the rows of a channel, and turns it: it is called twice, for rows and for columns.
 Plane shortened_and_turned(const Plane& in, int width) {
   const double scale = static_cast<double>(in.width) / width;
   Plane out(in.height, width);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Montages of pictures, and shrunk pictures.
+// STAFF ONLY. Puts pictures side by side, and shrinks them.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace grader::inline compare {
 
-// Puts pictures from left to right with a dark line between them. At least one picture, and all of the same
-// height, else throws std::invalid_argument.
+// Puts pictures from left to right with a dark line between them. There must be at least one picture, and all
+// must have the same height, else it throws std::invalid_argument.
 hair::Image side_by_side(const std::vector<hair::Image>& images);
 
-// At most `width` pixels wide, with the same aspect ratio: each pixel is the mean of the pixels that it
-// covers. A narrower picture stays unchanged.
+// Makes a picture at most `width` pixels wide, with the same aspect ratio: each pixel is the mean of the
+// pixels that it covers. A narrower picture stays unchanged.
 hair::Image shrunk(const hair::Image& image, int width);
 
 }  // namespace grader::compare

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests that pictures side by side keep their pixels.
 #include "grader/compare/montage.h"
 
 #include <gtest/gtest.h>

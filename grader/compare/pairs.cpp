@@ -34,7 +34,7 @@ Kind kind_of(const fs::path& path) {
   throw BadInput(shown(path) + ": " + why + "; give two PNG pictures, or two folders of them");
 }
 
-// "a.png", also for "a.PNG"; empty for what is not named as a picture.
+// Returns "a.png", also for "a.PNG"; empty for a name of another kind.
 std::string with_small_ending(const std::string& name) {
   constexpr std::string_view ending = ".png";
   if (name.size() <= ending.size()) return "";
@@ -72,7 +72,7 @@ PicturePairs find_pairs(const fs::path& reference, const fs::path& test) {
     return found;
   }
   const Names first = pictures_in(reference), all_others = pictures_in(test);
-  Names second = all_others;  // those that have no partner yet
+  Names second = all_others;  // have no partner yet
   const auto pair = [&](const std::string& name, const std::string& other) {
     found.pairs.push_back({other, reference / name, test / other});
   };

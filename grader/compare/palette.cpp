@@ -1,4 +1,4 @@
-// STAFF ONLY. Colours that share a cell of a grid become one; and PNG files with a palette.
+// STAFF ONLY. Merges colours in a cell of a grid, and writes PNG files with a palette.
 #include "grader/compare/palette.h"
 
 #include <png.h>
@@ -35,7 +35,7 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most) {
       Pixel place{};
       for (std::size_t c = 0; c < 3; ++c)
         place[c] = static_cast<std::uint8_t>(image.pixels[3 * i + c] / side);
-      Cell& cell = i > 0 && place == last ? *cell_of[i - 1] : cells[place];  // most are as the one before
+      Cell& cell = i > 0 && place == last ? *cell_of[i - 1] : cells[place];  // most repeat the last one
       for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += image.pixels[3 * i + c];
       ++cell.pixels;
       cell_of[i] = &cell;

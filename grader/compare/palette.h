@@ -1,5 +1,5 @@
-// STAFF ONLY. Pictures with few colours, for pages: enough for strands on a plain ground, and a quarter of
-// the bytes. All measurements use the full-colour pictures.
+// STAFF ONLY. Pictures with few colours, for pages: they suffice for strands on a plain ground, and take a
+// quarter of the bytes. All measurements use the full-colour pictures.
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ struct PalettePicture {
 
 // Reduces a picture to at most `most` colours, 1 to 256, else throws std::invalid_argument. A picture with
 // few enough colours keeps them. All pixels in one cell of a grid of colours get the cell's mean; the cells
-// are the smallest cubes of which so few are needed.
+// are the smallest cubes that give so few colours.
 PalettePicture in_few_colors(const hair::Image& image, std::size_t most);
 
-// As a PNG file's bytes. The same picture gives the same bytes.
+// Writes a PNG file's bytes. The same picture gives the same bytes.
 std::string encode_palette_png(const PalettePicture& picture);
 
 }  // namespace grader::compare

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the choice of 256 colours.
 #include "grader/compare/palette.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using hair::Image;
 
-// Every colour another one.
+// Each pixel has another colour.
 Image many_colors(int width, int height) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y)

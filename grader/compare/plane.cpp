@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Filters planes with separable kernels.
 #include "grader/compare/plane.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace grader::inline compare {
 namespace {
 
-// out[x] += weight * in[x]: the inner loop of all filters, which compilers vectorise.
+// Computes out[x] += weight * in[x], the inner loop of all filters, which compilers vectorise.
 void add_scaled(float weight, const float* in, float* out, int count) {
   for (int x = 0; x < count; ++x) out[x] += weight * in[x];
 }

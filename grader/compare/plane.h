@@ -19,14 +19,14 @@ struct Plane {
   }
 };
 
-// Weights from -r to r, an odd number of them.
+// Has an odd number of weights, from -r to r.
 using Kernel = std::vector<float>;
 
-// exp(-i^2 / (2 sigma^2)) for i from -radius to radius, scaled to the sum 1. sigma in pixels, > 0.
+// Returns exp(-i^2 / (2 sigma^2)) for i from -radius to radius, scaled to the sum 1. sigma in pixels, > 0.
 Kernel gaussian(double sigma, int radius);
 
-// out(x, y) = sum over i and j of along_rows[i] along_columns[j] in(x + i, y + j). Beyond its border the
-// plane repeats its border values.
+// Computes out(x, y) = sum over i and j of along_rows[i] along_columns[j] in(x + i, y + j). Beyond its border
+// the plane repeats its border values.
 Plane filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_columns);
 
 }  // namespace grader::compare

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests filters of planes against direct sums.
 #include "grader/compare/plane.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace grader::inline compare {
 namespace {
 
-// Each value has all of a float's rounding: eps / 2 relative for each of the kernel's products and sums.
+// Each value has a float's full rounding: eps / 2 relative for each of the kernel's products and sums.
 constexpr float kKernelRounding = 60 * 1.2e-7F;
 
 Plane random_plane(int width, int height) {
@@ -21,7 +21,7 @@ Plane random_plane(int width, int height) {
   return plane;
 }
 
-// By its definition: a sum over a square, with the border's values beyond it.
+// Follows the definition: a sum over a square, with the border's values beyond it.
 float at(const Plane& in, const Kernel& rows, const Kernel& columns, int x, int y) {
   double sum = 0;
   const int side = static_cast<int>(rows.size() / 2), up = static_cast<int>(columns.size() / 2);

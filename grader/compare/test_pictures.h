@@ -1,4 +1,4 @@
-// STAFF ONLY. Synthetic pictures for tests.
+// STAFF ONLY. Draws synthetic pictures for tests.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ inline hair::Image noise(int width, int height, unsigned seed) {
   return image;
 }
 
-// Brown curves one pixel wide on near-black, placed from the left edge; moved right by `shift`.
+// Draws brown curves one pixel wide on near-black, placed from the left edge; moved right by `shift`.
 inline hair::Image strands(int width, int height, int count, int shift = 0) {
   hair::Image image = even({12, 12, 16}, width, height);
   for (int strand = 0; strand < count; ++strand)

@@ -1,4 +1,4 @@
-// STAFF ONLY. Keeps files, says which are of use, and removes the others.
+// STAFF ONLY. Keeps files, marks used ones, and removes the others.
 #include "grader/compile/cache.h"
 
 #include <fcntl.h>
@@ -56,7 +56,7 @@ void shrink_cache(const fs::path& folder, std::uintmax_t most_bytes) {
   }
 }
 
-// The number of the log's bytes, the CPU time in ms, a line feed, the log, the object.
+// Writes the number of the log's bytes, the CPU time in ms, a line feed, the log, the object.
 std::string text_of(const KeptObject& kept) {
   return std::to_string(kept.log.size()) + " " + std::to_string(std::lround(1000 * kept.cpu_seconds)) + "\n" +
          kept.log + kept.object;

@@ -1,4 +1,4 @@
-// STAFF ONLY. The cache has a bound, and nobody reads half a file in it.
+// STAFF ONLY. Tests that the cache has a bound, and that nobody reads half a file in it.
 #include "grader/compile/cache.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class Cache : public testing::Test {
  protected:
-  // Used `age` seconds ago.
+  // Adds a file that was used `age` seconds ago.
   void add(const std::string& name, std::size_t bytes, int age) const {
     std::ofstream(dir_ / name) << std::string(bytes, 'x');
     fs::last_write_time(dir_ / name, fs::file_time_type::clock::now() - std::chrono::seconds(age));
@@ -65,7 +65,7 @@ TEST_F(Cache, GivesBackWhatWasKept) {
   EXPECT_FALSE(read_kept(dir_ / "nobody"));
 }
 
-// One of two graders keeps, and makes room; the other reads.
+// One of two graders stores files and makes room; the other reads.
 TEST_F(Cache, IsReadWholeWhileAnotherWrites) {
   constexpr std::size_t kBytes = 1 << 20;
   hair::TemporaryFolder elsewhere("elsewhere");

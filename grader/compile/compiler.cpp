@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's file becomes an object: from the cache, or by compiler and linker in cages.
+// STAFF ONLY. Makes an object of a student's file: from the cache, or by compiler and linker in sandboxes.
 #include "grader/compile/compiler.h"
 
 #include <fstream>
@@ -35,7 +35,7 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   const std::string hash = key(exercise, source, build);
   const fs::path kept = cache_ / (hash + ".object");
   const Turns::Turn turn(turns_, hash);
-  // What was compiled without a cage may hold anything, and is not kept.
+  // An object that was compiled without a sandbox may hold anything, and is not kept.
   if (toolchain_.isolated())
     if (const std::optional<KeptObject> found = read_kept(kept)) {
       mark_as_used(kept);
@@ -84,7 +84,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   share_with_sandbox(in, false);
   std::ofstream(in / exercise.file, std::ios::binary) << source;
   fs::permissions(in / exercise.file, fs::perms(0644));
-  fs::last_write_time(in / exercise.file, fs::file_time_type());  // __TIMESTAMP__ is always the same
+  fs::last_write_time(in / exercise.file, fs::file_time_type());  // makes __TIMESTAMP__ constant
 
   double taken = 0;
   Cage cage;
@@ -128,7 +128,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   return compiled;
 }
 
-// Preprocesses the file. Messages without an object: that met a limit, or failed.
+// Preprocesses the file. Messages without an object: it met a limit, or failed.
 Compiled Compiler::look_for_switches(const Exercise& exercise, const std::string& source, const fs::path& job,
                                      double cpu_seconds) const {
   constexpr std::size_t kMostText = 64 << 20;
@@ -168,7 +168,7 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   cage.mounts.push_back({out, "/out", true});
   cage.mounts.push_back({toolchain_.kit().folder() / "export" / (exercise.id + ".map"), "/export.map"});
   std::vector<std::string> command = toolchain_.link_command(build);
-  // Under its name other exercises' objects find it, where all run together.
+  // Other exercises' objects find it under its name when all run together.
   command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
                                  "-o", "/out/" + exercise.id + ".so", "/object/object.o"});
   for (const std::string& id : exercise.prerequisites) {
@@ -191,7 +191,7 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
         (names.empty() ? " a function that it uses\n" : "\n" + names);
     return compiled;
   }
-  // Copied, for the sandbox's user could still change what it has written.
+  // This is a copy, since the sandbox's user could still change its own files.
   const std::optional<std::string> object = read_written(out / (exercise.id + ".so"), kLargestObject);
   if (!object) {
     compiled.messages = "the file compiles to something far larger than an exercise\n";

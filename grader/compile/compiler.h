@@ -1,9 +1,9 @@
 // STAFF ONLY. Compiles a student's file to a shared object that exports only the exercise's functions.
 //
-// The file is compiled in a cage with the file, the given headers and the system's compiler; it is linked in
-// another cage with the object and the prerequisites' shared objects. Objects are cached by a hash of all
-// their inputs: of threads that want the same one, the first makes it, and the others take it from the cache.
-// What does not compile is compiled by each, in turn. Without a sandbox nothing is kept.
+// The file is compiled in a sandbox with the file, the given headers and the system's compiler; it is linked
+// in another sandbox with the object and the prerequisites' shared objects. Objects are cached by a hash of
+// all their inputs: of threads that want the same one, the first makes it, and the others take it from the
+// cache. A file that does not compile is compiled by each thread in turn. Without a sandbox nothing is kept.
 #pragma once
 
 #include <cstdint>
@@ -21,24 +21,24 @@ namespace grader::inline compile {
 
 struct Compiled {
   std::filesystem::path object;  // empty: it did not compile
-  std::string messages;          // for the student: what compiler and linker say of the student's own lines
+  std::string messages;          // for the student: messages on the student's own lines
   std::string log;               // for staff: the whole output of compiler and linker
-  double cpu_seconds = 0;        // what it took; 0 if the object was cached
-  double made_in_seconds = 0;    // the same, or what it took when the cached object was made
+  double cpu_seconds = 0;        // is the time of this call; 0 if the object was cached
+  double made_in_seconds = 0;    // is the time that the object took when it was made
   std::string switched_off =
-      {};  // with sanitizers: how the file keeps them from a look, for the student; then there is no object
+      {};  // for the student, with sanitizers: how the file disables them; then there is no object
 };
 
 class Compiler {
  public:
-  // `cache`: a folder for shared objects, made if it is missing; of its files those that were used last stay,
+  // `cache` is a folder for shared objects, made if it is missing; the files that were used last stay,
   // `cache_bytes` in all. Throws BadInput if there is no compiler or no cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, Isolation isolation,
            std::uintmax_t cache_bytes = kCacheBytes);
 
-  // From any thread. `job` is one of the kit's folders, for this file only; the object is written into it as
-  // <id>.so. `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine
-  // fails.
+  // May be called from any thread. `job` is one of the kit's folders, for this file only; the object is
+  // written into it as <id>.so. `cpu_seconds` limits compiler and linker. Throws std::runtime_error if the
+  // machine fails.
   Compiled compile(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
                    double cpu_seconds, Build build = Build::ordinary) const;
 

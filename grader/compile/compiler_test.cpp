@@ -1,4 +1,4 @@
-// STAFF ONLY. Student files become objects, with a precompiled header and without.
+// STAFF ONLY. Tests that student files become objects, with a precompiled header and without.
 #include "grader/compile/compiler.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ class CompilerTest : public testing::Test {
     return hair::bytes_of(HAIR_PROJECT / solution_of(exercise));
   }
 
-  static constexpr double kSeconds = 200;  // of CPU time: a slow machine's, too
+  static constexpr double kSeconds = 200;  // is CPU time for a slow machine, too
 
   const Course course_ = read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json");
   const Exercise& with_eigen_ = *course_.find("H1");
@@ -78,7 +78,7 @@ TEST_F(CompilerTest, TellsTheErrorsThatAHeaderHasBecauseOfTheFile) {
   }
 }
 
-// Else a grade could depend on when, or how often, a file was compiled.
+// Otherwise a grade could depend on when, or how often, a file was compiled.
 TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
   const Exercise& exercise = *course_.find("S1");
   const std::string source = reference(exercise) +
@@ -162,7 +162,7 @@ TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
   EXPECT_EQ(hair::bytes_of(compiled[0].object), hair::bytes_of(compiled[1].object));
 }
 
-// As the lecture's own programs have it.
+// The lecture's own programs have it so.
 TEST_F(CompilerTest, TheLecturesIncludeIsFound) {
   const Exercise& exercise = *course_.find("S1");
   std::string source = reference(exercise);
@@ -183,7 +183,7 @@ TEST_F(CompilerTest, AnIncludeFromTheFolderAboveIsFound) {
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
-// A student's build has all that the given headers declare, too.
+// A student's build links all functions of the given headers, too.
 TEST_F(CompilerTest, GivenFunctionsAreLinked) {
   const std::string source = "#include \"particles/require.h\"\n#include \"solver/block_cholesky.h\"\n" +
                              reference(with_eigen_) +
@@ -202,7 +202,7 @@ TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {
   EXPECT_NE(compiled.messages.find("Eigen/Core: No such file"), std::string::npos) << compiled.messages;
 }
 
-// Whatever a file makes the tools say: that it does not compile is its own fault.
+// A file that does not compile is itself at fault, whatever it makes the tools print.
 TEST_F(CompilerTest, IsNotToldByTheFileThatTheMachineFails) {
   const Exercise& exercise = *course_.find("S1");
   for (const std::string& source :
@@ -222,13 +222,13 @@ TEST_F(CompilerTest, ProvesThatTheMachineFails) {
   Cage cage = toolchain.compiling({}, 5);
   EXPECT_NO_THROW(toolchain.prove_it_compiles(cage));
   EXPECT_NO_THROW(toolchain.prove_it_links(toolchain.linking(5)));
-  cage.limits.memory_bytes = std::size_t{20} << 20;  // less than the compiler itself
+  cage.limits.memory_bytes = std::size_t{20} << 20;  // is less than the compiler itself needs
   EXPECT_THROW(toolchain.prove_it_compiles(cage), std::runtime_error);
   cage.mounts.clear();
   EXPECT_THROW(toolchain.prove_it_links(cage), std::runtime_error);
 }
 
-// A bomb is compiled once, with the precompiled header, and takes what it may take.
+// A bomb is compiled once, with the precompiled header, up to its limit.
 TEST_F(CompilerTest, EndsWhatTakesTooLong) {
   const std::string bomb =
       "#include <Eigen/Core>\ntemplate <int n, int m> struct F { static constexpr long value = F<n - 1, "

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes hashes with libsodium.
 #include "grader/compile/hash.h"
 
 #include <sodium.h>

@@ -9,8 +9,7 @@ namespace grader::inline compile {
 std::string sha256(const std::string& bytes);
 std::string hmac_sha256(const std::string& key, const std::string& bytes);
 
-// The hash of a file's bytes, or of a folder's files with their names. Throws BadInput for a path that can't
-// be read.
+// Hashes a file's bytes, or a folder's files with their names. Throws BadInput for a path that can't be read.
 std::string sha256_of(const std::filesystem::path& path);
 
 }  // namespace grader::compile

@@ -1,4 +1,4 @@
-// STAFF ONLY. Copies the grading kit to where the sandbox's user can read it.
+// STAFF ONLY. Copies the grading kit to a folder that the sandbox's user can read.
 #include "grader/compile/kit.h"
 
 #include <vector>

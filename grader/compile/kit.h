@@ -1,5 +1,5 @@
-// STAFF ONLY. A copy of the grading kit (see grader/worker/CMakeLists.txt) in a place that only the sandbox's
-// user can read. The original can't be mounted directly if the clone is under /root.
+// STAFF ONLY. A copy of the grading kit (see grader/worker/CMakeLists.txt) in a folder that only the
+// sandbox's user can read. The original can't be mounted directly if the clone is under /root.
 #pragma once
 
 #include <filesystem>
@@ -23,10 +23,10 @@ class StagedKit {
     return root_.path() / "roots";
   }  // see grader/sandbox/container_root.h
 
-  // A new folder beside it for one job; the sandbox's user can read it.
+  // Makes a new folder beside it for one job; the sandbox's user can read it.
   std::filesystem::path new_job(const std::string& name) const;
 
-  // Changes whenever the files change that student code is compiled against or run by.
+  // Changes with every file that student code is compiled against or run by.
   const std::string& hash() const { return hash_; }
 
  private:

@@ -1,4 +1,4 @@
-// STAFF ONLY. Picks a student's lines out of what compiler and linker print.
+// STAFF ONLY. Picks a student's lines out of the output of compiler and linker.
 #include "grader/compile/messages.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace grader::inline compile {
 namespace {
 
-// The first `most` lines, and how many more there are.
+// Returns the first `most` lines, and how many more there are.
 std::string first_lines(const std::vector<std::string>& lines, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) text += lines[i] + "\n";
@@ -20,7 +20,7 @@ std::string first_lines(const std::vector<std::string>& lines, std::size_t most)
   return text;
 }
 
-// "a.h:11:7: error: ...": a line of code has it, not a tool.
+// True for "a.h:11:7: error: ...": it concerns a line of code, not a tool.
 bool is_error(const std::string& line) {
   for (const std::string saying : {": error: ", ": fatal error: "})
     if (const std::size_t at = line.find(saying); at != std::string::npos && at > 0)
@@ -62,7 +62,7 @@ std::string undefined_names(const std::string& log) {
   for (std::string line; std::getline(text, line);) {
     const std::size_t at = line.find(saying), first = at + saying.size() + 1;
     if (at == std::string::npos || line.size() < first + 2) continue;
-    // Between a linker's quotes.
+    // The name stands between the linker's quotes.
     const std::string name = "  " + printable(line.substr(first, line.size() - 1 - first));
     if (seen.insert(name).second) names.push_back(name);
   }

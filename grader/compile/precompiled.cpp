@@ -1,4 +1,4 @@
-// STAFF ONLY. Makes the precompiled header of the given headers, in a cage, or takes it from the cache.
+// STAFF ONLY. Makes the precompiled header of the given headers, in a sandbox, or takes it from the cache.
 #include "grader/compile/precompiled.h"
 
 #include <fstream>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostSeconds = 300;  // of CPU time
+constexpr double kMostSeconds = 300;  // is CPU time
 constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 const std::vector<std::string> kLibraries = {"eigen"};
 const char* name_of(Build build) {
@@ -49,7 +49,7 @@ void PrecompiledHeader::make() const {
     if (!bytes) return;
     std::ofstream(file, std::ios::binary) << *bytes;
     if (toolchain_.isolated()) {
-      // One of each build is enough: they are large, and of use for one kit and one compiler.
+      // Keeps one of each build: they are large, and fit one kit and one compiler.
       for (const auto& entry : fs::directory_iterator(cache_, error))
         if (entry.path().extension() == ".gch" &&
             entry.path().filename().string().starts_with(std::string(name_of(build_)) + "-"))

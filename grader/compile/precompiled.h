@@ -2,7 +2,7 @@
 // half of such a file's compile time. The object is bit-identical.
 //
 // GCC uses a precompiled header if compiler and options are the same as for its creation; otherwise it
-// silently reads the text. So it can make a file fail in only one way: if the file defines a macro for Eigen,
+// silently reads the text. So it makes a file fail in only one case: if the file defines a macro for Eigen,
 // the definition comes too late. The caller therefore compiles a failing file once more without it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Looks for words in sources and in what the preprocessor makes of them.
+// STAFF ONLY. Looks for words in sources, before and after the preprocessor.
 #include "grader/compile/switched_off.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace grader::inline compile {
 namespace {
 
-// Lines that end with a backslash are one with the next: a token may go on there.
+// Joins lines that end with a backslash to the next: a token may go on there.
 std::string spliced(const std::string& source) {
   std::string text;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -30,7 +30,7 @@ bool is_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Identifiers and numbers, also those in texts.
+// Visits identifiers and numbers, also those in texts.
 template <class Use>
 void for_words(std::string_view text, Use use) {
   for (std::size_t begin = 0; begin < text.size();) {
@@ -41,7 +41,7 @@ void for_words(std::string_view text, Use use) {
   }
 }
 
-// "__no_sanitize__" is "no_sanitize".
+// Makes "no_sanitize" of "__no_sanitize__".
 std::string_view without_underlines(std::string_view word) {
   while (word.starts_with('_')) word.remove_prefix(1);
   while (word.ends_with('_')) word.remove_suffix(1);
@@ -58,14 +58,14 @@ bool is_asm(std::string_view word) {
   return without_underlines(word) == "asm";
 }
 
-// The text of such an attribute is written to the assembler as it is. Compilers refuse all texts but names of
-// their own in others.
+// True if the attribute's text is written to the assembler unchanged. In other attributes compilers refuse
+// all texts except names that they know.
 bool takes_assembler(std::string_view word) {
   constexpr std::string_view kWords[] = {"section", "alias", "ifunc", "weakref", "symver"};
   return std::ranges::count(kWords, without_underlines(word)) > 0;
 }
 
-// So is that of these directives, which the preprocessor leaves as they are.
+// The text of these directives goes there, too; the preprocessor leaves them unchanged.
 bool is_directive_for_assembler(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   if (!line.starts_with('#')) return false;
@@ -74,7 +74,7 @@ bool is_directive_for_assembler(std::string_view line) {
   return line.starts_with("ident") || line.starts_with("sccs");
 }
 
-// asm volatile("" ...) keeps the compiler from moving code, and holds none.
+// asm volatile("" ...) keeps the compiler from moving code, and holds no instruction.
 bool is_empty_asm(std::string_view rest) {
   for (const std::string_view skip : {"volatile", "__volatile__", "__volatile"}) {
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
@@ -87,7 +87,7 @@ bool is_empty_asm(std::string_view rest) {
   return rest.starts_with(':') || rest.starts_with(')');
 }
 
-// "# 12 "conj_grad.cpp" 2": the number and the name; false for any other line.
+// Reads the number and the name of "# 12 "conj_grad.cpp" 2"; returns false for any other line.
 bool is_marker(const std::string& line, int& number, std::string& file) {
   if (!line.starts_with("# ")) return false;
   std::istringstream in(line.substr(2));
@@ -98,12 +98,12 @@ bool is_marker(const std::string& line, int& number, std::string& file) {
   return true;
 }
 
-// Tokens of preprocessed C++. Texts and characters are left out, so that brackets in them count for nothing.
+// Reads tokens of preprocessed C++. Texts and characters are skipped, with the brackets in them.
 class Tokens {
  public:
   explicit Tokens(std::string_view source) : rest_(source) {}
 
-  std::string_view next() {  // empty: there is no more
+  std::string_view next() {  // empty: the end
     while (skip_blank() || skip_text('"') || skip_text('\'')) {
     }
     std::size_t end = 0;
@@ -146,13 +146,13 @@ class Tokens {
   std::string_view rest_;
 };
 
-// The lines of the student's file in the preprocessed source, and their numbers.
+// Holds the lines of the student's file in the preprocessed source, and their numbers.
 struct OwnLines {
   std::string text;
   std::vector<int> numbers;
 };
 
-// Such a word in an attribute: __attribute__((...)) or [[...]]. Elsewhere it is a name of the student's.
+// Finds such a word in an attribute, __attribute__((...)) or [[...]]. Elsewhere it is a student's name.
 std::optional<SwitchedOff> text_for_assembler(const OwnLines& own) {
   int depth = 0;
   std::string_view before;
@@ -174,8 +174,8 @@ std::optional<SwitchedOff> text_for_assembler(const OwnLines& own) {
   return {};
 }
 
-// A line of the source that gives other names or numbers to the lines after it: whose they are can't be told
-// then.
+// Finds a line that gives other names or numbers to the lines after it: then nobody knows whose lines they
+// are.
 std::optional<SwitchedOff> renamed_lines(const std::string& source) {
   std::istringstream lines(source);
   int number = 0;
@@ -207,8 +207,8 @@ std::optional<SwitchedOff> renamed_lines(const std::string& source) {
 
 }  // namespace
 
-// Such a word stands in the source, or macros make it of pieces: with ## or with a macro of a header, whose
-// name is a reserved one.
+// True if the source has such a word, or macros may make one of pieces: with ## or with a reserved macro of a
+// header.
 bool may_switch_off(const std::string& source) {
   const std::string text = spliced(source);
   if (text.find("##") != std::string::npos || text.find("%:%:") != std::string::npos) return true;

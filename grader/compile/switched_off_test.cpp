@@ -1,5 +1,5 @@
-// STAFF ONLY. No file keeps a part of itself from the look for memory errors without a sentence that names
-// the line.
+// STAFF ONLY. Tests that each file that hides a part of itself from the search for memory errors gets a
+// sentence with the line.
 #include "grader/compile/switched_off.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace {
 
 class SwitchedOffTest : public testing::Test {
  protected:
-  // The sentence, as the compiler says it of an S1 with these lines, which begin in line 3. Empty: it is
-  // looked into.
+  // Returns the compiler's sentence about an S1 with these lines, which begin in line 3. Empty: it is
+  // searched.
   std::string sentence_for(const std::string& lines) {
     const std::string source =
         "#include \"solver/linearSolver.h\"\n#include <vector>\n" + lines +

@@ -13,7 +13,7 @@
 namespace grader::inline compile {
 namespace {
 
-// The struct at `at`, if it lies within the bytes.
+// Returns the struct at `at`, if it lies within the bytes.
 template <class T>
 std::optional<T> read_at(std::string_view bytes, std::uint64_t at) {
   if (at > bytes.size() || bytes.size() - at < sizeof(T)) return {};
@@ -44,7 +44,7 @@ std::optional<std::string> forbidden_definition(std::string_view object) {
   const auto section = [&](std::uint64_t i) {
     return read_at<Elf64_Shdr>(object, header->e_shoff + i * sizeof(Elf64_Shdr));
   };
-  // With 65280 sections and more the number is in the first one.
+  // From 65280 sections on, the first one holds the number.
   const auto first = section(0);
   if (!first) return {};
   const std::uint64_t sections = header->e_shnum != 0 ? header->e_shnum : first->sh_size;
@@ -59,7 +59,7 @@ std::optional<std::string> forbidden_definition(std::string_view object) {
     const std::string_view symbols = part_of(object, *table), names = part_of(object, *text);
     for (std::uint64_t at = 0; const auto symbol = read_at<Elf64_Sym>(symbols, at); at += sizeof(Elf64_Sym)) {
       if (symbol->st_shndx == SHN_UNDEF || symbol->st_name >= names.size()) continue;
-      // Only the beginning is looked at: names may be long, and share their bytes.
+      // Only the beginning counts: names may be long, and share their bytes.
       const std::string_view name = names.substr(symbol->st_name, kMostOfAName);
       if (is_of_a_sanitizer(name))
         return printable(name.substr(0, name.find('\0'))) +

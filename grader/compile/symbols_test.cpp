@@ -1,4 +1,4 @@
-// STAFF ONLY. Objects that define a name of the sanitizers' are told, and hostile bytes break nobody.
+// STAFF ONLY. Tests that names of the sanitizers are found in objects, and that hostile bytes do no harm.
 #include "grader/compile/symbols.h"
 
 #include <elf.h>
@@ -21,7 +21,7 @@ std::string bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-// An object with these symbols and nothing else.
+// Makes an object with these symbols and nothing else.
 std::string object_with(const std::vector<Named>& symbols) {
   std::string names(1, '\0'), table = bytes_of(Elf64_Sym{});
   for (const Named& one : symbols) {
@@ -60,7 +60,7 @@ TEST(Symbols, OfTheSanitizersAreFoundWhereTheyAreDefined) {
   EXPECT_EQ(forbidden_definition(object_with({{"my__asan_load8"}, {"__odr_asan.table"}})), std::nullopt);
 }
 
-// A million symbols of one name, which has a megabyte: a search for its end each time would take a minute.
+// A million symbols share one name of a megabyte: searching its end each time would take a minute.
 TEST(Symbols, AreReadInTimeThatGrowsWithTheObject) {
   const std::size_t count = 1'000'000;
   std::string object = object_with({{std::string(1 << 20, 'a')}});
@@ -76,7 +76,7 @@ TEST(Symbols, AreReadInTimeThatGrowsWithTheObject) {
   EXPECT_LT(std::clock() - start, 2 * CLOCKS_PER_SEC);
 }
 
-// Many tables over the same bytes take as many times as long, and linkers choose one of them.
+// Many tables over the same bytes would multiply the time, and linkers choose one of them.
 TEST(Symbols, StandInOneTable) {
   std::string object = object_with({{"ConjGrad"}});
   auto* sections = reinterpret_cast<Elf64_Shdr*>(object.data() + sizeof(Elf64_Ehdr));

@@ -1,4 +1,4 @@
-// STAFF ONLY. Options of compiler and linker, and the cages that they run in.
+// STAFF ONLY. Holds the options of compiler and linker, and starts them in their sandboxes.
 #include "grader/compile/toolchain.h"
 
 #include <fcntl.h>
@@ -20,21 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostOutput = 64 << 10;  // of what compilers say
-constexpr double kLeastSeconds = 0.05;         // what is left of a share may be nothing
+constexpr std::size_t kMostOutput = 64 << 10;  // bounds a compiler's output
+constexpr double kLeastSeconds = 0.05;         // is left when a share is used up
 
 const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-contract=off", "-pipe",
                                            "--param=ggc-min-heapsize=524288",  // kB: collects no garbage
                                            "-frandom-seed=exercise",
-                                           // As in a student's build (handout/cmake/exercises.cmake).
+                                           // A student's build has them (handout/cmake/exercises.cmake).
                                            "-ftrivial-auto-var-init=pattern", "-Wall", "-Wextra",
                                            "-fmax-errors=20", "-fno-diagnostics-show-caret",
                                            "-fdiagnostics-color=never"};
-// What finds errors, and takes the compiler little time: calls for checks are compiled faster than the checks
-// themselves, and
-// -O1 faster than -O0, which writes out more functions. UndefinedBehaviorSanitizer's tests of pointers repeat those
-// of AddressSanitizer, and take the compiler as long again. Without __SANITIZE_ADDRESS__ code does not look
-// different, and Eigen allocates as the worker does, which is compiled without sanitizers.
+// These find errors in little compile time: calls of checks compile faster than inline checks, and -O1 faster
+// than -O0, which writes out more functions. UndefinedBehaviorSanitizer's tests of pointers repeat
+// AddressSanitizer's, and double the time. Without __SANITIZE_ADDRESS__ code can't see the difference, and
+// Eigen allocates as the worker does, which is compiled without sanitizers.
 const std::vector<std::string> kSanitise = {
     "-O1",
     "-fno-omit-frame-pointer",
@@ -46,13 +45,13 @@ const std::vector<std::string> kLinkSanitised = {"-fsanitize=address,undefined"}
 const std::vector<std::string> kLink = {"-shared",     "-s",        "-fno-lto", "-fno-use-linker-plugin",
                                         "-Wl,-z,defs", "-Wl,-z,now"};
 
-// Where its headers are, below /usr/include.
+// Returns its headers' folder, below /usr/include.
 std::string folder_of(const std::string& library) {
   return library == "eigen" ? "eigen3" : library;
 }
 
-// True if the tool itself, and not a message about the student's own lines, which may quote anything, says
-// one of these.
+// True if the tool itself prints one of these, and not a message about the student's own lines, which may
+// quote anything.
 bool tool_says(const std::string& log, const std::string& student_file,
                std::initializer_list<const char*> sayings) {
   std::istringstream lines(log);
@@ -85,13 +84,13 @@ Toolchain::Run Toolchain::run(const Cage& cage, const std::vector<std::string>& 
   run.limited =
       run.ending.timed_out || run.ending.out_of_memory || run.cpu_seconds >= cage.limits.cpu_seconds_of_all ||
       tool_says(run.output, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"});
-  // Which limit a bomb meets first differs from run to run; that it met one does not.
+  // A bomb may meet another limit in each run, but it always meets one.
   if (run.limited && !run.ending.well()) run.output = "a limit on time or memory was reached\n";
   return run;
 }
 
 void Toolchain::prove(Cage cage, const std::vector<std::string>& command) const {
-  cage.limits.cpu_seconds_of_all = cage.limits.cpu_seconds = 10;  // whatever was left for the file
+  cage.limits.cpu_seconds_of_all = cage.limits.cpu_seconds = 10;  // ignores the rest of the file's share
   const Run control = run(cage, command, "/dev/null");
   if (!control.ending.well())
     throw std::runtime_error("the compiler could not run: " + printable(control.output.substr(0, 500)));
@@ -141,7 +140,7 @@ std::vector<std::string> Toolchain::compile_command(const std::vector<std::strin
   if (build == Build::sanitised) command.insert(command.end(), kSanitise.begin(), kSanitise.end());
   for (const std::string& library : libraries)
     command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
-  // At home they stand in this order.
+  // A student's build has this order.
   command.insert(command.end(),
                  {"-I/handout/solver/lecture", "-I/handout/given", "-I/handout", "-I/handout/given/student"});
   return command;
@@ -152,7 +151,7 @@ std::vector<std::string> Toolchain::link_command(Build build) const {
   command.insert(command.end(), kLink.begin(), kLink.end());
   if (build == Build::sanitised) command.insert(command.end(), kLinkSanitised.begin(), kLinkSanitised.end());
   if (fs::exists("/usr/bin/ld.gold"))
-    command.emplace_back("-fuse-ld=gold");  // a third of the default linker's time
+    command.emplace_back("-fuse-ld=gold");  // takes a third of the default linker's time
   return command;
 }
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. The system's compiler and linker, run in cages.
+// STAFF ONLY. The system's compiler and linker, run in sandboxes.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@
 
 namespace grader::inline compile {
 
-// How a student's file is built: as it is graded, or with the sanitizers that find memory errors.
+// Is the way to build a student's file: for grading, or with the sanitizers that find memory errors.
 enum class Build { ordinary, sanitised };
 
-// In a cage that compiles: as at home, student/ beside the folders of the contracts.
+// The sandbox that compiles has student/ beside the contracts' folders, as at home.
 inline constexpr const char* kStudentFolder = "/handout/student";
 
 class Toolchain {
@@ -24,27 +24,27 @@ class Toolchain {
 
   struct Run {
     Ending ending;
-    std::string output;      // its beginning and its end
-    double cpu_seconds = 0;  // of compiler, assembler and linker
-    bool limited = false;    // it met a limit: the same again would meet it again
+    std::string output;      // is its beginning and its end
+    double cpu_seconds = 0;  // sums compiler, assembler and linker
+    bool limited = false;    // it met a limit, and would meet it again
   };
 
   // Runs a command about `file`.
   Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& file) const;
 
-  // Whose fault is it that a command failed? Runs the same tools in the same cage on nothing at all. Throws
-  // std::runtime_error, our fault, if that fails, too. What a student's file makes the tools say decides
-  // nothing.
+  // Finds whose fault a failed command is: runs the same tools in the same sandbox without a student's file.
+  // Throws std::runtime_error, our fault, if that fails, too. The tools' messages decide nothing, since a
+  // student's file can choose them.
   void prove_it_compiles(const Cage& cage) const;
   void prove_it_links(const Cage& cage) const;
 
-  // A cage for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and the command
-  // to compile in it. The caller adds the input, the output, and the mounts for both.
+  // Returns a sandbox for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and
+  // the command to compile in it. The caller adds the input, the output, and the mounts for both.
   Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
                                            Build build = Build::ordinary) const;
 
-  // The same for linking: a cage without headers.
+  // Returns the same for linking: a sandbox without headers.
   Cage linking(double cpu_seconds) const;
   std::vector<std::string> link_command(Build build = Build::ordinary) const;
 
@@ -58,10 +58,10 @@ class Toolchain {
   const StagedKit& kit_;
   Isolation isolation_;
   std::string program_, version_;
-  std::vector<Mount> system_;  // compiler and linker
+  std::vector<Mount> system_;  // has compiler and linker
 };
 
-// A new folder that the sandbox's user may write to.
+// Makes a folder that the sandbox's user may write to.
 std::filesystem::path writable_folder(const std::filesystem::path& path);
 
 // Reads a tool's output file; nothing if it is not a plain file, or larger than `most`. Does not follow

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Lets a thread wait while another one uses the same key.
 #include "grader/compile/turns.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// STAFF ONLY. One thread at a time for each key: who wants what another is making waits for it.
+// STAFF ONLY. Lets one thread at a time use each key: others wait until it has made the file.
 #pragma once
 
 #include <condition_variable>
@@ -10,7 +10,7 @@ namespace grader::inline compile {
 
 class Turns {
  public:
-  // Waits until no other turn has this key, and has it as long as it lives. To be destroyed before `turns`.
+  // Waits until no other turn has this key, and holds it until destruction, before that of `turns`.
   class Turn {
    public:
     Turn(Turns& turns, std::string key);

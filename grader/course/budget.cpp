@@ -1,4 +1,4 @@
-// STAFF ONLY. The fields of a budget, each with its names in course files and results, and its least limit.
+// STAFF ONLY. Declares the fields of a budget, with their names in course files, and their least limits.
 #include "grader/course/budget.h"
 
 namespace grader::inline course {

@@ -1,6 +1,6 @@
-// STAFF ONLY. A course as the grader has it: the exercises (hair/course/course.h), and of the course file
-// what a submission may take of the machine (budget.h), and whether a category gives points for the share of
-// its cases that hold ("partial": all or nothing without it). Both may be missing:
+// STAFF ONLY. A course as the grader has it: the exercises (hair/course/course.h), and from the course file
+// the limits on a submission (budget.h), and "partial": a category then gives points for the share of its
+// cases that hold, and all or nothing without it. Both may be missing:
 //
 //   {"exercises": {"S2": {"role": "optional", "points": 5}}, "budget": {"idle_seconds": 10}, "partial": true}
 #pragma once
@@ -12,7 +12,7 @@ namespace grader::inline course {
 
 using hair::Exercise, hair::Role, hair::to_string;
 
-// From the project's root.
+// Starts at the project's root.
 inline std::filesystem::path solution_of(const Exercise& exercise) {
   return std::filesystem::path("reference") / exercise.id / exercise.file;
 }
@@ -21,11 +21,11 @@ inline std::filesystem::path unwritten_file_of(const Exercise& exercise) {
 }
 
 struct Course : hair::Course {
-  Budget budget = {};                        // of a submission
+  Budget budget = {};                        // limits a submission
   bool partial = false;                      // a category gives a share of its points, in whole ones
-  std::vector<std::string> of_hand_in = {};  // the exercises of the hand-in that is graded; empty: all
+  std::vector<std::string> of_hand_in = {};  // are the exercises of the graded hand-in; empty: all
 
-  // True for an exercise that students hand in, in the hand-in that is graded.
+  // True for an exercise that students hand in, in the graded hand-in.
   bool asks_for(const Exercise& exercise) const;
 };
 

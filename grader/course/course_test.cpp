@@ -1,4 +1,4 @@
-// STAFF ONLY. What the grader reads of a course file beside its exercises.
+// STAFF ONLY. Tests the grader's part of a course file.
 #include "grader/course/course.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Course read(const std::string& text) {
   return read_course(HAIR_EXERCISES_JSON, file);
 }
 
-// "": nothing.
+// Returns the error, or "".
 std::string complaint(const std::string& text) {
   try {
     read(text);
@@ -52,7 +52,7 @@ TEST(CourseFile, ChangesItsExercises) {
   EXPECT_EQ(course.find("S2")->points, 2.5);
 }
 
-// With all exercises a share of the compiler's time is still what the largest honest file takes on a busy
+// With all exercises a share of the compiler's time still suffices for the largest honest file on a busy
 // machine, twice.
 TEST(Budget, HasRoomForAllExercises) {
   const int parts = static_cast<int>(read_course(HAIR_EXERCISES_JSON).exercises.size());

@@ -1,4 +1,4 @@
-// STAFF ONLY. Words for the kinds of isolation.
+// STAFF ONLY. Names the kinds of isolation.
 #include "grader/course/isolation.h"
 
 namespace grader::inline course {

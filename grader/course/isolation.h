@@ -1,4 +1,4 @@
-// STAFF ONLY. The kinds of isolation: how a cage keeps a process away from all else.
+// STAFF ONLY. The kinds of isolation: the ways in which a sandbox keeps a process in.
 #pragma once
 
 #include <optional>
@@ -7,20 +7,20 @@
 namespace grader::inline course {
 
 enum class Isolation {
-  // Nothing does, for machines that can't and for --unsafe-no-sandbox. Paths inside are replaced by those
+  // Isolates nothing, for machines that can't and for --unsafe-no-sandbox. Paths inside are replaced by those
   // outside.
   none,
-  // Namespaces of the kernel's, made by bubblewrap. Any user may, where the machine allows it.
+  // Uses the kernel's namespaces, made by bubblewrap. Any user may do so, if the machine allows it.
   namespaces,
-  // A user and a root folder of its own, for root in a container, where no namespaces are made and nothing is
-  // mounted.
+  // Uses a user and a root folder of its own, for root in a container, where namespaces and mounts are
+  // forbidden.
   container,
 };
 
 const char* to_string(Isolation kind);  // "none", "namespaces", "container"
 std::optional<Isolation> isolation_from(std::string_view word);
 
-// Every page and file of results says this of it, without a full stop. Of namespaces none says anything.
+// Returns a sentence without a full stop for every page and file of results. It is empty for namespaces.
 const char* said_of(Isolation kind);
 
 }  // namespace grader::course

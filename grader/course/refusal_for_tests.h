@@ -1,4 +1,4 @@
-// STAFF ONLY. What bad input is told, for tests.
+// STAFF ONLY. Catches errors of bad input, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace grader::inline course {
 
-// The line that `act` throws as BadInput. One line it must be.
+// Returns the line that `act` throws as BadInput. It must be a single line.
 inline std::string refusal(const std::function<void()>& act) {
   try {
     act();

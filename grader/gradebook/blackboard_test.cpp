@@ -1,4 +1,4 @@
-// STAFF ONLY. Blackboard's Grade Center gets its grades, and keeps all other bytes.
+// STAFF ONLY. Tests that Blackboard's Grade Center gets its grades, and keeps all other bytes.
 #include "grader/gradebook/blackboard.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::vector<Cells> grade_center(const string& so12, const string& jm07, const st
           {"=1+1", "", "x", "8", "", ""}};
 }
 
-// As it was downloaded: commas with quotes, or tabs in UTF-16.
+// A download has commas with quotes, or tabs in UTF-16.
 TEST(BlackboardGradeCenter, IsFilledInInItsOwnForm) {
   const FillOptions options{.column = "", .first_lines = [](const string&) { return "Points. First"; }};
   for (const Encoding& encoding : {Encoding{"UTF-8", "\xef\xbb\xbf"}, Encoding{"UTF-16LE", "\xff\xfe"},

@@ -15,7 +15,7 @@ bool is_row_of_points(const Csv::Row& row) {
   return composed(row.cells[0]) == "Points Possible";
 }
 
-// The row that tells which columns are posted by hand.
+// This row says which columns are posted by hand.
 bool is_row_of_policies(const Csv::Row& row) {
   return std::ranges::all_of(row.cells, [](const std::string& cell) {
     return cell.empty() || cell == "Manual Posting" || cell == "Muted";
@@ -71,7 +71,7 @@ std::size_t column_for(const Csv& table, std::size_t behind, const std::string& 
                  "; give --column with one of " + known);
 }
 
-// As it stands, where the importer takes the separator: a table from a spreadsheet may have tabs.
+// Copies a row unchanged if the importer takes the separator: a table from a spreadsheet may have tabs.
 std::string copied(const Csv& table, const Csv::Row& row, char separator) {
   return separator == table.separator ? std::string(row.bytes) + table.end_of_line
                                       : csv_line(row.cells, separator, table.end_of_line);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Canvas's gradebook, filled in as it was exported.
+// STAFF ONLY. Fills in Canvas's gradebook, in its own form.
 #pragma once
 
 #include "grader/gradebook/filling.h"
@@ -6,8 +6,8 @@
 namespace grader::inline gradebook {
 
 // The assignment's column is found by its number or title, and never made. Titles, the row of points and all
-// that is no score of this column stay; "EX" and "N/A" do, too. Throws BadInput for a table that is no export
-// of Canvas.
+// cells that are no score of this column stay; "EX" and "N/A" do, too. Throws BadInput for a table that is no
+// export of Canvas.
 Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
 
 }  // namespace grader::gradebook

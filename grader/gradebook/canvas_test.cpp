@@ -1,4 +1,4 @@
-// STAFF ONLY. Canvas's importer takes what is filled in, and nothing else changes.
+// STAFF ONLY. Tests that Canvas's importer takes the filled cells, and that nothing else changes.
 #include "grader/gradebook/canvas.h"
 
 #include <gtest/gtest.h>

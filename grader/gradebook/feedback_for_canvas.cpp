@@ -1,4 +1,4 @@
-// STAFF ONLY. Feedback under the names of attachments.
+// STAFF ONLY. Writes feedback under the names of attachments.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -54,8 +54,8 @@ std::vector<std::string> fields_of(const std::string& name) {
   return fields;
 }
 
-// "doejane_LATE_4711_90001_main.cpp", or "anon_aB3dE_90021_main.cpp", of this person. A group's name may have
-// numbers of its own.
+// Reads "doejane_LATE_4711_90001_main.cpp", or "anon_aB3dE_90021_main.cpp", of this person. A group's name
+// may have numbers of its own.
 std::optional<Attachment> attachment(const std::string& path, const Owner& owner) {
   const std::string name = path.substr(path.rfind('/') + 1);
   if (name.starts_with("._")) return {};

@@ -1,4 +1,4 @@
-// STAFF ONLY. Feedback under participants' numbers.
+// STAFF ONLY. Writes feedback under participants' numbers.
 #include <algorithm>
 #include <map>
 
@@ -11,7 +11,7 @@
 namespace grader::inline gradebook {
 namespace {
 
-// "Participant 4711": the word, in the worksheet's language.
+// Returns the word in "Participant 4711", in the worksheet's language.
 std::string word_of(const std::string& identifier) {
   return squeezed(identifier.substr(0, identifier.find_last_not_of("0123456789") + 1));
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. Feedback reaches whom it is about, as something that opens.
+// STAFF ONLY. Tests that feedback reaches its student, as a file that opens.
 #include "grader/gradebook/feedback.h"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ namespace {
 using std::string;
 using Files = std::map<string, string>;
 
-// formats.md:22: the base name is split at _, LATE goes; the first two fields of digits are user and
+// formats.md:22: the base name is split at _, LATE is removed; the first two fields of digits are user and
 // attachment, or those behind "anon". Names that begin with ._ and last fields that begin with link are
-// passed over.
+// skipped.
 string canvas_gives(const string& path) {
   static const std::regex split("_");
   const string name = path.substr(path.rfind('/') + 1);
@@ -34,8 +34,8 @@ string canvas_gives(const string& path) {
   return numbers.size() < 2 ? "" : numbers[0] + " " + numbers[1];
 }
 
-// formats.md:55: the first path part with four fields; the second is a participant's number, the third and
-// fourth name a plugin.
+// formats.md:55: the first path part with four fields counts; the second field is a participant's number, the
+// third and fourth name a plugin.
 string moodle_gives(const string& path) {
   static const std::regex form("^([^_/]*)_([0-9]+)_assign(submission|feedback)_file[^/]*/([^.~].*)$");
   std::smatch match;

@@ -1,4 +1,4 @@
-// STAFF ONLY. Grades find their rows.
+// STAFF ONLY. Finds the rows of grades.
 #include "grader/gradebook/filling.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Filling::Filling(const Csv& exported, const std::vector<Grade>& grades, const Fi
   book_.said = rows_.said();
   const auto row_of = [&](const Owner& owner, const std::string& system) {
     Roster::Match match = rows_.find(owner, system);
-    // A participant's number is of one assignment: in another one's worksheet it is somebody else's.
+    // A participant's number belongs to one assignment: in another one's worksheet it is somebody else's.
     if (system == "moodle" && match.has_other_name) match.person.reset();
     if (match.person || !options.roster) return match;
     const Roster::Match on_roster = options.roster->find(owner, system);
@@ -92,7 +92,7 @@ const Grade* Filling::at(const Csv::Row& row) {
   return grade;
 }
 
-// A cell that is not as an earlier gradebook of ours had it is a person's.
+// A cell that differs from our earlier gradebook was changed by a person.
 bool Filling::may_replace(const Csv::Row& row, const Grade& grade, const std::string& cell,
                           const std::string& by) {
   const auto is_cell = [&](const std::string& text) { return are_equal(cell, text); };

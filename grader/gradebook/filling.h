@@ -1,5 +1,5 @@
-// STAFF ONLY. What all gradebooks that are filled in have in common: whose row is whose, points as the column
-// wants them, and which cells stay as they are.
+// STAFF ONLY. The common part of gradebooks that are filled in: it matches rows and grades, writes points as
+// the column wants them, and keeps other cells.
 #pragma once
 
 #include <functional>
@@ -15,24 +15,24 @@
 namespace grader::inline gradebook {
 
 struct FillOptions {
-  // The column's title, or its number in Canvas and Blackboard; "": the only one that there is.
+  // Is the column's title, or its number in Canvas and Blackboard; "": the only column.
   std::string column = {};
-  // Points become a share of the column's maximum. Without it a maximum that differs is an error.
+  // Scales points to the column's maximum. Without it a maximum that differs is an error.
   bool scale = false;
   // Finds people whose hand-ins came by another system, by an id that both tables have.
   const Roster* roster = nullptr;
-  // Cells that a person filled in are replaced, too.
+  // Also replaces cells that a person filled in.
   bool overwrite = false;
-  // The first lines of a report, for systems whose table takes them.
+  // Returns the first lines of a report, for systems whose table takes them.
   std::function<std::string(const std::string& hand_in)> first_lines = {};
 };
 
-// How a system takes scores.
+// Describes how a system takes scores.
 struct ScoreColumn {
   const char* system;                    // "Moodle's worksheet", for messages
   std::string title;                     // "the column \"Lab 3 (8801)\"", for messages
-  std::string excused = {};              // its word; "": it has none
-  bool comma = false;                    // of decimals
+  std::string excused = {};              // is its word; "": it has none
+  bool comma = false;                    // separates decimals
   const char* beyond_maximum = nullptr;  // why more than the maximum is not entered; null: it is
 };
 
@@ -42,22 +42,22 @@ class Filling {
   Filling(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options,
           ScoreColumn column);
 
-  // The cell of scores in a row, as it becomes; nothing if it stays, for a reason that is said. Somebody with
-  // several rows has the grade in each. `stays`: why the system leaves this cell alone; "": it does not.
-  // Throws BadInput, without `scale`, if the grade is out of another maximum; without one points are as they
-  // are.
+  // Returns the new cell of scores in a row; nothing if the cell stays, and then a line gives the reason. A
+  // person with several rows has the grade in each. `stays` says why the system leaves this cell alone; "":
+  // it does not. Throws BadInput, without `scale`, if the grade has another maximum; if the column has none,
+  // points stay unchanged.
   std::optional<std::string> score(const Csv::Row& row, const std::string& cell,
                                    std::optional<double> maximum, const std::string& stays = "");
-  // Likewise a cell of words, where a score is entered.
+  // Does the same for a cell of words, if a score is entered.
   std::optional<std::string> feedback(const Csv::Row& row, const std::string& cell);
 
   void say(std::string line) { notes_.push_back(std::move(line)); }
 
-  // The grade of a row, which is asked once; null if there is none, or more than one.
+  // Returns the grade of a row, and marks it as used; null if there is none, or more than one.
   const Grade* at(const Csv::Row& row);
 
-  // With all that is said: grades that have no row, rows that have no grade, cells that stay, and what else
-  // was said.
+  // Returns the gradebook with its lines: grades without a row, rows without a grade, cells that stay, and
+  // other remarks.
   Gradebook book(std::string csv);
 
  private:

@@ -11,7 +11,7 @@ namespace {
 using std::string, std::vector;
 using Row = vector<string>;
 
-// A reader of its own: what it checks is written by ours.
+// This reader is independent of our writer, which it tests.
 vector<Row> rows_of(const string& csv, char separator) {
   vector<Row> rows;
   Row row{""};
@@ -35,7 +35,7 @@ vector<Row> rows_of(const string& csv, char separator) {
   return rows;
 }
 
-// formats.md:34: from the first three lines.
+// formats.md:34: it comes from the first three lines.
 char separator_of_canvas(const string& csv) {
   std::istringstream lines(csv);
   string line;

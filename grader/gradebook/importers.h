@@ -9,18 +9,17 @@
 namespace grader::inline gradebook {
 
 struct Imported {
-  std::map<std::string, std::string>
-      scores{};  // by the system's id: what it holds after the import, of those that change
-  std::vector<std::string> refused{};          // rules that are broken
-  std::vector<std::string> new_assignments{};  // that an importer would offer to make
+  std::map<std::string, std::string> scores{};  // by the system's id: the changed values after the import
+  std::vector<std::string> refused{};           // are broken rules
+  std::vector<std::string> new_assignments{};   // would be made by the importer, after a question
   std::vector<std::string> new_people{};
 };
 
-// `exported` is what Canvas wrote: its columns and people are what it knows.
+// `exported` is Canvas's own export, with its columns and people.
 Imported import_into_canvas(const std::string& csv, const std::string& exported,
                             const std::string& assignment);
 
-// `participants`: those that Moodle knows, with the grade that it has.
+// `participants` are those in Moodle, with their present grades.
 Imported import_into_moodle(const std::string& csv, const std::map<std::string, std::string>& participants,
                             bool decimal_comma);
 

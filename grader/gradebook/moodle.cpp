@@ -1,5 +1,4 @@
-// STAFF ONLY. Fills in Moodle's worksheet. Its importer passes over a row that it does not like without a
-// word.
+// STAFF ONLY. Fills in Moodle's worksheet. Its importer skips a bad row silently.
 #include "grader/gradebook/moodle.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ constexpr const char* kGradedAt = "Last modified (grade)";
   throw BadInput(place_of(table, table.rows.front()) + ": " + why);
 }
 
-// By English titles.
+// Finds columns by English titles.
 Worksheet columns_by_title(const Csv& table, const std::string& grades) {
   Worksheet sheet{.identifier = column_of(table, "Identifier"),
                   .grade = column_of(table, grades.empty() ? "Grade" : grades),
@@ -42,7 +41,7 @@ std::string titles_of(const std::vector<std::string>& titles) {
   return all;
 }
 
-// By place and form, where titles are in another language; says so.
+// Finds columns by place and form if titles are in another language, and reports it.
 Worksheet columns_by_form(const Csv& table, const Worksheet& sheet, const std::string& grades,
                           std::vector<std::string>& said) {
   const Cells& titles = table.rows.front().cells;

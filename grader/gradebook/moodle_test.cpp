@@ -1,4 +1,4 @@
-// STAFF ONLY. Moodle's importer takes what is filled in.
+// STAFF ONLY. Tests that Moodle's importer takes the filled cells.
 #include "grader/gradebook/moodle.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST(MoodleWorksheet, OfAnotherAssignmentIsRefused) {
   EXPECT_TRUE(says(book, "has no row in sheet.csv, its id is Jörg Müller-Lüdenscheidt's on the roster, and"));
 }
 
-// The English worksheet in another language: titles, the word for participants, "Yes" and "No".
+// Translates the English worksheet: titles, the word for participants, "Yes" and "No".
 struct Language {
   string titles, participant, yes, no;
 };
@@ -139,7 +139,7 @@ string in_language(const Language& language) {
          replaced(replaced(rows, ",Yes,", "," + language.yes + ","), ",No,", "," + language.no + ",");
 }
 
-// As Moodle in that language reads it.
+// Reads it as Moodle in that language does.
 string in_english(const Language& language, const string& csv) {
   EXPECT_EQ(csv.find(language.titles), 0u) << "titles stay as they are";
   return kTitles + replaced(csv.substr(language.titles.size()), language.participant, "Participant ");

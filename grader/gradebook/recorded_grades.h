@@ -1,4 +1,4 @@
-// STAFF ONLY. The grades of a record, as they go to learning systems.
+// STAFF ONLY. The grades of a record, for learning systems.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace grader::inline gradebook {
 
-// The grades of the record's hand-in. Throws BadInput if there are none; `folder` is for the message.
+// Returns the grades of the record's hand-in. Throws BadInput if there are none; `folder` is for the message.
 std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder);
 
 }  // namespace grader::gradebook

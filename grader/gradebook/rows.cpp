@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kPointsGrade = " points grade";
 
-// "Lab 3 Points Grade", and behind it perhaps the maximum.
+// Finds "Lab 3 Points Grade", which the maximum may follow.
 std::size_t item_column(const Csv& table, const std::string& wanted) {
   const Cells& head = table.rows.front().cells;
   std::vector<std::size_t> found;
@@ -36,7 +36,7 @@ std::size_t item_column(const Csv& table, const std::string& wanted) {
                        : "has several items; give --column with one of " + known));
 }
 
-// "<Numeric MaxPoints:10 Weight:5>"
+// Reads "<Numeric MaxPoints:10 Weight:5>".
 std::optional<double> maximum_in(const std::string& title) {
   constexpr std::string_view kWord = "MaxPoints:";
   const std::size_t at = title.find(kWord);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Rows for Brightspace and Autolab are imported, and plain ones say that they are not.
+// STAFF ONLY. Tests that rows for Brightspace and Autolab are imported, and plain rows have a warning.
 #include "grader/gradebook/rows.h"
 
 #include <gtest/gtest.h>

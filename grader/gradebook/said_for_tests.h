@@ -1,4 +1,4 @@
-// STAFF ONLY. Looks for words in the lines that a gradebook says, for tests.
+// STAFF ONLY. Looks for words in a gradebook's lines, for tests.
 #pragma once
 
 #include <algorithm>

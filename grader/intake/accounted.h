@@ -1,5 +1,5 @@
-// STAFF ONLY. What became of a file of the input. Nothing is left out without a reason. The record keeps
-// those that reached no hand-in.
+// STAFF ONLY. The fate of each file of the input: no file is left out without a reason. The record keeps the
+// files that reached no hand-in.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ struct Accounted {
   enum class As {
     hand_in,    // it belongs to the hand-in of `whose`
     made,       // the learning system wrote it
-    older,      // a newer hand-in or a later entry counts
-    left_over,  // a person must look
-    notice,     // no file, but a line in `reason` that a person must read
+    older,      // a newer hand-in or a later entry replaces it
+    left_over,  // a person must look at it
+    notice,     // is no file: a person must read the line in `reason`
   };
-  std::string path;  // the argument, and where in it; for people
+  std::string path;  // has the argument and the place in it, for people
   As as = As::hand_in;
-  std::string reason;  // "" for what belongs to a hand-in
-  std::string whose;   // a submission's name; "" for nobody's
+  std::string reason;  // "" if the file belongs to a hand-in
+  std::string whose;   // a submission's name; "" if the file belongs to nobody
 };
 
 inline std::string to_string(Accounted::As as) {

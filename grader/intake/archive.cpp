@@ -43,15 +43,15 @@ std::string first_bytes(const ArchiveSource& source) {
   return head;
 }
 
-// As it stands, in whatever code page; "" if the library can't say it.
+// Returns the name's bytes, in any code page; "" if the library can't give it.
 std::string name_in(archive_entry* entry) {
   const char* path = archive_entry_pathname(entry);
   if (!path) path = archive_entry_pathname_utf8(entry);
   return path ? path : "";
 }
 
-// One reading of an archive from its first entry on. A gzip is unpacked by a reader of its own whose output
-// is counted: the bytes that the inner tar states are not.
+// Reads an archive once, from its first entry on. A gzip has a reader of its own that counts the output,
+// since the library limits only the sizes that the inner tar states.
 class Reading {
  public:
   Reading(const ArchiveSource& source, const std::string& shown, ArchiveLimits limits)
@@ -81,14 +81,14 @@ class Reading {
       if (!zip_->is_zip()) refuse_format("neither a zip nor a tar.gz archive");
       if (zip_->entries() > limits.entries) refuse_entries();
       archive_read_support_format_zip_seekable(entries_.get());
-      empty_ = zip_->is_empty();  // the library takes it for a damaged one
+      empty_ = zip_->is_empty();  // libarchive reports an empty zip as damaged
       if (!empty_ && zip_->open(entries_.get()) < ARCHIVE_WARN) refuse_damaged();
     }
   }
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
 
-  // Null at the end.
+  // Returns null at the end.
   archive_entry* next() {
     if (empty_) return nullptr;
     for (;;) {
@@ -96,7 +96,7 @@ class Reading {
       const int result = archive_read_next_header(entries_.get(), &entry);
       if (result == ARCHIVE_EOF) return nullptr;
       if (result < ARCHIVE_WARN) refuse();
-      // Files that systems leave behind are passed over here, so that they use up no limit.
+      // Files of the operating system are skipped here, so that they use up no limit.
       if (is_ignored(entry_at(name_in(entry)).path)) continue;
       if (++count_ > limits_.entries) refuse_entries();
       return entry;
@@ -170,7 +170,7 @@ class Reading {
     if (result < ARCHIVE_WARN) refuse_damaged();
   }
 
-  // Stored and deflated data take a window of 32 kB. With other methods of zip a few bytes ask for gigabytes:
+  // Stored and deflated data need a window of 32 kB. In other methods of zip a few bytes request gigabytes:
   // the dictionary of LZMA and xz, the model of PPMd. The library names the method: "ZIP 2.0 (deflation)".
   bool is_frugal() {
     if (archive_format(entries_.get()) != ARCHIVE_FORMAT_ZIP) return true;
@@ -184,7 +184,7 @@ class Reading {
     if (archive_read_open(entries_.get(), this, nullptr, read, nullptr) < ARCHIVE_WARN) refuse();
   }
 
-  // The first block of what a gzip holds: it may be one file, and no tar.
+  // Unpacks a gzip's first block: its content may be one file, and no tar.
   void unpack_head() {
     while (head_ < kHeadBytes) {
       const la_ssize_t size = archive_read_data(stream_.get(), block_.data() + head_, block_.size() - head_);
@@ -234,10 +234,10 @@ class Reading {
   bool too_much_ = false, empty_ = false;
   std::size_t count_ = 0;
   std::array<char, 65536> block_;
-  std::size_t head_ = 0;  // bytes in the block that were unpacked to look at them
+  std::size_t head_ = 0;  // bytes unpacked in the block's first look
   std::ifstream file_;
   std::optional<ZipSource> zip_;
-  Handle stream_;   // a gzip's only content
+  Handle stream_;   // is a gzip's only content
   Handle entries_;  // destroyed before the stream that it reads
 };
 
@@ -280,7 +280,7 @@ void Archive::visit(const std::vector<std::size_t>& indices,
                     const std::function<void(std::size_t, const Read&)>& take) {
   if (indices.empty()) return;
   Reading reading(source_, shown_, limits_);
-  std::size_t next = 0;  // the index of the entry that comes next
+  std::size_t next = 0;  // is the index of the next entry
   for (const std::size_t index : indices) {
     archive_entry* entry = nullptr;
     for (; next <= index; ++next) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. Archives: zip (by its central directory, whatever stands before and behind it, data stored or
-// deflated) and tar of any age, plain or in one layer of gzip, recognised by content. The limits bound the
+// STAFF ONLY. Archives: zip (read by its central directory, with any bytes before and behind it, data stored
+// or deflated) and tar of any age, plain or in one layer of gzip, recognised by content. The limits bound the
 // cost of reading, whatever sizes the archive claims.
 #pragma once
 
@@ -14,21 +14,21 @@
 namespace grader::inline intake {
 
 struct ArchiveLimits {
-  std::size_t unpacked_bytes;  // of a tar's whole stream; of a zip, only of the entries that are read
+  std::size_t unpacked_bytes;  // counts a tar's whole stream; of a zip, the entries that are read
   std::size_t entries;
 };
 
-inline constexpr std::size_t kLongestPath = 4096;  // in an archive, bytes
+inline constexpr std::size_t kLongestPath = 4096;  // bytes of a path in an archive
 
 struct OpenFile {
-  int descriptor;  // of a file, which its owner closes
+  int descriptor;  // belongs to the caller, who closes it
 };
-// A file on disk, an archive's bytes, or an open file.
+// Is a file on disk, an archive's bytes, or an open file.
 using ArchiveSource = std::variant<std::filesystem::path, std::string, OpenFile>;
 
 class Archive : public Container {
  public:
-  // `shown` is its name in messages.
+  // `shown` is the archive's name in messages.
   Archive(ArchiveSource source, std::string shown, ArchiveLimits limits);
 
   std::vector<Entry> list() override;
@@ -41,13 +41,13 @@ class Archive : public Container {
   ArchiveLimits limits_;
 };
 
-// How archives are opened. `open_here` reads them in this process, with all its rights, whatever their bytes
-// do to the library; caged_archive.h reads them in a cage.
+// Opens an archive. `open_here` reads it in this process, with all its rights, whatever its bytes do to the
+// library; caged_archive.h reads it in a sandbox.
 using OpenArchive =
     std::function<std::unique_ptr<Container>(ArchiveSource, const std::string& shown, ArchiveLimits)>;
 std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits);
 
-// Whether the file starts like a zip or a gzip, or is a tar.
+// True if the file starts like a zip or a gzip, or is a tar.
 bool has_archive_content(const std::filesystem::path& file);
 
 }  // namespace grader::intake

@@ -15,7 +15,7 @@
 
 namespace grader::inline intake {
 
-// `bytes` as a gzip without a tar.
+// Packs `bytes` as a gzip without a tar.
 inline std::string gzip(const std::string& bytes) {
   std::string packed(bytes.size() + 4096, '\0');
   std::size_t used = 0;
@@ -110,7 +110,7 @@ class ArchiveBuilder {
   std::string bytes_;
 };
 
-// A zip whose entries and directory state offsets that count `before`, which stands before the first entry.
+// Makes a zip whose entries and directory state offsets that count the bytes `before` the first entry.
 inline std::string counted_behind(const std::string& before, std::string zip) {
   const auto add = [&](std::size_t at) {
     std::uint32_t offset = 0;
@@ -129,7 +129,7 @@ inline std::string with_comment(std::string zip, const std::string& comment) {
   return zip + comment;
 }
 
-// One zip as other programs write and open it, by the difference. Comments have so many bytes.
+// Returns one zip in the forms that other programs write and open. Comments have `length` bytes.
 inline std::map<std::string, std::string> forms_of(const std::string& zip, std::size_t length = 65535) {
   const std::string longest(length, 'c'), zeros(length, '\0'), stub = "#!/bin/sh\nexec unzip $0\n";
   return {{"none", zip},
@@ -148,7 +148,7 @@ inline std::map<std::string, std::string> forms_of(const std::string& zip, std::
           {"all of it", "MZ" + zeros + with_comment(zip, longest) + zeros}};
 }
 
-// A zip of one file "a.cpp" with these data, which are packed by one of zip's methods (APPNOTE.TXT, 4.4.5): 8
+// Makes a zip of one file "a.cpp" with these packed data. The methods of zip are (APPNOTE.TXT, 4.4.5): 8
 // deflate, 12 bzip2, 14 LZMA, 93 Zstandard, 95 xz, 98 PPMd.
 inline std::string zip_of_method(int method, const std::string& data) {
   std::string zip = ArchiveBuilder(Packing::zip, "zip:compression=store").file("a.cpp", data).bytes();

@@ -1,4 +1,4 @@
-// STAFF ONLY. Tells formats by first bytes, and kinds by endings.
+// STAFF ONLY. Recognises formats by first bytes, and kinds by extensions.
 #include "grader/intake/archive_format.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 19> kArchives{
     ".tar.gz", ".tgz", ".zip", ".tar", ".tar.xz", ".txz", ".tar.bz2", ".tbz2", ".tar.zst", ".rar",
     ".7z",     ".gz",  ".xz",  ".bz2", ".zst",    ".lz",  ".lzma",    ".zipx", ".cab"};
 
-// No text files: a README.txt or a grades.csv beside a class's archives is nobody's.
+// Text files are no documents: a README.txt or a grades.csv among a class's archives is no hand-in.
 constexpr std::array<std::string_view, 8> kDocuments{".pdf", ".doc",   ".docx", ".odt",
                                                      ".rtf", ".pages", ".ppt",  ".pptx"};
 
@@ -30,7 +30,7 @@ std::size_t ending_length(std::string_view name, std::span<const std::string_vie
 
 }  // namespace
 
-// "PK00" and "PK\7\8" stand before a zip that could have been split, and was not (APPNOTE.TXT 8.5.4).
+// "PK00" and "PK\7\8" begin a zip that could have been split, and was not (APPNOTE.TXT 8.5.4).
 bool is_zip(std::string_view head) {
   if (head.starts_with("PK00") || head.starts_with("PK\x07\x08")) head.remove_prefix(4);
   return head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06");
@@ -44,8 +44,8 @@ bool is_tar(std::string_view head) {
   constexpr std::size_t kSum = 148, kSumSize = 8;
   if (head.size() != kHeadBytes) return false;
   if (head.substr(257, 5) == "ustar") return true;
-  // Older ones state nothing but the sum of the header's bytes, which some took for signed, where blanks
-  // stand for the sum itself.
+  // Older tars have only the sum of the header's bytes, with blanks in place of the sum itself. Some programs
+  // added the bytes as signed numbers.
   const std::size_t digits = std::min(head.find_first_not_of(' ', kSum), kSum + kSumSize);
   unsigned stated = 0, sum = kSumSize * ' ';
   std::from_chars(head.data() + digits, head.data() + kSum + kSumSize, stated, 8);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Hostile bytes as an archive: read alone, and handed in as a submission or a class. A tar is
-// tried with the right checksums, too, and packed by gzip: no change of one byte hits upon these.
+// STAFF ONLY. Reads hostile bytes as an archive: alone, and handed in as a submission or a class. A tar also
+// gets right checksums and is packed by gzip, since a change of one byte never gives these.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -18,14 +18,14 @@ namespace {
 using grader::Archive, grader::ArchiveBuilder, grader::Container, grader::Entry, grader::Packing;
 
 constexpr std::size_t kMostUnpacked = 1 << 20, kMostOfAFile = 1 << 16, kMostEntries = 200;
-constexpr std::size_t kBlock = 512;  // of a tar
+constexpr std::size_t kBlock = 512;  // is a tar's block
 
-// Or may become one by a right checksum.
+// True if a right checksum makes a tar of these bytes.
 bool may_be_tar(std::string_view bytes) {
   return bytes.size() >= kBlock && !bytes.starts_with("PK") && !bytes.starts_with("\x1f\x8b");
 }
 
-// An octal number, as far as it is one.
+// Reads an octal number, up to the first other byte.
 std::size_t octal(std::string_view digits) {
   std::size_t number = 0;
   for (const char c : digits) {
@@ -35,7 +35,7 @@ std::size_t octal(std::string_view digits) {
   return number;
 }
 
-// The same tar with each header's checksum: the sum of its bytes, with spaces for the sum's eight.
+// Writes the right checksum into each header of a tar: the sum of its bytes, with eight spaces for the sum.
 std::string repaired(std::string_view bytes) {
   std::string all(bytes);
   for (std::size_t at = 0; at + kBlock <= all.size();) {
@@ -60,7 +60,7 @@ void check(const Entry& entry) {
   fuzz::expect(entry.path.empty() || path.find("//") == std::string::npos, "a path has no empty part");
 }
 
-// What each entry holds; nothing for one that is refused.
+// Holds the content of each entry; nothing for a refused one.
 using Texts = std::vector<std::optional<std::string>>;
 
 Texts texts_of(Archive& archive, std::size_t count, std::size_t most) {
@@ -99,7 +99,7 @@ grader::Course two_exercises() {
   return course;
 }
 
-// A file in memory, under a path.
+// Is a file in memory, under a path.
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("submission", 0)) {
@@ -154,9 +154,8 @@ void fuzz::try_input(std::string_view bytes) {
   try_bytes(grader::gzip(tar));
 }
 
-// All that an archive unpacks to may be there at once, in a text that doubles as it grows; a submission's
-// nested archives are there with what is in them, three deep. The library has megabytes of its own for
-// headers and windows.
+// All unpacked bytes of an archive may be in memory at once, in a text that doubles as it grows, and three
+// nested archives with their contents. The library has megabytes of its own for headers and windows.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 16'000'000 + 6 * kMostUnpacked + 100 * input;
 }
@@ -184,7 +183,7 @@ std::vector<std::string> fuzz::seeds() {
     for (const auto& [form, bytes] :
          grader::forms_of(ArchiveBuilder(Packing::zip, options).file("a.cpp").bytes(), 100))
       all.push_back(bytes);
-  // LZMA and PPMd, which ask for memory of their own: 64 kB and 1 MiB here.
+  // LZMA and PPMd request memory: 64 kB and 1 MiB here.
   all.push_back(grader::zip_of_method(14, std::string("\x09\x04\x05\0\x5d\0\0\1\0\0\x12\x34\x56\x78", 14)));
   all.push_back(grader::zip_of_method(98, std::string("\x05\0\0\x12\x34\x56\x78", 7)));
   for (const int method : {12, 93, 95}) all.push_back(grader::zip_of_method(method, "12345678"));

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Serves an archive's contents from inside the sandbox.
 #include "grader/intake/archive_service.h"
 
 #include <signal.h>
@@ -110,7 +110,7 @@ std::vector<Entry> unpacked_entries(std::vector<std::byte> bytes, std::size_t mo
     const auto kind = message.get<std::uint8_t>();
     if (kind > static_cast<std::uint8_t>(Entry::Kind::special))
       throw MalformedMessage("an entry of kind " + std::to_string(kind));
-    // What the path means is found out here, as for any other container.
+    // The path is interpreted here, outside the sandbox, as for any other container.
     Entry& entry = entries.emplace_back(entry_at(path));
     entry.kind = static_cast<Entry::Kind>(kind);
     entry.encrypted = message.get<std::uint8_t>() != 0;

@@ -1,5 +1,5 @@
-// STAFF ONLY. An archive's reader in a cage, and what it says. It begins with two open descriptors: the
-// archive, and one end of a conversation about it.
+// STAFF ONLY. The protocol of an archive's reader in a sandbox. The reader begins with two open descriptors:
+// the archive, and a socket to intake.
 //
 //   intake -> reader             reader -> intake
 //
@@ -7,7 +7,7 @@
 //                                done(the entries) | cannot_load(why)
 //   request(entry, most bytes)   done(its bytes) | threw(why this one can't be read) | cannot_load(why)
 //
-// Entries are asked for in ascending order. "cannot_load" is about the whole archive, and the last word.
+// Entries are asked for in ascending order. "cannot_load" is about the whole archive, and the last message.
 #pragma once
 
 #include <sys/types.h>
@@ -28,18 +28,18 @@ struct ReaderLimits {
   std::size_t memory_bytes = 0;
 };
 
-// From now on this process reads what is open, computes, and writes to the conversation. Ends it if that
-// can't be had.
+// Limits this process to reading open files, computing, and writing to the socket. Ends it if the kernel
+// refuses the limits.
 void lock_reader(const ReaderLimits& limits);
 
-// Reads the archive and answers until nobody asks any more.
+// Reads the archive and answers requests until the socket closes.
 void serve_archive(const std::string& shown, ArchiveLimits limits);
 
-// The list of entries as bytes.
+// Returns the list of entries as bytes.
 std::vector<std::byte> packed_entries(const std::vector<Entry>& entries);
 
-// The same back. Nothing in it is trusted: throws MalformedMessage for more than `most` entries, for a path
-// that is too long, and for anything else that no reader says.
+// Returns the list of these bytes. It trusts nothing: it throws MalformedMessage for more than `most`
+// entries, for a path that is too long, and for any other deviation from the protocol.
 std::vector<Entry> unpacked_entries(std::vector<std::byte> bytes, std::size_t most);
 
 }  // namespace grader::intake

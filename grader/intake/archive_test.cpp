@@ -1,4 +1,4 @@
-// STAFF ONLY. Archives come back as they were packed; hostile ones are refused within limits.
+// STAFF ONLY. Tests that archives come back as packed, and that hostile ones are refused within limits.
 #include "grader/intake/archive.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr ArchiveLimits kLimits{1 << 20, 100};
 
-// Why the archive is refused, "" if it isn't.
+// Returns the reason for which the archive is refused, or "".
 std::string refusal(const std::string& bytes, ArchiveLimits used = kLimits) {
   Archive archive(bytes, "x", used);
   try {
@@ -52,7 +52,7 @@ TEST_P(EveryPacking, WhatWasPackedComesBack) {
   EXPECT_EQ(texts, (std::vector<std::string>{"text", binary, ""}));
 }
 
-// Nothing is in it, and nothing is wrong with it.
+// An archive without entries is not damaged.
 TEST_P(EveryPacking, AnEmptyOneIsNotDamaged) {
   if (GetParam() == Packing::tar || GetParam() == Packing::v7)
     GTEST_SKIP() << "an empty tar is zeros: nothing says what they are";
@@ -132,8 +132,7 @@ TEST(Archive, ADamagedEntryDoesNotHideTheNext) {
   const std::string text(5000, 'x');
   std::string bytes =
       ArchiveBuilder(Packing::zip).file("a", std::string("AAAA") + text).file("b", "BBBB").bytes();
-  // A deflate block of no known type at the start of the first entry's data, which follows its name and extra
-  // field.
+  // A deflate block of no known type begins the first entry's data, behind its name and extra field.
   bytes.at(30 + 1 + static_cast<unsigned char>(bytes.at(28))) = '\xff';
   Archive archive(bytes, "x", kLimits);
   ASSERT_EQ(archive.list().size(), 2u);
@@ -147,8 +146,7 @@ TEST(Archive, ADamagedEntryDoesNotHideTheNext) {
   EXPECT_EQ(second, "BBBB");
 }
 
-// A zip's sizes are its own word: here 8 MiB of zeros that state 4 bytes, in the directory and beside the
-// data.
+// A zip may state false sizes: here 8 MiB of zeros state 4 bytes, in the directory and at the data.
 TEST(Archive, AFalseSizeDoesNotWidenTheLimit) {
   std::string bytes = ArchiveBuilder(Packing::zip).zeros("zeros", 8 << 20).bytes();
   const std::string stated("\0\0\x80\0", 4);
@@ -163,7 +161,7 @@ TEST(Archive, AFalseSizeDoesNotWidenTheLimit) {
   archive.visit({0}, [](std::size_t, const Container::Read& read) { EXPECT_THROW(read(1000), Refused); });
 }
 
-// What unpacks them takes as much memory as they ask for: here 4 GiB for a dictionary, 256 MiB for a model.
+// They choose the memory of their unpacker: here 4 GiB for a dictionary, 256 MiB for a model.
 TEST(Archive, MethodsOfZipThatAskForMemoryAreRefused) {
   const std::string lzma("\x09\x04\x05\0\x5d\xff\xff\xff\xff\0", 10), model("\xff\x2f", 2);
   for (const auto& [method, data] :
@@ -188,7 +186,7 @@ TEST(Archive, AZipIsReadWhateverStandsAroundIt) {
     }
 }
 
-// It ends with another one, whose end would be taken for its own.
+// The file ends with another zip, whose end record must not count for the first one.
 TEST(Archive, AZipThatWasCutOffIsNotTheOneInIt) {
   const std::string inner = ArchiveBuilder(Packing::zip).file("a.cpp").bytes();
   const std::string outer =

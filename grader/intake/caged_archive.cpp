@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Starts an archive's reader in a sandbox and asks it for entries.
 #include "grader/intake/caged_archive.h"
 
 #include <fcntl.h>
@@ -26,17 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "hairintake";
-constexpr std::size_t kLargestList = std::size_t{256} << 20;  // the longest paths of all entries of a class
+constexpr std::size_t kLargestList = std::size_t{256} << 20;  // bounds the longest paths of a class
 constexpr std::size_t kLargestReason = 4096;
-constexpr std::size_t kMemory = std::size_t{3} << 29;  // an archive in the archive, grown by doubling
+constexpr std::size_t kMemory = std::size_t{3} << 29;  // fits a nested archive in a text that doubles
 
 // Slow machines unpack ten megabytes a second.
 int cpu_seconds(ArchiveLimits limits) {
   return static_cast<int>(std::min<std::size_t>(5 + limits.unpacked_bytes / 10'000'000, 7200));
 }
 
-// It waits for disks, too, which read ten megabytes a second at least; and by the clock for others who want
-// the processor.
+// It also waits for disks, which read ten megabytes a second at least; wall time counts its waits for a
+// processor, too.
 Watchdog::Patience patience(ArchiveLimits limits, int archive) {
   struct stat status = {};
   const double megabytes = fstat(archive, &status) == 0 ? 1e-6 * static_cast<double>(status.st_size) : 0;
@@ -105,7 +105,7 @@ class CagedArchive : public Container {
              const std::function<void(std::size_t, const Read&)>& take) override {
     for (const std::size_t index : indices) {
       take(index, [&](std::size_t most) { return read(index, most); });
-      // Whoever takes an entry may forgive that it can't be read. Nothing comes after a failure of the whole.
+      // A caller may go on after one bad entry. A failure of the whole archive is final.
       if (broken_) throw Unreadable(*broken_);
     }
   }
@@ -122,7 +122,7 @@ class CagedArchive : public Container {
     MessageWriter question;
     question.put(static_cast<std::uint64_t>(index)).put(static_cast<std::uint64_t>(most));
     try {
-      channel_.send(Kind::request, 0, question.bytes());  // if nobody takes it, nobody answers
+      channel_.send(Kind::request, 0, question.bytes());  // a reader that is gone never answers
       const Message answer = reply(std::max(most, kLargestReason));
       if (answer.body.size() > most) throw MalformedMessage("more bytes than it was asked for");
       return {reinterpret_cast<const char*>(answer.body.data()), answer.body.size()};
@@ -131,7 +131,7 @@ class CagedArchive : public Container {
     }
   }
 
-  // Throws Refused for what is not done.
+  // Throws Refused for a request that failed.
   Message reply(std::size_t limit) {
     std::optional<Message> message = channel_.receive(limit);
     if (!message) fail(ended());
@@ -182,7 +182,7 @@ class CagedArchive : public Container {
   CagedProcess process_;
   Watchdog watchdog_;
   Channel channel_;
-  std::optional<std::string> broken_;  // why nothing more can be read, for the student
+  std::optional<std::string> broken_;  // is the student's reason why nothing more can be read
 };
 
 }  // namespace

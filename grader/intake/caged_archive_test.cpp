@@ -1,4 +1,4 @@
-// STAFF ONLY. What the cage of a reader keeps from it, and what a reader that breaks down costs: itself.
+// STAFF ONLY. Tests that a reader's sandbox holds, and that a reader's failure costs only its archive.
 #include "grader/intake/caged_archive.h"
 
 #include <signal.h>
@@ -9,15 +9,15 @@
 namespace grader::inline intake {
 namespace {
 
-// Classes that are read by a hostile reader (hostile_reader.cpp).
+// Reads classes by a hostile reader (hostile_reader.cpp).
 class CagedReading : public Submissions {
  protected:
-  CagedReading() { limits_.unpacked_bytes = limits_.stream_bytes = 1 << 20; }  // so that it has 5 s
+  CagedReading() { limits_.unpacked_bytes = limits_.stream_bytes = 1 << 20; }  // gives it 5 s
 
   Intake read_hostile(const fs::path& argument) const {
     return read_submissions({argument}, two_exercises(), hostile_.opener(), limits_);
   }
-  // The one submission that is an archive of these bytes.
+  // Returns the one submission that is an archive of these bytes.
   Submission attacked(const std::string& bytes) {
     intake_ = read_hostile(write("only/alice.zip", bytes).parent_path());
     return intake_.submissions.at(0);
@@ -86,7 +86,7 @@ TEST_F(CagedReading, BreaksDownForItselfAloneInAnArchiveOfAClass) {
   EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "z");
 }
 
-// Nobody gets a 0 for a class that can't be read whole.
+// A class that can't be read whole is no reason for a 0.
 TEST_F(CagedReading, MayBreakDownHalfway) {
   try {
     read_hostile(write("class.zip", "evil-half"));

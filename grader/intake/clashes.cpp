@@ -1,4 +1,4 @@
-// STAFF ONLY. Keeps submissions of one name apart.
+// STAFF ONLY. Keeps submissions with the same name apart.
 #include "grader/intake/clashes.h"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ bool comes_before(const Draft& a, const Draft& b) {
   return std::tie(a.submission.name, a.path) < std::tie(b.submission.name, b.path);
 }
 
-// A draft and another one of its name.
+// Marks a draft that has the same name as another one.
 void mark(Draft& draft, const std::string& name, const Draft& other) {
   const std::string both = " are both the submission \"" + name + "\"";
-  draft.submission.origin.clear();  // the name of its row is made of a path, and of no student
+  draft.submission.origin.clear();  // its name is made of a path, not of a student
   draft.refuse(Refused(draft.shown + " and " + other.shown + both +
                        ", so this one was not graded. One of them needs another name."));
   draft.notices.push_back(draft.origin + " and " + other.origin + both +
@@ -47,8 +47,8 @@ void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notic
     const std::string name = drafts[begin].submission.name;
     while (end < drafts.size() && drafts[end].submission.name == name) ++end;
     if (end - begin == 1) continue;
-    // A person names arguments, and anybody what lies in them: one argument of a name stands, whatever
-    // classes hold.
+    // A person chooses the names of arguments, and students the names in them: an argument keeps its name
+    // even if a class holds the same one.
     const auto is_hand_in = [](const Draft& draft) { return !is_of_a_class(draft.submission.origin); };
     const auto first = drafts.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = drafts.begin() + static_cast<std::ptrdiff_t>(end);

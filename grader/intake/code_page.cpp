@@ -29,7 +29,7 @@ bool is_east_asian(utf8proc_int32_t c) {
   return (c >= 0x3041 && c <= 0x30fe) || (c >= 0x4e00 && c <= 0x9fff);
 }
 
-// How much a name looks like one. Accented letters stand among Latin ones, and ideograms among their like.
+// Rates how much a text looks like a name: accented letters stand among Latin ones, ideograms together.
 double likeness(std::string_view text) {
   double sum = 0;
   utf8proc_int32_t before = ' ';
@@ -65,7 +65,7 @@ std::string decode_names(std::vector<std::string>& names) {
   for (std::string& name : names)
     if (!is_utf8(name)) unknown.push_back(&name);
   if (unknown.empty()) return {};
-  // The last one takes any bytes.
+  // The last code page takes any bytes.
   constexpr std::array<const char*, 5> kPages{"CP1252", "CP437", "GB18030", "SHIFT_JIS", "ISO-8859-1"};
   std::string best;
   double best_sum = 0;
@@ -84,7 +84,7 @@ std::string decode_names(std::vector<std::string>& names) {
     best_sum = sum;
     best_names = std::move(decoded);
   }
-  if (best.empty()) {  // without any table
+  if (best.empty()) {  // the system has none of these tables
     best = "ISO-8859-1";
     for (const std::string* name : unknown) {
       std::string& text = best_names.emplace_back();

@@ -38,8 +38,8 @@ Entry entry_at(std::string shown) {
 
 namespace {
 
-// The path, where a number stands for each part that is longer than file systems have it or that can't be
-// composed in linear time.
+// Replaces each part of the path that is too long for file systems, or takes more than linear time to
+// compose, by a number.
 std::string within_limits(std::string_view path) {
   constexpr std::size_t kLongestPart = 255;
   std::string result;

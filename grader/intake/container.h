@@ -1,5 +1,5 @@
-// STAFF ONLY. A container of files: an archive or a folder. It is listed first and read later, so that only
-// names decide which files are read. The container is untrusted: its sizes, its paths and its length may be
+// STAFF ONLY. A container of files: an archive or a folder. It is listed first and read later, so that names
+// alone decide which files are read. The container is untrusted: its sizes, its paths and its length may be
 // wrong or infinite.
 #pragma once
 
@@ -19,10 +19,10 @@ class Refused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The same for what can't be read as what it is. The whole submission then gets a status of its own.
+// Rejects content that can't be read in its format. The whole submission then gets a status of its own.
 class Unreadable : public Refused {
  public:
-  // `failure`: not empty if our reader failed with it, a sentence for staff.
+  // `failure` is a sentence for staff if our reader failed because of it, or empty.
   explicit Unreadable(const std::string& why, std::string failure = {})
       : Refused(why), failure_(std::move(failure)) {}
   const std::string& failure() const { return failure_; }
@@ -34,27 +34,27 @@ class Unreadable : public Refused {
 struct Entry {
   enum class Kind { file, folder, symbolic_link, hard_link, special };
 
-  std::string shown;  // the path as the container states it
-  std::string path;   // folders and name separated by '/', without ".", ".." and a root
+  std::string shown;  // is the path as the container states it
+  std::string path;   // has folders and name separated by '/', without ".", ".." and a root
   Kind kind = Kind::file;
   std::uintmax_t bytes = 0;    // as the container states it
-  bool leads_outside = false;  // ".." behind a folder
-  bool lost_root = false;      // it began at a root, as "/" or "C:\\", or with "..", and does no more
-  bool replaced = false;       // another entry of this path comes later, and counts
+  bool leads_outside = false;  // has ".." behind a folder
+  bool lost_root = false;      // began at a root ("/", "C:\\") or with "..", which is removed
+  bool replaced = false;       // a later entry with this path replaces it
   bool encrypted = false;
-  bool closed = false;  // a folder that can't be listed
+  bool closed = false;  // is a folder that can't be listed
 };
 
 // Derives `path`, `leads_outside` and `lost_root` from `shown`. '\' also separates, because some Windows
-// programs write it. A root is left away, with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
+// programs write it. A root is removed with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
 Entry entry_at(std::string shown);
 
-// Names as people read them: decoded (code_page.h), composed, and a path for what has none, "entry 17".
-// "name-1a2b3c4d" stands for a part of more than 255 bytes or with more than 30 marks in a row. Marks what is
-// replaced. Returns what was guessed, refused and left away, a line each, which `shown` begins.
+// Makes names readable: decoded (code_page.h) and composed; a nameless entry becomes "entry 17".
+// "name-1a2b3c4d" replaces a part of more than 255 bytes or with more than 30 marks in a row. Marks replaced
+// entries. Returns a line for each name that was guessed, refused or left out; each begins with `shown`.
 std::vector<std::string> settle_names(std::vector<Entry>& list, const std::string& shown);
 
-std::string_view name_of(const Entry& entry);  // the last part of its path
+std::string_view name_of(const Entry& entry);  // returns the last part of its path
 
 class Container {
  public:
@@ -72,7 +72,7 @@ class Container {
                      const std::function<void(std::size_t index, const Read&)>& take) = 0;
 };
 
-// "256 MiB" (rounded down), "100 bytes".
+// Returns "256 MiB" (rounded down), "100 bytes".
 std::string shown_size(std::uintmax_t bytes);
 
 }  // namespace grader::intake

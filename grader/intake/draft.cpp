@@ -1,4 +1,4 @@
-// STAFF ONLY. A submission while it is read.
+// STAFF ONLY. Collects a submission's files, and checks its limits.
 #include "grader/intake/draft.h"
 
 #include <numeric>

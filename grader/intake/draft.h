@@ -1,4 +1,4 @@
-// STAFF ONLY. A submission while it is read, and what it has used of its limits.
+// STAFF ONLY. A submission while it is read, and the used part of its limits.
 #pragma once
 
 #include <map>
@@ -17,10 +17,10 @@ class IntakeBudget {
  public:
   explicit IntakeBudget(const IntakeLimits& limits) : limits_(limits), bytes_left_(limits.unpacked_bytes) {}
 
-  // So many more files and folders. Throws Refused, as the next one.
+  // Counts more files and folders. Throws Refused, as charge_bytes does.
   void charge_entries(std::size_t count);
-  // Counts entries that will be read. Sizes are those that the container states; reading is limited again by
-  // what really comes.
+  // Counts entries that will be read, by the sizes that the container states; reading is limited again by the
+  // real sizes.
   void charge_bytes(std::uintmax_t bytes);
 
   ArchiveLimits for_archive() const { return {limits_.stream_bytes, limits_.entries}; }
@@ -31,22 +31,22 @@ class IntakeBudget {
   std::size_t entries_ = 0;
 };
 
-// An exercise file as a submission has it.
+// Holds the place of an exercise file in a submission.
 struct Found {
-  std::string shown;       // where it lies
-  bool set_aside = false;  // among builds or backups (same_name.h)
-  bool renamed = false;    // under a name that copies get
+  std::string shown;       // is the path for people
+  bool set_aside = false;  // lies among builds or backups (same_name.h)
+  bool renamed = false;    // has a name that copies get
 
   std::pair<bool, bool> rank() const { return {set_aside, renamed}; }
 };
 
-// The one that is taken of all files of one name.
+// Holds the chosen one of all files with one name.
 struct Choice {
   Found taken;
-  std::string rival = {};  // counts as much, and has other bytes
+  std::string rival = {};  // has the same rank, but other bytes
 };
 
-// Files of one name that a rule passed over.
+// Lists files of one name that a rule rejected.
 struct PassedOver {
   std::string first;
   std::size_t count = 0;
@@ -54,33 +54,33 @@ struct PassedOver {
 
 struct Draft {
   Submission submission;
-  std::string origin;  // for staff: which argument, and where in it
-  std::string path;    // the same from the root of the disk on, whatever the argument was
-  std::string shown;   // for students: its own part of the path, with the folder or archive around it
+  std::string origin;  // names the argument and the place in it, for staff
+  std::string path;    // is the same path from the disk's root on, whatever the argument was
+  std::string shown;   // is the student's own part of the path, with the folder or archive around it
   IntakeBudget budget;
   std::map<std::string, Choice> found = {};  // by exercise file
   std::map<std::string, PassedOver> passed_over = {};
-  std::size_t archives = 0;                      // opened in it
-  std::vector<std::string> seen = {};            // names of other files in it, the first ones
-  std::map<std::string, std::string> near = {};  // by exercise file: a file that looks like it
-  std::vector<std::string> shut = {};  // archives in it that can't be read: sentences for the student
-  std::vector<std::string> notices = {}, remarks = {};  // for staff: to look at, to know
+  std::size_t archives = 0;                      // counts archives that were opened in it
+  std::vector<std::string> seen = {};            // are the first names of other files in it
+  std::map<std::string, std::string> near = {};  // by exercise file: a file with a similar name
+  std::vector<std::string> shut = {};  // name archives in it that can't be read: sentences for the student
+  std::vector<std::string> notices = {}, remarks = {};  // both for staff: only notices need a look
   std::vector<Accounted> accounted = {};
 
   void refuse(const Refused& why);
   bool refused() const { return !submission.problem.empty(); }
 
-  // A file was read, or can't be. Of files of one name the one of the least rank is taken; identical bytes
+  // Adds a file that was read, or can't be. Of files with one name the lowest rank is taken; identical bytes
   // count once.
   void offer(const std::string& exercise_file, const Found& where, SourceFile file);
   void pass_over(const std::string& exercise_file, const std::string& where, std::size_t count = 1);
   void see(std::string_view name);
 
-  // Says which files were taken, and what a person must look at; `exercise_files` are all of the course.
+  // Reports the taken files, and those that a person must look at; `exercise_files` are all of the course.
   void finish(const FileNames& exercise_files);
 };
 
-// Why an entry that should be a file is none, or must not be taken; "" if all is well.
+// Returns why an entry is no regular file, or must not be taken; "" if all is well.
 std::string problem_of(const Entry& entry, const std::string& shown);
 
 }  // namespace grader::intake

@@ -1,4 +1,4 @@
-// STAFF ONLY. Which exercise file a name means.
+// STAFF ONLY. Finds the exercise file that a name means.
 #include "grader/intake/exercise_names.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// The letters and digits alone.
+// Returns the letters and digits alone.
 std::string skeleton(std::string_view lower) {
   std::string bare;
   for (const char c : lower)
@@ -65,7 +65,7 @@ std::optional<Likeness> exercise_file(std::string_view name, const FileNames& ex
   std::string bare = skeleton(std::string_view(lower).substr(0, lower.find('.')));
   for (const std::string& file : exercise_files) {
     const std::string wanted = skeleton(in_lower_case(std::string_view(file).substr(0, file.find('.'))));
-    // "conjgradfinal2", "myconjgrad"
+    // Similar names are "conjgradfinal2", "myconjgrad".
     constexpr std::size_t kMostBeside = 8;
     const std::size_t at = bare.find(wanted);
     if (at != std::string::npos && bare.size() <= wanted.size() + kMostBeside)

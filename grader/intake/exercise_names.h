@@ -1,8 +1,7 @@
-// STAFF ONLY. Which exercise file a name means.
-//
-//   conj_grad.cpp                                        the file itself
-//   conj_grad (1).cpp, conj_grad-1.cpp, CONJ_GRAD.CPP    a copy that browsers and systems rename: taken if it is the only one, and said
-//   ConjGrad.cpp, conj_grad.txt, conj_grad_final.cc      like it: never taken, but named to student and staff
+// STAFF ONLY. Finds the exercise file that a name means:
+// - conj_grad.cpp is the file itself.
+// - conj_grad (1).cpp, conj_grad-1.cpp, CONJ_GRAD.CPP are copies: taken and reported if there is one only.
+// - ConjGrad.cpp, conj_grad.txt, conj_grad_final.cc look like it: never taken, but reported to both sides.
 #pragma once
 
 #include <functional>
@@ -17,15 +16,15 @@ using FileNames = std::set<std::string, std::less<>>;
 
 struct Likeness {
   enum class Degree { itself, renamed, like };
-  std::string file;  // the exercise's
+  std::string file;  // is the exercise's file
   Degree degree;
-  int number = -1;  // of a copy
+  int number = -1;  // is the number of a copy
 };
 
-std::string in_lower_case(std::string_view text);  // ASCII's letters
+std::string in_lower_case(std::string_view text);  // changes ASCII's letters
 
-// "conj_grad (1)", "conj_grad(1)", "conj_grad-1": what stands before the number, without a bracket. The name
-// itself and -1 if it ends with none.
+// Splits "conj_grad (1)", "conj_grad(1)", "conj_grad-1" into the name and its number, without brackets. A
+// name without a number gets -1.
 struct Numbered {
   std::string_view name;
   int number = -1;

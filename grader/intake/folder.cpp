@@ -43,7 +43,7 @@ Entry described(const fs::path& file, std::string shown) {
 
 class Descriptor {
  public:
-  // Not blocking: a pipe in place of a file would wait for a writer.
+  // Opens without blocking: a pipe in place of a file would wait for a writer.
   explicit Descriptor(const fs::path& file)
       : number_(open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {}
   ~Descriptor() {
@@ -82,7 +82,7 @@ Folder::Folder(fs::path path, std::string shown, std::size_t most_entries)
     : path_(std::move(path)), shown_(std::move(shown)), most_entries_(most_entries) {}
 
 std::vector<Entry> Folder::list() {
-  constexpr std::size_t kNone = std::string::npos;  // the folder itself
+  constexpr std::size_t kNone = std::string::npos;  // is the folder itself
   std::vector<Entry> entries;
   std::vector<std::size_t> waiting{kNone};
   while (!waiting.empty()) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. A folder on disk as a container. Links are listed as links and never followed. Paths that
-// ignored.h names are not listed.
+// STAFF ONLY. A folder on disk as a container. Links are listed as links and never followed. Names in
+// ignored.h are not listed.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ class Folder : public Container {
  public:
   Folder(std::filesystem::path path, std::string shown, std::size_t most_entries);
 
-  std::vector<Entry> list() override;  // by path
+  std::vector<Entry> list() override;  // sorts by path
   void visit(const std::vector<std::size_t>& indices,
              const std::function<void(std::size_t index, const Read&)>& take) override;
 

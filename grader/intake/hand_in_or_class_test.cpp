@@ -1,4 +1,4 @@
-// STAFF ONLY. One student's archive speaks for nobody else, though it may look like a class.
+// STAFF ONLY. Tests that one student's archive gets nobody else a submission, even if it looks like a class.
 #include "grader/intake/origin.h"
 #include "grader/intake/submissions_fixture.h"
 
@@ -80,7 +80,7 @@ TEST_F(Submissions, ALoneArgumentIsAClassUnlessItIsCalledAsOneInIt) {
       << "the same one twice";
 }
 
-// One archive a section. Whoever can put one archive among others must not speak for a class.
+// A class has one archive a section. A student who can put one archive among others must not act for a class.
 TEST_F(Submissions, AFolderOfDownloadsIsAClassIfAllOfItsArchivesAreDownloads) {
   const std::string a = folders({"ann_1_11_conj_grad.cpp", "bo_2_12_conj_grad.cpp"}),
                     b = folders({"cy_3_13_conj_grad.cpp", "di_4_14_conj_grad.cpp"}),
@@ -89,7 +89,7 @@ TEST_F(Submissions, AFolderOfDownloadsIsAClassIfAllOfItsArchivesAreDownloads) {
   struct Case {
     std::vector<std::pair<std::string, std::string>> files;
     Names names;
-    bool said = false;  // --class
+    bool said = false;  // is --class
   };
   const std::vector<Case> cases = {
       {{{"A.zip", a}, {"B.zip", b}}, all},
@@ -126,7 +126,7 @@ TEST_F(Submissions, AFolderOfDownloadsIsAClassIfAllOfItsArchivesAreDownloads) {
                     [](const auto& line) { return line.find("was not graded: ") != line.npos; }) > 0,
                 told);
     }
-  // A lone archive of a folder may be one student's.
+  // The only archive of a folder may be one student's.
   const Intake lone = take({write("late/mal.zip", a).parent_path()});
   EXPECT_EQ(names(lone.submissions), Names{"mal"});
   EXPECT_TRUE(has_notice(lone, {"mal.zip: was not graded"}));
@@ -161,7 +161,7 @@ TEST_F(Submissions, ALoneHandInIsTakenForOne) {
   EXPECT_EQ(take({alice}).taken_for, Names{alice.string() + ": taken for a hand-in of one student, alice"});
 }
 
-// As their names are an argument's, and anybody's in a class.
+// A person chose the argument's name; a student may have chosen the name in a class.
 TEST_F(Submissions, AnArgumentStandsBesideItsNameInAClass) {
   const fs::path alice = write("alice_1_2_x.zip", zip("conj_grad.cpp", "a"));
   const fs::path other =
@@ -190,7 +190,7 @@ TEST_F(Submissions, AFolderThatIsSaidToBeOneHandInIsNeverAClass) {
   };
   write("x/alice/conj_grad.cpp", "a");
   EXPECT_EQ(only_one(write("x/bob/normal_equations.cpp", "b").parent_path().parent_path()).files.size(), 2U);
-  // Canvas's names say nothing of who it is, and an archive inside is opened.
+  // Canvas's file names do not identify a student, and an archive inside is opened.
   EXPECT_TRUE(says(only_one(write("y/doe_12_34_conj_grad.cpp", "a").parent_path()).problem,
                    "None of the exercise files"));
   EXPECT_EQ(

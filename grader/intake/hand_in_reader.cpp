@@ -114,7 +114,7 @@ void HandInReader::plan_archives(const std::vector<Entry>& list, const Share& sh
   }
 }
 
-// It changes no points: one that can't be read is a remark.
+// about.txt changes no points, so an unreadable one is only a remark.
 void HandInReader::take_about(Draft& draft, const std::string& shown, const Container::Read& read) {
   try {
     std::string text = decoded(read(kMostAboutBytes), shown).text;
@@ -177,7 +177,7 @@ void HandInReader::take(Container& container, const std::vector<Entry>& list,
     try {
       take_archive(draft, read(limits_.unpacked_bytes), wanted.where.shown, depth + 1);
     } catch (const Unreadable& why) {
-      draft.shut.emplace_back(why.what());  // others in it may be read
+      draft.shut.emplace_back(why.what());  // other archives in it may be readable
       if (!why.failure().empty()) draft.remarks.push_back(draft.origin + ": " + why.failure());
     } catch (const Refused& why) {
       draft.refuse(why);

@@ -14,13 +14,13 @@
 
 namespace grader::inline intake {
 
-// A draft's part of a container.
+// Holds a draft's part of a container.
 struct Share {
   Draft* draft;
-  std::vector<std::size_t> entries;  // all that is counted; of an archive or a document only itself
-  bool is_archive = false;           // then its name is the submission's own
-  bool is_document = false;          // in the place of an archive
-  bool is_attached = false;  // single files of one hand-in: archives beside exercise files are opened, too
+  std::vector<std::size_t> entries;  // are all counted entries; an archive or a document has only itself
+  bool is_archive = false;           // its name is the submission's own
+  bool is_document = false;          // stands in the place of an archive
+  bool is_attached = false;          // has single files: archives beside exercise files are opened, too
 };
 
 class HandInReader {
@@ -33,10 +33,10 @@ class HandInReader {
             const std::string& prefix = "", std::size_t depth = 0);
 
  private:
-  // A file or an archive that is to be read.
+  // Is a file or an archive that must be read.
   struct Wanted {
     Draft* draft;
-    std::string file;  // the exercise file that it is, or kAboutFile; "": an archive
+    std::string file;  // is the exercise file, or kAboutFile; "": an archive
     Found where;
   };
   using Plan = std::map<std::size_t, Wanted>;

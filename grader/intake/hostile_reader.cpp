@@ -1,5 +1,5 @@
-// STAFF ONLY. For tests: hairintake, if an archive's bytes had taken it over. What it does stands at the
-// beginning of the archive: "evil-crash". All other archives are read as they should be.
+// STAFF ONLY. For tests: hairintake after an archive's bytes have taken it over. The archive's beginning
+// names the attack: "evil-crash". All other archives are read as they should be.
 #include <fcntl.h>
 #include <locale.h>
 #include <sys/socket.h>
@@ -26,7 +26,7 @@ void refuse(Channel& channel, const std::string& text) {
   channel.send(Kind::cannot_load, 0, message.bytes());
 }
 
-// Which of these is there at all, and the file that the archive names.
+// Reports which of these files exist, and the file that the archive names.
 std::string look(const std::string& secret) {
   std::string found;
   for (const std::string& path :
@@ -62,12 +62,12 @@ void attack(const std::string& how, const std::string& rest) {
   if (how == "noise")
     for (int i = 0; i < 1000; ++i) (void)!write(kConversation, "noise ", 6);
   if (how == "boast") channel.send(Kind::done, 0, MessageWriter().put(std::uint64_t{1} << 60).bytes());
-  if (how == "half") {  // the list is right, and then it ends
+  if (how == "half") {  // sends the right list, and then ends
     Entry alice = entry_at("alice/conj_grad.cpp"), bob = entry_at("bob/conj_grad.cpp");
     channel.send(Kind::done, 0, packed_entries({alice, bob}));
     channel.receive(100);
   }
-  if (how == "more") {  // more bytes than were asked for
+  if (how == "more") {  // sends too many bytes
     channel.send(Kind::done, 0, packed_entries({entry_at("conj_grad.cpp")}));
     channel.receive(100);
     channel.send(Kind::done, 0, std::vector<std::byte>(1001));

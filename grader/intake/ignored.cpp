@@ -1,4 +1,4 @@
-// STAFF ONLY. Names that are passed over.
+// STAFF ONLY. Recognises files of operating systems.
 #include "grader/intake/ignored.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 namespace grader::inline intake {
 
 bool is_ignored(std::string_view path) {
-  // Macs' resource forks, icons and indices; Windows' thumbnails, zones and Office's locks; Synology's
-  // indices.
+  // These are Macs' resource forks, icons and indices; Windows' thumbnails, zones and Office's locks;
+  // Synology's indices.
   constexpr std::array<std::string_view, 7> kNames{"__MACOSX", "Thumbs.db", "ehthumbs.db", "desktop.ini",
                                                    "Icon\r",   "@eaDir",    "#recycle"};
   while (!path.empty()) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. Names that systems leave behind and that no student writes: they are passed over without a
-// word, with all below them, and use up no limit.
+// STAFF ONLY. Names that operating systems leave behind and no student writes: they are skipped without a
+// line, with all files below them, and use up no limit.
 #pragma once
 
 #include <string_view>

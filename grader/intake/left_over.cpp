@@ -1,4 +1,4 @@
-// STAFF ONLY. Writes down which files of the input were left over.
+// STAFF ONLY. Writes a list of the input's files that were left over.
 #include "grader/intake/left_over.h"
 
 #include <nlohmann/json.hpp>

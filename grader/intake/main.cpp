@@ -1,4 +1,4 @@
-// STAFF ONLY. hairintake: reads one archive in a cage, for intake outside (archive_service.h).
+// STAFF ONLY. hairintake: reads one archive in a sandbox, for intake outside (archive_service.h).
 //
 //   hairintake CPU_SECONDS MEMORY_BYTES UNPACKED_BYTES ENTRIES NAME
 #include <locale.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Names of submissions.
+// STAFF ONLY. Makes safe names of submissions.
 #include "grader/intake/names.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ std::string some_of(const std::vector<std::string>& names) {
 
 std::string name_among_equals(const std::string& name, std::string_view path) {
   constexpr char digits[] = "0123456789abcdef";
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  std::uint64_t hash = 0xcbf29ce484222325;  // is FNV-1a
   for (const char c : path) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   hash ^= hash >> 32;
   std::string result = name + "-";

@@ -1,4 +1,4 @@
-// STAFF ONLY. Names are safe for files, pages and command lines, and stay apart.
+// STAFF ONLY. Tests that names are safe for files, pages and command lines, and stay apart.
 #include "grader/intake/names.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(SubmissionName, IsSafeForFilesAndPages) {
   EXPECT_LE(submission_name(std::string(200, 'x') + ".zip").size(), 150u);
 }
 
-// So that no program takes it for an option, and no folder hides it.
+// Then no program takes a name for an option, and no folder hides it.
 TEST(SubmissionName, BeginsWithALetterOrADigit) {
   EXPECT_EQ(submission_name("-rf.zip"), "x-rf");
   EXPECT_EQ(submission_name("--out"), "x--out");

@@ -1,4 +1,4 @@
-// STAFF ONLY. Intake loses nobody: strays, clashes, wrong types and Canvas's single files.
+// STAFF ONLY. Tests that intake loses nobody: strays, clashes, wrong types and Canvas's single files.
 #include <set>
 
 #include "grader/intake/submissions_fixture.h"

@@ -1,8 +1,8 @@
-// STAFF ONLY. An origin of a submission: the argument that it is itself, or the class that it came in. In a
-// folder of grades no row is replaced by one of another origin unless somebody says so: the content of a
-// hand-in must not reach the rows of others.
+// STAFF ONLY. An origin of a submission: the argument itself, or the class that held it. In a folder of
+// grades no submission is replaced by one of another origin unless a person says so: the content of a hand-in
+// must not reach other students' results.
 //
-//   "hand-in /home/ta/alice.zip", "class /home/ta/class.zip", "class of a learning system /home/ta/export.zip"
+// "hand-in /home/ta/alice.zip", "class /home/ta/class.zip", "class of a learning system /home/ta/export.zip"
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Plans what is read of an argument.
+// STAFF ONLY. Plans how the entries of an argument are read.
 #include "grader/intake/plan.h"
 
 #include <set>
@@ -89,7 +89,7 @@ std::optional<Planned> Planner::by_system(std::vector<Entry>& list, const Argume
   std::optional<Division> division =
       divide(list, name, system_called(choices.from), arguments.may_be_class(), choices.known);
   if (!division) return {};
-  // A student's hand-in can hold one folder of somebody else's name.
+  // A student's hand-in can hold one folder with somebody else's name.
   if (!arguments.may_be_class() && !argument.on_disk && division->hand_ins.size() < 2) return {};
   add_gradescope_owners(*division, list, argument, *this);
   Planned planned{.is_class = true, .system = division->system};
@@ -124,7 +124,7 @@ std::optional<Planned> Planner::by_system(std::vector<Entry>& list, const Argume
 }
 
 Planned Planner::by_folders(const std::vector<Entry>& list, const Argument& argument) const {
-  // A folder with one archive among several arguments is a student's.
+  // A folder with one archive among several arguments belongs to one student.
   const Layout layout = layout_of(list, files, argument.on_disk && arguments.may_be_class());
   if (!layout.found && (argument.on_disk || !arguments.several)) {
     std::string names;

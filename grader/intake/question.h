@@ -1,4 +1,4 @@
-// STAFF ONLY. Input that nobody but a person can judge: an option says that it is right.
+// STAFF ONLY. The exception for input that only a person can judge: an option confirms it.
 #pragma once
 
 #include <string>

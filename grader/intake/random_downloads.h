@@ -1,5 +1,5 @@
-// STAFF ONLY. Random downloads of all learning systems, and later ones of the same class, by a generator that
-// is written from the systems' own sources and uses nothing of intake.
+// STAFF ONLY. Makes random downloads of all learning systems, and later ones of the same class. The generator
+// follows the systems' own sources and uses nothing of intake.
 #pragma once
 
 #include <random>
@@ -13,8 +13,8 @@ namespace grader::inline intake {
 
 struct Student {
   std::string name, number, id;
-  unsigned draws;           // all that is random about the hand-in
-  std::string newest = {};  // the conj_grad.cpp that counts; "": none
+  unsigned draws;           // holds all random choices for the hand-in
+  std::string newest = {};  // is the conj_grad.cpp that counts; "": there is none
   bool has_files = false;
 };
 
@@ -37,7 +37,7 @@ class Generator {
     return written();
   }
 
-  // Some people are new; less than half of those with a file, whoever they are, have handed in anew or left.
+  // Some people are new; less than half of those with a file have handed in again or left.
   Download later() {
     std::vector<Student>& students = download_.students;
     const auto with = std::ranges::count_if(students, [](const Student& one) { return !one.newest.empty(); });
@@ -86,7 +86,7 @@ class Generator {
   static std::string text_of(const Student& one, int attempt) {
     return one.id + " of attempt " + std::to_string(attempt) + " " + std::to_string(one.draws);
   }
-  // Whoever hands in nothing new has the same files in each download.
+  // A student without a new hand-in has the same files in each download.
   template <class HandIn>
   void each(const HandIn& hand_in) {
     for (Student& one : download_.students) {
@@ -100,7 +100,7 @@ class Generator {
     download_.files.emplace_back(download_.root + path, text);
   }
 
-  // The files of an attempt, by `place`. One of five students hands in another file alone.
+  // Returns the files of an attempt, by `place`. One of five students hands in only another file.
   template <class Place>
   void attempt(Student& student, int number, Place place) {
     const bool has = !chance(5);
@@ -211,7 +211,7 @@ class Generator {
 
   std::mt19937 random_;
   int system_ = 0;
-  unsigned draws_ = 0;  // what is random about the download, but for its hand-ins
+  unsigned draws_ = 0;  // are random choices for the download, except its hand-ins
   Download download_;
 };
 

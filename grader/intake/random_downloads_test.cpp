@@ -1,5 +1,5 @@
-// STAFF ONLY. In random downloads every student has one row with the newest file, and every file of the input
-// is accounted for.
+// STAFF ONLY. Tests with random downloads that each student has one submission with the newest file, and that
+// each file of the input is accounted for.
 #include "grader/intake/random_downloads.h"
 
 #include <cstdlib>

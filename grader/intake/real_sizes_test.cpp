@@ -1,5 +1,5 @@
-// STAFF ONLY. Hand-ins as large as students hand them in: a build folder of 320 MB and 25,000 files in .git.
-// Their exercise files are taken, and no more memory is used than lists and one block need.
+// STAFF ONLY. Tests hand-ins as large as real ones: a build folder of 320 MB and 25,000 files in .git. Their
+// exercise files are taken, and memory stays within the need of lists and one block.
 #include <sys/resource.h>
 
 #include <fstream>
@@ -14,12 +14,12 @@ namespace {
 constexpr int kObjects = 160, kInGit = 25'000;
 constexpr std::size_t kObjectBytes = std::size_t{2} << 20;
 
-// Peak memory of the test may grow by this: the lists have 25,000 paths of about 300 bytes, several times
-// over, and an archive of zeros has less than 10 MB. A reader that keeps the build folder needs 320 MB.
+// Bounds the growth of the test's peak memory: the lists have several copies of 25,000 paths of about 300
+// bytes, and an archive of zeros has less than 10 MB. A reader that keeps the build folder needs 320 MB.
 constexpr double kMostMegabytes = 100;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kMemoryIsOurs = false;  // what was freed is kept for a while
+constexpr bool kMemoryIsOurs = false;  // the sanitiser keeps freed memory for a while
 #else
 constexpr bool kMemoryIsOurs = true;
 #endif
@@ -42,7 +42,7 @@ double cpu_seconds() {
   return seconds;
 }
 
-// Every file of such a hand-in: its path, its size.
+// Passes the path and size of each file of such a hand-in.
 template <class Take>
 void each_file(Take take) {
   for (int i = 0; i < kInGit; ++i)

@@ -1,4 +1,4 @@
-// STAFF ONLY. Rules for files of one name.
+// STAFF ONLY. Ranks files with the same name.
 #include "grader/intake/same_name.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-// A name in lower case.
+// Takes a name in lower case.
 bool is_aside(std::string_view name) {
   constexpr std::array<std::string_view, 6> kNames{"out", "bin", "obj", "debug", "release", "x64"};
   constexpr std::array<std::string_view, 9> kWords{"build", "backup", "backups", "bak",  "old",
@@ -35,7 +35,7 @@ bool is_aside(std::string_view name) {
   return false;
 }
 
-// The folders on the way to a file, without it.
+// Visits the folders on the way to a file, without the file.
 template <class Take>
 void each_folder(std::string_view path, Take take) {
   for (std::size_t end = path.find('/'); end != path.npos; end = path.find('/')) {
@@ -44,7 +44,7 @@ void each_folder(std::string_view path, Take take) {
   }
 }
 
-// A path without the numbers of versions, and these numbers.
+// Splits a path into its text and its version numbers.
 struct Place {
   std::string without_numbers;
   std::vector<int> numbers = {};
@@ -88,7 +88,7 @@ bool is_set_aside(std::string_view path) {
 }
 
 std::size_t put_best_first(std::vector<Candidate>& candidates) {
-  constexpr std::ptrdiff_t kMostCompared = 64;  // of more no versions are looked for
+  constexpr std::ptrdiff_t kMostCompared = 64;  // bounds the search for versions
   const auto rank = [](const Candidate& one) {
     bool given = false;
     each_folder(in_lower_case(one.path), [&](std::string_view name) { given = given || name == "student"; });

@@ -1,4 +1,4 @@
-// STAFF ONLY. Of several files of one name a rule takes one, or nobody knows.
+// STAFF ONLY. Tests that a rule chooses one of several files with the same name, or that it stays open.
 #include "grader/intake/same_name.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace grader::inline intake {
 namespace {
 
-// The paths of conj_grad.cpp that count most, "a | b".
+// Returns the paths of the best conj_grad.cpp, "a | b".
 std::string taken(const std::vector<std::string>& paths) {
   std::vector<Candidate> all;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -26,7 +26,7 @@ std::string taken(const std::vector<std::string>& paths) {
 }
 
 TEST(SameName, ARuleDecidesWhateverTheOrder) {
-  // The first counts.
+  // The first path of each case counts.
   const std::vector<std::vector<std::string>> cases = {
       {"hair/student/conj_grad.cpp", "hair/Backup/conj_grad.cpp"},
       {"hair/student/conj_grad.cpp", "hair/student/old/conj_grad.cpp", "hair/x/conj_grad.cpp"},

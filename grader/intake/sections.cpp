@@ -20,7 +20,7 @@ struct Part {
   std::vector<Entry> list;
 };
 
-// Containers one after another.
+// Joins several containers to one.
 class Parts : public Container {
  public:
   explicit Parts(std::vector<Part> parts) : parts_(std::move(parts)) {}

@@ -1,6 +1,6 @@
-// STAFF ONLY. A hand-in of one student can look like a class: it holds folders with the names of others, or a
-// learning system's names. Then the content decides nothing: the caller's word does, or that it is alone and
-// its own name is no hand-in's.
+// STAFF ONLY. Recognises a hand-in of one student that looks like a class: it holds folders with other names,
+// or a learning system's names. Then its content must not decide: it is a class only if the caller says so,
+// or if it is the only argument and its own name is no hand-in's.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 namespace grader::inline intake {
 
 struct Arguments {
-  bool several = false;  // then each is a hand-in of one student
+  bool several = false;  // each argument is then one student's hand-in
   bool classes = false;  // the caller says that each may be a class
   bool may_be_class() const { return classes || !several; }
 };
 
-// Why an argument of this name, with submissions of these names in it, is no class: a part of a sentence for
-// staff, which kSaysClass ends. Empty: it is one.
+// Returns why an argument of this name, which holds submissions of these names, is no class: a part of a
+// sentence for staff, which kSaysClass ends. Empty: it is a class.
 std::string why_no_class(const std::vector<std::string>& names, std::string_view name,
                          const Arguments& arguments);
 

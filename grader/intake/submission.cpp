@@ -61,7 +61,7 @@ class ClassReader {
   IntakeChoices choices_;
   FileNames files_;
   std::vector<Draft> drafts_;
-  std::vector<std::string> crowds_;  // a line for each; each has one draft, which is refused
+  std::vector<std::string> crowds_;  // has a line for each; its one draft is refused
   Intake intake_;
 };
 
@@ -73,7 +73,7 @@ std::unique_ptr<Container> ClassReader::open(const Argument& named) const {
   return open_archive_(named.file, printable(named.name), ArchiveLimits{most_bytes, most_entries});
 }
 
-// A hand-in is no class of sections, whatever it holds. Null, too, if there are none.
+// A hand-in is never a class of sections. Returns null then, and if there are no sections.
 std::shared_ptr<Container> ClassReader::open_sections(const Argument& named, std::shared_ptr<Container> outer,
                                                       const std::vector<Entry>& list) const {
   if (!arguments_.may_be_class() || told_by_name(named.name, named.on_disk)) return {};
@@ -106,8 +106,8 @@ void ClassReader::say_what_it_is(const Planned& planned, const Argument& argumen
     intake_.taken_for.push_back(argument.origin + ": taken for a hand-in of one student, " + names);
 }
 
-// Among several arguments it is one student's hand-in. A lone one may be a class, and then it would be
-// everybody's.
+// Among several arguments it is one student's hand-in. A single one may be a class, and then all students are
+// affected.
 void ClassReader::could_not_open(const Argument& argument, const Refused& why) {
   if (arguments_.may_be_class())
     throw BadInput(

@@ -1,4 +1,4 @@
-// STAFF ONLY. Hand-ins of every form are taken apart, and what can't be taken says why.
+// STAFF ONLY. Tests that hand-ins of every form are read, and that each rejection has a reason.
 #include "grader/intake/submission.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST_F(Submissions, EveryPackingGivesItsFilesByteByByte) {
   }
 }
 
-// It comes along where exercise files are, and changes nothing else.
+// The answers come with the exercise files, and change nothing else.
 TEST_F(Submissions, AnswersOfAStudentComeAlong) {
   const auto with = [&](const char* name, const std::string& text) {
     return only(ArchiveBuilder(Packing::zip).file("p/conj_grad.cpp", "c").file(name, text).bytes());
@@ -118,14 +118,14 @@ TEST_F(Submissions, ArchivesBesideExerciseFilesStayShut) {
   EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "mine");
 }
 
-// The rules for paths are in same_name_test.cpp. Between archives only builds, backups and copies by their
-// names decide.
+// The rules for paths are in same_name_test.cpp. Between archives only builds, backups and names of copies
+// decide.
 TEST_F(Submissions, OfFilesOfOneNameARuleTakesOneOrAPersonIsAsked) {
   struct Case {
     std::vector<std::pair<std::string, std::string>>
         files;          // path, content; a .zip has conj_grad.cpp of this content
-    std::string taken;  // "": nobody knows
-    std::string named;  // in what the student reads
+    std::string taken;  // "": it stays open
+    std::string named;  // is in the student's text
   };
   const std::string said = "was taken for conj_grad.cpp, and not ";
   const std::vector<Case> cases = {
@@ -215,7 +215,7 @@ TEST_F(Submissions, PathsThatLeadOutsideAreNotTakenAndTouchNothing) {
       << "only the archive itself may be there";
 }
 
-// No file system has longer names, and more marks take the time of their number's square (text/letters.h).
+// No file system has longer names, and more marks take quadratic time (text/letters.h).
 TEST_F(Submissions, NamesOverALimitAreRefusedAndTheRestGoesOn) {
   const auto marks = [](std::size_t count) {
     std::string name = "a";
@@ -277,7 +277,7 @@ TEST_F(Submissions, APipeOnDiskIsNotWaitedFor) {
   EXPECT_TRUE(says(read({dir_ / "alice"}).front().files.at("conj_grad.cpp").problem, "is not a file"));
 }
 
-// Root reads everything: for as long as this lives, the test is someone else.
+// Root reads everything: while this lives, the test is another user.
 class AsNobody {
  public:
   explicit AsNobody(const fs::path& dir) : was_root_(geteuid() == 0) {
@@ -351,7 +351,7 @@ TEST_F(Submissions, AFileThatIsTooLongIsNotTaken) {
   }
 }
 
-// A zip's files are found by its directory, and a folder's too. A tar's stream is read from its begin.
+// A zip's files are found by its directory, as a folder's are. A tar's stream is read from its beginning.
 TEST_F(Submissions, MoreThanTheLimitsIsRefusedWhereverItLies) {
   IntakeLimits limits;
   limits.unpacked_bytes = limits.stream_bytes = 1 << 20;
@@ -476,13 +476,13 @@ TEST_F(Submissions, AnArchiveIsKnownByItsContentToo) {
             "x");
 }
 
-// As a tar.gz ten gigabytes would be one gzip of 64 MiB, 160 times: gzips in a row unpack to their contents
-// in a row. After five of them this one ends, which is not noticed.
+// As a tar.gz ten gigabytes would be 160 gzips of 64 MiB in a row, which unpack to one stream. This one ends
+// after five of them, and nobody notices.
 TEST_F(Submissions, OfTenGigabytesOfZerosNoMoreIsReadThanMayBe) {
   constexpr std::size_t chunk = std::size_t{64} << 20;
   const std::string tar = ArchiveBuilder(Packing::tar).zeros("conj_grad.cpp", 0).bytes();
   std::string header = tar.substr(0, 512);
-  const std::string size = "120000000000";  // octal for 10 GiB
+  const std::string size = "120000000000";  // is octal for 10 GiB
   header.replace(124, size.size(), size);
   unsigned sum = 0;
   for (std::size_t i = 0; i < header.size(); ++i) {

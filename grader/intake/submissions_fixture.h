@@ -1,4 +1,4 @@
-// STAFF ONLY. For tests: writes what students hand in, and reads it.
+// STAFF ONLY. For tests: writes submissions, and reads them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ inline std::string zip(const std::string& path, const std::string& text = "int x
   return ArchiveBuilder(Packing::zip).file(path, text).bytes();
 }
 
-// How the tests open archives: in a cage, if the environment's HAIR_READER names a reader.
+// Opens the tests' archives: in a sandbox, if the environment's HAIR_READER names a reader.
 inline const OpenArchive& opener() {
   static const char* program = std::getenv("HAIR_READER");
   static const std::unique_ptr<CagedReader> reader =
@@ -81,7 +81,7 @@ class Submissions : public testing::Test {
     }
     return testing::AssertionFailure() << "no such line in: " << testing::PrintToString(lines);
   }
-  // The one submission in an archive of these bytes, as a class holds it.
+  // Returns the one submission in an archive of these bytes, as in a class.
   Submission only(const std::string& bytes, const IntakeLimits& limits = {}) const {
     const std::vector<Submission> all = read({write("only/alice.zip", bytes).parent_path()}, limits);
     if (all.size() != 1) throw std::runtime_error("expected one submission");

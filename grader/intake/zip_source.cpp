@@ -1,5 +1,5 @@
-// STAFF ONLY. Finds a zip's end, and clears the flag of UTF-8 where names are none (APPNOTE.TXT 4.3.7,
-// 4.3.12, 4.3.14 to 4.3.16).
+// STAFF ONLY. Finds a zip's end, and clears the flag of UTF-8 of other names (APPNOTE.TXT 4.3.7, 4.3.12,
+// 4.3.14 to 4.3.16).
 #include "grader/intake/zip_source.h"
 
 #include <archive.h>
@@ -23,12 +23,12 @@ std::uint64_t number_at(std::string_view bytes, std::size_t at, std::size_t size
 }  // namespace
 
 ZipSource::ZipSource(ReadAt read, std::uint64_t size) : read_(std::move(read)), size_(size) {
-  // The record, the longest comment, and as much behind the end.
+  // Fits the record, the longest comment, and as many bytes behind the end.
   constexpr std::uint64_t kTail = 22 + 2 * 65535;
   std::string tail(static_cast<std::size_t>(std::min(size_, kTail)), '\0');
   const std::uint64_t begin = size_ - tail.size();
   if (!read_all(begin, tail)) return;
-  // The last one that fits. A comment may hold such bytes, too.
+  // Takes the last record that fits. A comment may hold such bytes, too.
   for (std::size_t at = tail.rfind("PK\x05\x06"); at != std::string::npos && !is_zip_;
        at = at > 0 ? tail.rfind("PK\x05\x06", at - 1) : std::string::npos)
     is_zip_ = take_end(std::string_view(tail).substr(at), begin + at);
@@ -44,14 +44,14 @@ bool ZipSource::read_all(std::uint64_t offset, std::string& bytes) const {
   return true;
 }
 
-// Takes the record at `end` if the directory that it states stands before it.
+// Takes the record at `end` if its directory stands before it.
 bool ZipSource::take_end(std::string_view record, std::uint64_t end) {
   constexpr std::uint64_t kEnd = 22, kLocator = 20, kLarge = 56, kMostDirectory = std::uint64_t{1} << 28;
   if (record.size() < kEnd) return false;
   std::uint64_t size = number_at(record, 12, 4), offset = number_at(record, 16, 4), behind = end;
   std::string locator(kLocator, '\0'), large(kLarge, '\0'), first(4, '\0');
   if (end >= kLocator + kLarge && read_all(end - kLocator, locator) && locator.starts_with("PK\x06\x07")) {
-    // As stated, or right before the locator: then bytes may stand before the first entry.
+    // The record lies where the locator says, or right before it: bytes may precede the first entry.
     const auto is_large = [&](std::uint64_t at) {
       behind = at;
       return at < end && read_all(at, large) && large.starts_with("PK\x06\x06");
@@ -62,7 +62,7 @@ bool ZipSource::take_end(std::string_view record, std::uint64_t end) {
   }
   if (size > std::min(behind, kMostDirectory) || offset > behind - size || !read_all(0, first)) return false;
   const std::uint64_t before = behind - size - offset;
-  // A zip in a zip that was cut off does not stand for all of it, but for a whole one before it.
+  // A zip inside a truncated zip must not count for all of it, unless a whole zip ends before it.
   if (before > 0 && first == "PK\x03\x04" && (!read_all(before - kEnd, first) || first != "PK\x05\x06"))
     return false;
   if (size > 0 && (!read_all(behind - size, first) || first != "PK\x01\x02")) return false;

@@ -1,10 +1,10 @@
 // STAFF ONLY. A zip's bytes as libarchive expects them, which is stricter than other programs:
 //
-// - It looks for the end record in the last 16 KiB. So a comment and bytes behind the end are left away.
-// - Bytes before the first entry, as of a program that unpacks itself, are left away where the zip's own
-//   offsets don't count them.
-// - An entry that says "UTF-8" of other bytes would get no name at all, and two of them could not be told
-//   apart. So it does not say so any more: names are as they stand, and code_page.h decodes them.
+// - It looks for the end record in the last 16 KiB. So a comment and bytes behind the end are removed.
+// - Bytes before the first entry, as of a program that unpacks itself, go if the zip's offsets don't count
+// them.
+// - An entry with the flag of UTF-8 and other bytes gets no name, so that two of them look equal. The flag is
+// cleared: names keep their bytes, and code_page.h decodes them.
 #pragma once
 
 #include <cstdint>
@@ -25,12 +25,12 @@ class ZipSource {
   ZipSource(ReadAt read, std::uint64_t size);
 
   bool is_zip() const { return is_zip_; }
-  // How many entries the directory claims, but for those that are passed over. The library keeps all of them
-  // in memory.
+  // Returns how many entries the directory claims, except the skipped ones. The library keeps all of them in
+  // memory.
   std::size_t entries() const { return entries_; }
   bool is_empty() const { return directory_size_ == 0; }
 
-  // Opens the reader with these bytes. It must not outlive this. Returns libarchive's code.
+  // Opens the reader with these bytes. It must not outlive this object. Returns libarchive's code.
   int open(archive* reader);
 
  private:
@@ -46,7 +46,7 @@ class ZipSource {
   std::uint64_t directory_ = 0, directory_size_ = 0;
   bool is_zip_ = false;
   std::size_t entries_ = 0;
-  std::vector<std::uint64_t> flags_;  // offsets of bytes whose bit 3 is wrong, ascending
+  std::vector<std::uint64_t> flags_;  // are offsets of bytes whose bit 3 is wrong, ascending
   std::string block_ = std::string(kBlock, '\0');
 };
 

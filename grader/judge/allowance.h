@@ -1,5 +1,5 @@
-// STAFF ONLY. What a submission's code may take in one exercise, all its workers together, and what it has
-// taken.
+// STAFF ONLY. The budget of a submission's code in one exercise, for all its workers together, and the part
+// that they have used.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@ struct Allowance {
   Budget limit;
   Budget spent = nothing_spent();
 
-  // What a new worker may take of the idle time: half of the exercise's at most, so that one that falls
-  // asleep leaves something for the other categories.
+  // A new worker may idle for at most half of the exercise's time, so that one that falls asleep leaves some
+  // for the other categories.
   double idle_seconds_of_a_worker() const {
     return std::min(limit.idle_seconds - spent.idle_seconds, limit.idle_seconds / 2);
   }
-  double wakeup_seconds = 0;  // that watchdogs have forgiven
+  double wakeup_seconds = 0;  // is the time that watchdogs have forgiven
 
-  // As much as there is idle time.
+  // Starts with the same limit as the idle time.
   double wakeup_seconds_left() const { return std::max(0.0, limit.idle_seconds - wakeup_seconds); }
   double wall_seconds_left() const { return std::max(0.0, limit.wall_seconds - spent.wall_seconds); }
   double cpu_seconds_left() const { return limit.worker_cpu_seconds - spent.worker_cpu_seconds; }

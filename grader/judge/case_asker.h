@@ -1,4 +1,4 @@
-// STAFF ONLY. A case as a client's asker (grader/calls/client.h): asks the student's worker, and ends the
+// STAFF ONLY. A case as a client's asker (grader/calls/client.h): calls the student's worker, and ends the
 // category if there is no answer. All calls through one asker are one case.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace grader::inline judge {
 
-// An Output before a call that must overwrite it.
+// Fills an Output before a call that must overwrite it.
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 inline Eigen::VectorXd unset(Eigen::Index size) {
   return Eigen::VectorXd::Constant(size, kUnset);
@@ -19,7 +19,7 @@ inline Eigen::VectorXd unset(Eigen::Index size) {
 
 class CaseAsker {
  public:
-  // `stopped`: the feedback if the worker asks for more than it may.
+  // `stopped` is the feedback if the worker asks for too many products.
   explicit CaseAsker(Trial& trial, std::string stopped = kTooManyProducts)
       : trial_(trial), stopped_(std::move(stopped)) {}
 
@@ -35,7 +35,7 @@ class CaseAsker {
   void scratch(const auto&, int) {}
   void changed() { changed_input_ = true; }
 
-  // An argument that the contract does not let it change.
+  // True if a call changed an argument that the contract protects.
   bool changed_input() const { return changed_input_; }
 
  private:
@@ -44,7 +44,7 @@ class CaseAsker {
   bool begun_ = false, changed_input_ = false;
 };
 
-// One case: what a function of the student's answers when it is given these values; see answers().
+// Makes a case: returns the answers of a student's function for these values; see answers().
 template <class Calls, auto function>
 inline constexpr auto answer_of = [](Trial& trial, const auto&... given) {
   CaseAsker asker(trial);

@@ -1,4 +1,4 @@
-// STAFF ONLY. The sentences that tell a student what wrong numbers look like.
+// STAFF ONLY. The sentences about typical mistakes in numbers, for students.
 #include "grader/judge/hint_for_students.h"
 
 #include <cmath>

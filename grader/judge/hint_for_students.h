@@ -1,5 +1,5 @@
-// STAFF ONLY. Puts what wrong numbers look like into one of a few sentences for students. A number that code
-// may choose could carry a hidden input out.
+// STAFF ONLY. Describes wrong numbers by one of a few sentences for students. A number that code may choose
+// could carry a hidden input out.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace grader::inline judge {
 
-// Empty where nothing is clear, and for a factor that no ordinary mistake makes.
+// Returns an empty text if no mistake is clear, and for a factor that no ordinary mistake makes.
 std::string hint_for_students(const checks::Hint& hint);
 
 }  // namespace grader::judge

@@ -1,4 +1,4 @@
-// STAFF ONLY. Forces, particles and the table of an implicit step.
+// STAFF ONLY. Makes forces, particles and the table of an implicit step.
 #include "grader/judge/implicit_system.h"
 
 #include <Eigen/Cholesky>
@@ -13,14 +13,14 @@
 namespace grader::inline judge {
 namespace {
 
-// Symmetric, its eigenvalues between half of `size` and about five times it.
+// Returns a symmetric matrix with eigenvalues between half of `size` and about five times it.
 Eigen::MatrixXd definite(Random& random, int n, double size) {
   Eigen::MatrixXd R(n, n);
   for (double& entry : R.reshaped()) entry = random.normal();
   return size * (R * R.transpose() / n + 0.5 * Eigen::MatrixXd::Identity(n, n));
 }
 
-// Another force where units are `mass` and `length` times as small.
+// Wraps another force in units that are `mass` and `length` times as small.
 class InOtherUnits final : public particles::Force {
  public:
   InOtherUnits(std::shared_ptr<const particles::Force> force, double mass, double length)
@@ -83,7 +83,7 @@ void CoupledForce::add_dfdv(particles::Input, particles::Input, particles::Input
   df -= D_ * dv;
 }
 
-// Of random_cloud's states, |2 q x v| is 0.1 `stiffness` where x and v are three times their usual size.
+// In random_cloud's states |2 q x v| is 0.1 `stiffness` where x and v are three times their usual size.
 MixedForce::MixedForce(Random& random, int n, double stiffness, double damping)
     : CoupledForce(random, n, stiffness, damping), q_(0.01 * stiffness), p_(0.1 * damping) {}
 

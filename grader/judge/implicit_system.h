@@ -6,7 +6,7 @@
 //
 //   ||rhs - A dv|| <= tolerance ||rhs|| + 65 (10 + 2e) u ||A|| X,   ||dv - dv*|| <= that / lambda_min,
 //
-// where ||A|| is the norm of the matrix of all |a_ij|, at most Frobenius'. e: our product sums 3n terms for
+// with ||A|| the norm of the matrix of all |a_ij|, at most Frobenius'. e: our product sums 3n terms for
 // each of df/dx and df/dv, and a few more operations combine them: 2 (3n + 8). The right-hand side has the
 // same rounding error.
 #pragma once
@@ -35,7 +35,7 @@ struct Cloud {
 // coordinate: all coordinates are coupled, and df/dx depends on x.
 class CoupledForce : public particles::Force {
  public:
-  // For n particles; the eigenvalues of K and D are about `stiffness` (N/m) and `damping` (N s/m).
+  // Makes n particles; the eigenvalues of K and D are about `stiffness` (N/m) and `damping` (N s/m).
   CoupledForce(Random& random, int n, double stiffness, double damping);
 
   double energy(particles::Input x) const override;
@@ -50,12 +50,11 @@ class CoupledForce : public particles::Force {
   Eigen::MatrixXd K_, D_;
 };
 
-// The same, and a damping that depends on where a coordinate is and on how fast it moves:
+// The same, with a damping that depends on a coordinate and its velocity:
 //
 //   -q x^2 v - p v^3,   d/dx: -2 q x v,   d/dv: -q x^2 - 3 p v^2,
 //
-// so that df/dx depends on v, and df/dv on x and v. q is so small that K outweighs what 2 q x v may take from
-// it.
+// so that df/dx depends on v, and df/dv on x and v. q is so small that K outweighs 2 q x v.
 class MixedForce final : public CoupledForce {
  public:
   MixedForce(Random& random, int n, double stiffness, double damping);
@@ -78,14 +77,14 @@ Cloud random_cloud(Random& random, std::string name, int n, double lightest, dou
 // masses are about `mass`; the stiffness k is such that h^2 k / m = `stiff`.
 Cloud chain(Random& random, int n, double mass, double stiff, double h);
 
-// The same with masses times `mass`, lengths and velocities times `length`; times are the same.
+// Returns the same cloud with masses times `mass`, lengths and velocities times `length`, and the same times.
 Cloud in_other_units(const Cloud& cloud, double mass, double length);
 
 struct ImplicitSystem {
   Eigen::MatrixXd A;
   Eigen::VectorXd rhs, dv;  // dv is the solution
-  // The Frobenius norm of A's part of free particles, A's smallest eigenvalue. A pinned particle's rows
-  // round nothing, and beside masses of hair their 1 would hide everything.
+  // `norm` is the Frobenius norm of A's part of free particles, `smallest` A's smallest eigenvalue. A pinned
+  // particle's rows round nothing, and their 1 would hide the small masses of hair.
   double norm, smallest;
   double rounding;  // 65 (10 + 2e) u ||A|| X, plus that of the right-hand side
 

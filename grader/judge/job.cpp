@@ -1,4 +1,4 @@
-// STAFF ONLY. The fields of a job.
+// STAFF ONLY. Reads and writes the fields of a job.
 #include "grader/judge/job.h"
 
 #include "grader/result/result_fields.h"

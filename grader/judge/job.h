@@ -1,5 +1,5 @@
-// STAFF ONLY. A job for hairsuite or hairstudy, as it reads it in JSON from standard input: these fields are
-// its keys. What it finds is in grader/result/suite_result.h.
+// STAFF ONLY. A job for hairsuite or hairstudy, which they read as JSON from standard input; the keys are
+// these fields. grader/result/suite_result.h has the results.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 
 namespace grader::inline judge {
 
-// See whole_run.h. Not within SuiteJob: clang 14 has no std::optional::emplace() for such a struct there.
+// See whole_run.h. Not in SuiteJob, where clang 14 has no std::optional::emplace() for such a struct.
 struct WholeRunJob {
   std::filesystem::path scene;
   std::string seed;
@@ -25,7 +25,7 @@ struct WholeRunJob {
 };
 
 struct SuiteJob {
-  std::string exercise;  // or "runs": all of them together, for hairstudy
+  std::string exercise;  // or "runs": all exercises together, for hairstudy
   std::string seed;
   std::filesystem::path kit;
   std::vector<std::string> provided;           // exercises whose functions the suite provides (provided.h)
@@ -34,19 +34,18 @@ struct SuiteJob {
   Isolation isolation = Isolation::namespaces;
   int cpu_seconds = 10;
   Budget allowance = {};
-  std::optional<std::filesystem::path> pictures =
-      {};  // the folder of the reference's pictures; nothing: none are drawn
+  std::optional<std::filesystem::path> pictures = {};  // holds the reference's pictures; empty: no pictures
 
-  // The student's object with sanitizers; empty: there is none. Nothing: memory errors are not looked for.
+  // The student's object with sanitizers; empty: there is none. Nothing: no search for memory errors.
   std::optional<std::filesystem::path> sanitised = {};
 
   std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
-  // Only for hairstudy, see study/submission_study.h.
+  // Only hairstudy reads these, see study/submission_study.h.
   std::set<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
   std::vector<std::filesystem::path> reference_objects = {};
-  std::filesystem::path motions = {};  // the folder of true motions
+  std::filesystem::path motions = {};  // holds true motions
 
   bool operator==(const SuiteJob&) const = default;
 };

@@ -1,4 +1,4 @@
-// STAFF ONLY. A job comes to hairsuite as hairgrade has it.
+// STAFF ONLY. Tests that a job survives being written and read.
 #include "grader/judge/job.h"
 
 #include <gtest/gtest.h>

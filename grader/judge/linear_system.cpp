@@ -1,4 +1,4 @@
-// STAFF ONLY. Asks a student's ConjGrad for solutions of linear systems, and says what they have to be.
+// STAFF ONLY. Lets a student's ConjGrad solve linear systems, and checks the solutions.
 #include "grader/judge/linear_system.h"
 
 #include <algorithm>
@@ -119,7 +119,7 @@ LinearSystem spectral_system(std::string name, std::vector<double> spectrum, Ran
   std::vector<std::vector<double>> reflectors;
   for (int i = 0; i < kReflectors; ++i) reflectors.push_back(random.normals(n));
   const double product_error =
-      2 * kReflectors * 2 * (n + 3);  // each reflection: a dot product and an update, there and back
+      2 * kReflectors * 2 * (n + 3);  // each reflection has a dot product and an update, twice
   return with_solution(std::move(name),
                        std::make_shared<solver::SpectralMatrix>(std::move(spectrum), std::move(reflectors)),
                        random.normals(n, 1 / std::sqrt(n)), largest, smallest, product_error);
@@ -162,14 +162,14 @@ Solution reference_solution(const LinearSystem& system, double epsilon, int step
 
 namespace {
 
-// The tolerance that step k is the first to meet, if it is a clear one.
+// Returns the tolerance that step k is clearly the first to meet, if there is one.
 std::optional<Tolerance> tolerance_at(const LinearSystem& system, int k) {
   const double before = reference_solution(system, 0, k > 1 ? k - 1 : -1).value;
   const Solution reached = reference_solution(system, 0, k);
-  // After the last step that exact arithmetic needs nothing but rounding is left.
+  // After the last step of exact arithmetic the residual is only rounding.
   const double after = std::max(std::sqrt(reached.value), 100 * drift(system, reached.x, reached.value));
   const double epsilon = std::sqrt(before) * after;
-  // Earlier residuals may be smaller: they need not shrink at every step.
+  // Earlier residuals may be smaller, since they need not shrink at every step.
   if (after < 0.9 * std::sqrt(before) && reference_solution(system, epsilon, k).steps == k)
     return Tolerance{epsilon, k};
   return {};
@@ -180,7 +180,7 @@ std::optional<Tolerance> tolerance_at(const LinearSystem& system, int k) {
 Tolerance tolerance_after(const LinearSystem& system, int least_steps) {
   for (int k = least_steps; k < least_steps + 50; ++k)
     if (const auto tolerance = tolerance_at(system, k)) return *tolerance;
-  // Eigenvalues that happen to be close are one to CG, which is done earlier.
+  // CG takes eigenvalues that happen to be close for one, and then ends earlier.
   for (int k = least_steps - 1; k > 0; --k)
     if (const auto tolerance = tolerance_at(system, k)) return *tolerance;
   throw std::logic_error("no clear tolerance for " + system.name);
@@ -188,7 +188,7 @@ Tolerance tolerance_after(const LinearSystem& system, int least_steps) {
 
 Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int steps, std::vector<double> x,
                int calls) {
-  // Who ignores the limit may go on to the default: the step limit's category is about that.
+  // Code that ignores the limit may go on to the default: the category about the step limit tests that.
   const int n = system.n(), limit = std::max(limit_of(n, steps), usual_limit(system));
   trial.describe(system.name + ", n = " + std::to_string(n));
   if (x.empty()) x = system.b;
@@ -201,7 +201,7 @@ Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int ste
     system.A->matVecMult(copy.data(), out.data());
     return ++solution.products <= calls * (3 + 2 * limit);
   };
-  std::vector<double> b = system.b;  // what one call does to it, the next one meets
+  std::vector<double> b = system.b;  // an earlier call's changes stay for the next one
   Eigen::Map<Eigen::VectorXd> right_side(b.data(), n);
   CaseAsker asker(trial);
   for (int call = 0; call < calls; ++call) {
@@ -212,8 +212,8 @@ Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int ste
                                                    solution.steps);
   }
 
-  // One more than the limit is a mistake that the step limit's category is about; what lies further off is no
-  // count of steps.
+  // One step more than the limit is a mistake for the category about the step limit; a number further off
+  // counts no steps.
   trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
                "the number of steps is negative, or far beyond the limit", numbers(solution, epsilon, steps));
   trial.expect(!all_finite(system.b) || all_finite(solution.x), "x holds values that are not finite",

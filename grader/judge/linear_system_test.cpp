@@ -1,4 +1,4 @@
-// STAFF ONLY. The suite's own bounds hold for right solutions, whatever the order in which they add.
+// STAFF ONLY. Tests that the suite's bounds hold for right solutions, in whatever order they add.
 #include "grader/judge/linear_system.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace grader::inline judge {
 namespace {
 
-// The same matrix with its unknowns in another order: place i holds what was in place order[i].
+// Holds the same matrix with its unknowns in another order: place i holds the unknown order[i].
 class Reordered : public implicitMatrix {
  public:
   Reordered(std::shared_ptr<implicitMatrix> inside, std::vector<int> order)
@@ -38,7 +38,7 @@ LinearSystem reordered(const LinearSystem& system, const std::vector<int>& order
   return result;
 }
 
-// The steps of the textbook's algorithm, in long double but for the products.
+// Counts the steps of the textbook's algorithm in long double; only the products are in double.
 int steps_in_long_double(const LinearSystem& system, double epsilon) {
   const std::size_t n = system.b.size();
   std::vector<double> in = system.b, out(n);
@@ -131,7 +131,7 @@ TEST(PlannedSystem, HasTheResidualsThatWereChosen) {
   }
 }
 
-// How far the return value's root is from the true ||b - Ax||, over what `drift` allows.
+// Divides the distance between the return value's root and the true ||b - Ax|| by `drift`.
 double part_of_drift(const LinearSystem& system, double epsilon, int steps) {
   const Solution solution = reference_solution(system, epsilon, steps);
   return std::abs(std::sqrt(solution.value) - true_residual(system, solution.x)) /
@@ -158,7 +158,7 @@ TEST(Drift, BoundsTheReferenceOnEverySystemAtEveryLength) {
         most = std::max(most, part);
       }
   }
-  // A bound so wide that it says nothing would hold, too.
+  // A bound that is much too wide would hold, too.
   EXPECT_GT(most, 1e-5);
 }
 

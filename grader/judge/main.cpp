@@ -1,5 +1,5 @@
-// STAFF ONLY. The hidden suite of one exercise, as a GoogleTest program: links the reference, and never a
-// student's code. An exercise's whole run comes after its cases.
+// STAFF ONLY. Runs the hidden suite of one exercise as a GoogleTest program: it links the reference, and
+// never a student's code. An exercise's whole run comes after its cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using grader::CaseResult, grader::Category, grader::Status, grader::SuiteJob, grader::SuiteResult;
 
-// One category as a GoogleTest test.
+// Runs one category as a GoogleTest test.
 class CategoryTest : public testing::Test {
  public:
   CategoryTest(const Category& category, grader::Student& student, const std::string& seed,
@@ -45,7 +45,7 @@ class CategoryTest : public testing::Test {
       result.feedback = "the code answered in a form that it has no business with";
       result.detail = error.what();
       ADD_FAILURE() << error.what();
-    } catch (const std::exception& error) {  // ours: there is no result without this category
+    } catch (const std::exception& error) {  // our own error: this category has no result
       std::cerr << "hairsuite: " << category_.name << ": " << error.what() << "\n";
       return;
     }
@@ -60,8 +60,8 @@ class CategoryTest : public testing::Test {
   std::vector<CaseResult>& cases_;
 };
 
-// Of each wrong category, how many of its cases hold. It comes last: what it takes of the budget nothing else
-// lacks.
+// Counts the cases that hold in each wrong category. It comes last, so that it takes budget from nothing
+// else.
 void count_cases(const std::vector<Category>& categories, grader::Student& student, const std::string& seed,
                  std::vector<CaseResult>& cases) {
   student.record(nullptr);
@@ -109,10 +109,10 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
   for (const Category& category : of_the_run) add(category, run->student());
   for (const Category& category : of_memory) add(category, memory->student());
 
-  // Standard output carries the result, and nothing else.
+  // Standard output carries the result alone.
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
-  const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
+  const bool ran = RUN_ALL_TESTS() >= 0;  // a failed category is a result, not an error
   if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size())
     throw std::runtime_error("a category has no result");
   count_cases(categories, student, job.seed, cases);

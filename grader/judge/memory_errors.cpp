@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks the recorded questions again of a worker with sanitizers.
 #include "grader/judge/memory_errors.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ bool only_restarts_are_used_up(const Allowance& allowance) {
   return used_up(allowance.spent, allowance.limit) != nullptr && used_up(others, allowance.limit) == nullptr;
 }
 
-// The program is gone, or its function: it gave no answer.
+// True if the program or its function has ended without an answer.
 bool broke_off(Outcome outcome) {
   return outcome == Outcome::crashed || outcome == Outcome::threw || outcome == Outcome::broke_rules ||
          outcome == Outcome::cannot_load;
@@ -61,8 +61,8 @@ void MemoryErrors::tell(Trial& trial, const std::string& sentence, const std::st
 
 void MemoryErrors::look(Trial& trial) {
   for (Student* student : earlier_) student->finish();
-  // A code that never answers would cost its limits once more. One that merely crashes too often is told
-  // where.
+  // Code that never answers would use up its limits once more. Code that crashes too often is worth asking:
+  // the sanitizers find the place.
   for (Student* student : earlier_) {
     if (!student->gave_up() || only_restarts_are_used_up(*paying_)) continue;
     if (student->gave_up()->outcome == Outcome::timed_out && student->spent().messages > kManyMessages)
@@ -70,7 +70,7 @@ void MemoryErrors::look(Trial& trial) {
                  student->gave_up()->note);
     trial.reply_of(*student->gave_up());
   }
-  // A file can see to it that its build with sanitizers meets a limit.
+  // A file can make its own build with sanitizers meet a limit.
   if (object_.empty())
     trial.fail(
         Status::wrong,
@@ -83,7 +83,7 @@ void MemoryErrors::look(Trial& trial) {
 }
 
 void MemoryErrors::ask_all(Trial& trial) {
-  // Charged in any case.
+  // Charges the worker's costs in any case.
   struct Charge {
     Student& student;
     Allowance &from, &to;

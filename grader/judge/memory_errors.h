@@ -1,14 +1,13 @@
-// STAFF ONLY. The category "No memory errors": what the cases asked is asked once more, of a worker whose
-// object is compiled with AddressSanitizer and UndefinedBehaviorSanitizer, until it tells of an error.
+// STAFF ONLY. The category "No memory errors" repeats the questions of the cases to a worker whose object is
+// compiled with AddressSanitizer and UndefinedBehaviorSanitizer, until it reports an error.
 //
-// The point is lost for an error, and for a program that ends where the other one went on: then memory that
-// nobody wrote decides what it does. It is not lost for what is slow or takes much memory, since the
-// sanitizers make it so; but for a file that does not become an object with them. Where nothing else is
-// right, there is no code to speak of, and no point.
+// The point is lost for an error, for a program that ends where the other one went on (unset memory then
+// decides), and for a file that does not compile with sanitizers. Slow code or much memory costs no point,
+// since the sanitizers cause both. If no other category is right, the exercise has no code to check, and
+// there is no point.
 //
-// This worker pays from the exercise's share of the budget, as the others do. It comes last: so it takes what
-// they have left, and nothing from any of them. If they have left nothing, the point is lost like that of any
-// category that comes too late.
+// This worker has the rest of the exercise's budget, and comes last, so that it takes nothing from other
+// categories. If nothing is left, the point is lost like that of any category that comes too late.
 #pragma once
 
 #include <filesystem>
@@ -27,16 +26,16 @@ namespace grader::inline judge {
 
 class MemoryErrors {
  public:
-  // `worker`: of the cases, `object`: the student's, with sanitizers; empty: there is none, and no point.
-  // `earlier`: the exercise's other workers, which are finished first.
+  // `worker` is the setup of the cases, `object` the student's object with sanitizers; empty: there is none,
+  // and no point. `earlier` are the exercise's other workers, which end first.
   MemoryErrors(const WorkerSetup& worker, std::filesystem::path object, std::vector<Student*> earlier,
                const Recording& recording, std::function<bool()> anything_right);
 
   Category category(const std::string& exercise);
   Student& student() { return student_; }
 
-  // What the student reads of an error, in a sentence of ours, and the number of the call that met it; -1: it
-  // was loaded. Empty: none was found.
+  // Return our sentence about the error for the student, and the number of the call in which it happened, or
+  // -1 while the object was loaded. Empty: no error was found.
   const std::string& message() const { return message_; }
   int call() const { return call_; }
 

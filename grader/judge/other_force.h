@@ -1,4 +1,4 @@
-// STAFF ONLY. Forces that do as another one does, but for one thing.
+// STAFF ONLY. Forces that wrap another one and change one property.
 #pragma once
 
 #include <memory>
@@ -29,7 +29,7 @@ class OtherForce : public particles::Force {
   std::shared_ptr<const particles::Force> force_;
 };
 
-// It knows its band, that of df/dx: particles more than two apart are not coupled.
+// Reports the band of df/dx: particles more than two apart are not coupled.
 class Banded final : public OtherForce {
  public:
   using OtherForce::OtherForce;

@@ -45,7 +45,7 @@ class Random {
     return values;
   }
 
-  // To 30 binary digits: exp, log, sin and cos differ by processor in the last one of 53.
+  // Rounds to 30 binary digits: exp, log, sin and cos differ by processor in the last one of 53.
   static double on_grid(double value) {
     int exponent = 0;
     const double mantissa = std::frexp(value, &exponent);

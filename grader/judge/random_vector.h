@@ -1,4 +1,4 @@
-// STAFF ONLY. Vectors of random entries.
+// STAFF ONLY. Makes vectors of random entries.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace grader::inline judge {
 
-// Its entries are normal, of size `scale`.
+// Draws normal entries of size `scale`.
 inline Eigen::VectorXd random_vector(Random& random, Eigen::Index size, double scale = 1) {
   Eigen::VectorXd v(size);
   for (double& entry : v) entry = scale * random.normal();

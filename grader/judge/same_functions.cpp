@@ -1,7 +1,7 @@
-// STAFF ONLY. The C library's functions in hairsuite, as on every processor: those for processors with fused
-// multiply-adds have other last bits than those for all others. Inputs that are made with them, such as hair
-// that lies in curls, would be other inputs. Those of long double have one version; what they round away is
-// seen once in thousands of values.
+// STAFF ONLY. Gives hairsuite the same functions of the C library on every processor: those for processors
+// with fused multiply-adds have other last bits. They would change the inputs that are made with them, such
+// as curls. Functions of long double have one version; their rounding to double differs once in thousands of
+// values.
 #include <cmath>
 
 extern "C" {

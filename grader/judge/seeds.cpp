@@ -1,11 +1,11 @@
-// STAFF ONLY. Hidden cases under many seeds, for the suite's bounds: a right program must pass under all of
-// them, and a wrong one must fail under all of them.
+// STAFF ONLY. Runs hidden cases under many seeds, for the suite's bounds: a right program must pass under
+// all of them, and a wrong one must fail under all of them.
 //
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //
-// The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
-// staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
-// read of the first; for each bound the largest error / bound, its seed, the category, and the quantity; and
+// The objects are loaded in their order, the exercise's last, in a process without a sandbox: only trusted
+// programs may run so. Prints a line for each category that fails: the number of seeds, and the first failure
+// as staff read it; for each bound the largest error / bound, its seed, the category, and the quantity; and
 // for each category a hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1
 // if one does.
 #include <sodium.h>
@@ -25,7 +25,7 @@ struct Failures {
   std::string first;
 };
 
-// Takes in a category's requests, and the products that the suite gave for them.
+// Hashes a category's requests, and the suite's products for them.
 class Hash {
  public:
   Hash() { crypto_generichash_init(&state_, nullptr, 0, 8); }
@@ -59,7 +59,7 @@ grader::Student uncaged(const std::string& exercise, const std::string& kit,
   setup.exercise = exercise;
   for (const std::filesystem::path& object : objects) {
     setup.objects.push_back(std::filesystem::absolute(object));
-    // The kit's provided/S1.so asks the suite.
+    // The kit's provided/S1.so calls the suite.
     if (object.parent_path().filename() == "provided") setup.provided.push_back(object.stem());
   }
   setup.log = "/dev/null";
@@ -82,11 +82,11 @@ int main(int argc, char* argv[]) {
   const std::string exercise = argv[1];
   const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
   std::map<std::string, Failures> failures;
-  std::map<std::string, std::pair<double, int>> nearest;  // the ratio, the seed
+  std::map<std::string, std::pair<double, int>> nearest;  // holds the ratio and the seed
   std::map<std::string, Hash> asked;
   for (int seed = first; seed < first + count; ++seed) {
-    // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is
-    // optimised.
+    // A worker has a limit of wall time, and in a build without optimisation sweeps along a hair take seconds
+    // for each seed.
     grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
     for (const grader::Category& category : grader::categories(exercise)) {
       grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));

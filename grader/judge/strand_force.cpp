@@ -98,7 +98,7 @@ void expect_own_rest_lengths(Trial& trial, const StrandForce& force, const Posed
   const VectorXd change = random_vector(trial.random, uneven.x.size());
   Posed even = uneven;
   even.strand.rest_length.setConstant(uneven.strand.rest_length.mean());
-  // `add` adds what a part answers, times a factor, to that of all particles; `first` is its first particle.
+  // `add` adds a part's answer, times a factor, to the sum of all particles; `first` is its first particle.
   using Add = std::function<void(const Posed& part, int first, double factor, VectorXd& sum)>;
   const auto expect = [&](const std::string& what, const auto& rounding, const Add& add) {
     const auto left_over = [&](const Posed& posed) {
@@ -108,7 +108,7 @@ void expect_own_rest_lengths(Trial& trial, const StrandForce& force, const Posed
         add(part_of(posed, first, count), first, -1, rest);
       return rest;
     };
-    // Parts that are not added up where rest lengths are equal are another category's.
+    // If parts do not add up even with equal rest lengths, another category reports it.
     if (largest(left_over(even)) <= 4 * rounding(even))
       expect_vector(trial, left_over(uneven), VectorXd::Zero(uneven.x.size()), 4 * rounding(uneven),
                     what + " a strand with uneven rest lengths, beside those of its parts alone,");

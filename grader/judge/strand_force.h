@@ -1,5 +1,5 @@
-// STAFF ONLY. Hidden cases that H1, H2 and H3 share, whose headers promise the same of an energy, a force and
-// products. They compare the student's answers with each other, so that a mistake elsewhere does not count
+// STAFF ONLY. Hidden cases that H1, H2 and H3 share: their headers promise the same of an energy, a force and
+// products. Cases compare the student's answers with each other, so that a mistake elsewhere does not count
 // again.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace grader::inline judge {
 
-// An exercise's functions. Those of the student add to `before`; roundings bound how far right answers are
-// from each other.
+// Holds an exercise's functions. The student's functions add to `before`; roundings bound the differences of
+// right answers.
 struct StrandForce {
   struct Product {
     std::function<VectorXd(Trial&, const Posed&, const VectorXd& dx, const VectorXd& before)> ask;
@@ -45,25 +45,25 @@ void expect_force(Trial& trial, const StrandForce& force, const Posed& posed);
 void expect_product(Trial& trial, const StrandForce& force, const StrandForce::Product& product,
                     const Posed& posed, const VectorXd& dx);
 
-// In units of `metres`, and with other rigidities, all answers keep their proportions.
+// All answers keep their proportions in units of `metres`, and with other rigidities.
 void expect_same_in_other_units(Trial& trial, const StrandForce& force, const Posed& one, const Posed& other,
                                 std::initializer_list<double> metres);
 
-// Each end of a long strand does what the end of a short one does, which is alike. `ends`: the particles at
-// the tip without a spring of their own.
+// Each end of a long strand must behave like the same end of a short one. `ends` counts the particles at the
+// tip without a spring of their own.
 void expect_ends_alike(Trial& trial, const StrandForce& force, const Posed& brief, const Posed& lengthy,
                        int ends, double rounding, const VectorXd& push);
 
-// Two particles are in one place: what comes before them and after them, with `dx` each, does what it does
-// alone. `energy` is the two's.
+// Two particles coincide: the parts before and after them, with `dx` each, must behave as they do alone.
+// `energy` is that of the two particles.
 void expect_parts_alone(Trial& trial, const StrandForce& force, const Posed& posed, int in_front,
                         const VectorXd& dx, double energy = 0, double energy_rounding = 0);
 
-// Each spring has rest lengths of its own: a strand answers as its parts of `count` neighbours do, whatever
-// these are, if it does so where they are equal.
+// Each spring has rest lengths of its own: a strand answers like the sum of its parts of `count` neighbours,
+// if it does so with equal rest lengths.
 void expect_own_rest_lengths(Trial& trial, const StrandForce& force, const Posed& uneven, int count);
 
-// Force and products are added to what is there; `sums` bounds how often an entry rounds.
+// Force and products are added to the buffer's content; `sums` bounds how often an entry rounds.
 void expect_added(Trial& trial, const StrandForce& force, const Posed& posed, int sums);
 
 }  // namespace grader::judge

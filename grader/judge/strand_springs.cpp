@@ -72,7 +72,7 @@ struct State {
   const char* name;
 };
 constexpr Range kBend = {0.1, 2.2};
-// Longer and shorter than at rest even by a neighbour's rest length: whose it is, is another category's.
+// Longer or shorter than at rest by any neighbour's rest length: another category tests which one counts.
 constexpr State kLonger = {{2.5, 3.5}, {0.1, 0.6}, "stretched"},
                 kShorter = {{0.05, 0.2}, kBend, "compressed"},
                 kMixed = {{0.6, 1.5}, kBend, "stretched and compressed"};
@@ -86,8 +86,8 @@ Posed in_state(Random& random, const Strand& strand, const State& state) {
   return random_pose(random, strand, state.stretch, state.bend, state.name);
 }
 
-// Springs that skip a particle are at rest at both ends of a strand of `metres`: loops that end too soon are
-// another category's of H3.
+// Springs that skip a particle are at rest at both ends of a strand of `metres`: another category of H3 finds
+// loops that end too soon.
 Posed with_ends_at_rest(const Springs& springs, Posed posed) {
   if (springs.apart == 1) return posed;
   const int last = posed.strand.count() - 1;
@@ -100,7 +100,7 @@ Posed with_ends_at_rest(const Springs& springs, Posed posed) {
   return posed;
 }
 
-// A change that leaves both as long as they are.
+// Makes a change that keeps both lengths.
 VectorXd change_of(Random& random, const Springs& springs, const Posed& posed) {
   VectorXd dx = random_vector(random, posed.x.size());
   if (springs.apart == 1) return dx;
@@ -109,7 +109,7 @@ VectorXd change_of(Random& random, const Springs& springs, const Posed& posed) {
   return dx;
 }
 
-// In all states, and straight at rest: its lengths are right to the last bit.
+// Makes all states, and a straight one at rest, whose lengths are right to the last bit.
 std::vector<Posed> states(Random& random, const Springs& springs, std::initializer_list<int> counts) {
   std::vector<Posed> all;
   for (const int count : counts)
@@ -120,7 +120,7 @@ std::vector<Posed> states(Random& random, const Springs& springs, std::initializ
   return all;
 }
 
-// The fewest particles of which the cases above know the ends.
+// Returns the fewest particles with which the cases above know the ends.
 int fewest(const Springs& springs) {
   return springs.apart == 1 ? 2 : 5;
 }
@@ -153,8 +153,8 @@ void expect_same(Trial& trial, const Springs& springs, const Posed& posed, Geome
                 2 * springs.product_rounding(posed, dx), what);
 }
 
-// Beside the student's own exact product, which is another category's: springs that are all longer than at
-// rest have it, and those that are all shorter have it without the term.
+// Compares with the student's own exact product, which another category tests: springs that are all longer
+// than at rest have the exact one; for shorter ones the term is missing.
 void expect_filtered(Trial& trial, const Springs& springs, const Posed& longer, const Posed& shorter,
                      const VectorXd& dx) {
   const VectorXd full = springs.product(trial, longer, dx);
@@ -166,7 +166,7 @@ void expect_filtered(Trial& trial, const Springs& springs, const Posed& longer, 
               "the filtered product of what is compressed");
 }
 
-// On a line no spring turns if all move along it, and without the geometric term nothing else has a force.
+// On a line no spring turns if all particles move along it: the geometric term alone adds a force.
 void expect_along_a_line(Trial& trial, const Springs& springs, const Posed& line, const Vector3d& direction,
                          const VectorXd& dx) {
   VectorXd along(dx.size());
@@ -179,8 +179,8 @@ void expect_along_a_line(Trial& trial, const Springs& springs, const Posed& line
               "the product across a line, without the geometric term");
 }
 
-// In a bent strand each spring has its own direction u: if its one end moves, what is left at the other one
-// is the part along u.
+// In a bent strand each spring has its own direction u: if one end moves, the force on the other end is along
+// u.
 void expect_own_directions(Trial& trial, const Springs& springs, const Posed& bent) {
   for (int i = 0; i + springs.apart < bent.strand.count(); ++i) {
     VectorXd dx = VectorXd::Zero(bent.x.size());
@@ -196,8 +196,8 @@ void expect_own_directions(Trial& trial, const Springs& springs, const Posed& be
   }
 }
 
-// One of two springs is longer than at rest, and the other shorter: each has its own term. `moved` is an end
-// of one alone.
+// One of two springs is longer than at rest, and the other shorter: each has its own term. `moved` is an
+// end of one spring alone.
 void expect_own_term(Trial& trial, const Springs& springs, const Posed& two, int moved, bool longer) {
   VectorXd dx = VectorXd::Zero(two.x.size());
   dx.segment<3>(3 * moved) = random_vector(trial.random, 3);
@@ -227,7 +227,7 @@ void filtered_products_of_springs(Trial& trial, const Springs& springs) {
     for (int i : {0, 1})
       two.x.segment<3>(3 * (i + springs.apart)) =
           two.x.segment<3>(3 * i) + (i == stretched ? 1.6 : 0.6) * checks::ordinary_direction(random);
-    // The end that the other spring has not.
+    // Takes the end that the other spring lacks.
     for (int spring : {0, 1})
       expect_own_term(trial, springs, two, spring * (1 + springs.apart), spring == stretched);
   }
@@ -235,8 +235,8 @@ void filtered_products_of_springs(Trial& trial, const Springs& springs) {
 
 void rest_lengths_of_springs(Trial& trial, const Springs& springs) {
   Random& random = trial.random;
-  // One spring at the same strain, long or short, its rest length divided somehow: the same force, an energy
-  // as l0, products as 1/l0.
+  // Compares springs of the same strain but other rest lengths: the force is equal, the energy grows as l0,
+  // and products as 1/l0.
   Strand strand = checks::ordinary_strand(random, 1 + springs.apart);
   const double strain = random.uniform(0.1, 0.4), whole = checks::ordinary_number(random, 0.3, 2.3);
   const Vector3d direction = checks::ordinary_direction(random);
@@ -250,8 +250,8 @@ void rest_lengths_of_springs(Trial& trial, const Springs& springs) {
     forces.push_back(springs.force(trial, posed).norm());
     products.push_back(springs.product(trial, posed, dx).norm() * part);
   }
-  // strain is known to about 4 u of a length, relative to itself to 4 u / strain. Multiplied out, either
-  // energy is off by another 4 u k (l + l0)^2, relative to k (l - l0)^2 / 2.
+  // strain has an error of about 4 u of a length, or relatively 4 u / strain. Multiplied out, either energy
+  // is off by another 4 u k (l + l0)^2, relative to k (l - l0)^2 / 2.
   const double multiplied_out = 16 * kUnit * std::pow((2 + strain) / strain, 2);
   expect_all_equal(trial, energies, 128 * kUnit / strain + multiplied_out,
                    "how a spring's energy over its rest length changes with that length");
@@ -297,14 +297,14 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
   expect_nothing({springs.metres(random, 6), random_vector(random, 3).replicate(6, 1),
                   "a strand with all particles in one place"});
 
-  // One of two springs has no length: the other does what it does alone.
+  // One of two springs has no length: the other one must behave as it does alone.
   for (int which : {0, 1}) {
     Posed posed = in_state(random, springs.metres(random, 2 + springs.apart), kMixed);
     posed.name = "two springs, one without a length";
     posed.x.segment<3>(3 * (which + springs.apart)) = Vector3d(posed.x.segment<3>(3 * which));
     const Posed alone = part_of(posed, 1 - which, 1 + springs.apart);
-    // It has the energy of one that is hardly longer than nothing: they differ by k l0 times that length, or
-    // a few times that if the factor in front is wrong.
+    // Its energy is that of a spring with almost no length: they differ by k l0 times that length, or a few
+    // times that if the factor in front is wrong.
     constexpr double kHardly = 0x1p-30;
     Posed short_one = part_of(posed, which, 1 + springs.apart);
     short_one.x.tail<3>() += kHardly * checks::ordinary_direction(random);
@@ -318,7 +318,7 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
     const VectorXd dx = random_vector(random, posed.x.size());
     const auto expect = [&](const std::string& what, double rounding, const auto& answer) {
       const VectorXd of_other = answer(alone, 1 - which);
-      // A strand whose last spring is not there, or has one end, is another category's.
+      // If the last spring is missing or has one end, another category reports it.
       if (largest(of_other) == 0 || largest(of_other.head<3>() + of_other.tail<3>()) > rounding) return;
       VectorXd expected = VectorXd::Zero(posed.x.size());
       expected.segment(3 * (1 - which), alone.x.size()) = of_other;

@@ -1,9 +1,9 @@
-// STAFF ONLY. What H1 and H3 share, whose springs join each particle with the next one or the one after it:
-// the functions, bounds of rounding errors, hidden cases.
+// STAFF ONLY. The functions, bounds of rounding errors and hidden cases that H1 and H3 share. Their springs
+// join each particle with the next one or the one after it.
 //
 // Rounding. A spring's vector comes out of one subtraction, so that its length l has a relative error of a
-// few u = 2^-53, wherever the strand is. What is compared has gone through less than 16 more operations in
-// either program, hence 64 u of
+// few u = 2^-53, wherever the strand is. The compared numbers have less than 16 more operations in either
+// program, hence 64 u of
 //
 //   k (l + l0)              N        for a spring's force
 //   k (1 + l0/l) |de|       N        for its product with a change de
@@ -22,7 +22,7 @@
 
 namespace grader::inline judge {
 
-// Its products are those with the full, the filtered and the dropped term.
+// Has products with the full, the filtered and the dropped term.
 struct Springs : StrandForce {
   int apart;  // 1: each particle is joined with the next one. 2: with the one after it
 
@@ -30,13 +30,13 @@ struct Springs : StrandForce {
                    GeometricTerm term = GeometricTerm::full) const {
     return products[static_cast<int>(term)].ask_from_zero(trial, posed, dx);
   }
-  // The part that H2's cases ask, too: the only product is the exact one.
+  // H2's cases use this part, too: its only product is the exact one.
   StrandForce exact() const;
-  // A strand whose springs are 1 m long at rest: what k is made of is one category's.
+  // Makes a strand with springs 1 m long at rest: another category tests how k depends on lengths.
   Strand metres(Random& random, int count) const;
 };
 
-// Bounds; see above. `energy` is the reference's.
+// Return bounds; see above. `energy` is the reference's.
 double energy_rounding(double Strand::*rigidity, int apart, const Posed& posed, double energy);
 double force_rounding(double Strand::*rigidity, int apart, const Posed& posed);
 double product_rounding(double Strand::*rigidity, int apart, const Posed& posed, const VectorXd& dx);
@@ -75,7 +75,7 @@ Springs springs_of() {
   return all;
 }
 
-// Against the reference, up to rounding.
+// Compares with the reference, up to rounding.
 void energies_of_springs(Trial& trial, const Springs& springs);
 void forces_of_springs(Trial& trial, const Springs& springs);
 void exact_products_of_springs(Trial& trial, const Springs& springs);

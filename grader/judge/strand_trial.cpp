@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks about strands and compares the answers with the reference's.
 #include "grader/judge/strand_trial.h"
 
 #include <Eigen/Geometry>

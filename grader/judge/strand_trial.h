@@ -1,5 +1,5 @@
-// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: a student's answers about strands, strands
-// and states as inputs, and comparisons with the reference.
+// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: calls of a student's functions on strands,
+// strands and states as inputs, and comparisons with the reference.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 using hair::GeometricTerm;
 using hair::Strand;
 
-// A strand with its positions.
+// Holds a strand with its positions.
 struct Posed {
   Strand strand;
   VectorXd x;
@@ -32,7 +32,7 @@ struct Posed {
 
 void describe(Trial& trial, const Posed& posed);
 
-// What a function of the student's answers about a strand. Each checks that it is finite.
+// These call a student's function on a strand, and check that the answer is finite.
 template <class Calls, auto energy>
 double energy_of(Trial& trial, const Posed& posed) {
   describe(trial, posed);
@@ -40,7 +40,7 @@ double energy_of(Trial& trial, const Posed& posed) {
   trial.expect(std::isfinite(answer), "the energy is not a finite number");
   return answer;
 }
-// The sum that the function leaves where `before` stood, to which it adds.
+// Returns the buffer after the call; the function adds to its content, `before`.
 template <class Calls, auto add, class... Arguments>
 VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, const VectorXd& before,
                 const Arguments&... arguments) {
@@ -50,22 +50,22 @@ VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, const
   return sum;
 }
 
-// The largest absolute value of an entry.
+// Returns the largest absolute value of an entry.
 double largest(const VectorXd& v);
 
 // Checks that no entry is off by more than `bound`.
 void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expected, double bound,
                    const std::string& what);
 
-// Checks that a value is between 1/100 and 100 times the expected one. It is for cases that test another
-// property: zeros must not have it, and an unrelated mistake must not cost it.
+// Checks that a value is between 1/100 and 100 times the expected one. Cases that test another property call
+// it: zeros must not have the property, and an unrelated mistake must not cost it.
 void expect_size(Trial& trial, double actual, double expected, const std::string& what);
 
 // For cases that compare a student's answers with each other: zeros must not have the property.
 void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& what);
 
-// An answer in other units of length and force, `metre` and `newton` times ours: each number is what it was,
-// times newton, times a power of metre. Which power that is, another category asks; here it is the same in
+// Holds an answer in other units of length and force, `metre` and `newton` times ours: each number is the old
+// one times newton, times a power of metre. Another category tests which power; here it must be the same in
 // all units. No entry, over the largest one, is off by more than `rounding` over the largest of `expected`.
 class InUnits {
  public:
@@ -86,24 +86,24 @@ class InUnits {
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
                       const std::string& what);
 
-// A strand of handout/check/ordinary.h whose rest lengths are `metres`: these and what a constant is made of
-// are one category's.
+// Makes a strand of handout/check/ordinary.h with rest lengths `metres`: one category alone tests rest
+// lengths and the parts of constants.
 Strand even_strand(Random& random, int count, double metres = 1);
 
 struct Range {
   double low, high;
 };
 
-// A random pose: segments have `stretch` times their rest length, and each is turned from the previous one by
-// an angle in `bend` about an ordinary axis. The root's position and the first direction are random
+// Makes a random pose: segments have `stretch` times their rest length, and each is turned from the previous
+// one by an angle in `bend` about an ordinary axis. The root's position and the first direction are random
 // (if clamped, root_tangent is random and the first segment is turned from it likewise).
 Posed random_pose(Random& random, const Strand& strand, Range stretch, Range bend, const std::string& name);
 
-// A pose on a line through the root: segments of the given lengths along `direction`.
+// Makes a pose on a line through the root: segments of the given lengths along `direction`.
 Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::Vector3d& direction,
                     const std::string& name);
 
-// `count` particles from the one with number `first` on, as a strand; clamped only with its root.
+// Takes `count` particles from number `first` on, as a strand; only a part with its root is clamped.
 Posed part_of(const Posed& posed, int first, int count);
 
 }  // namespace grader::judge

@@ -1,4 +1,4 @@
-// STAFF ONLY. Reads a job, runs it and writes what it found.
+// STAFF ONLY. Reads a job, runs it and writes its results.
 #include "grader/judge/suite_program.h"
 
 #include <signal.h>
@@ -36,7 +36,7 @@ void add_costs(Student& student, const WorkerSetup& worker, SuiteResult& result)
 }
 
 int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&)) {
-  // Ends with hairgrade, whatever ends that, and its worker with it.
+  // This process and its worker end when hairgrade ends, for whatever reason.
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   signal(SIGPIPE, SIG_IGN);
   for (int ending : {SIGINT, SIGTERM, SIGHUP})
@@ -57,8 +57,8 @@ int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&)) {
 
 }  // namespace grader::judge
 
-// In a build with sanitisers: looking for leaks when the process ends fails now and then beside OSMesa's
-// threads, and a submission would have no result. The suite's own tests look for leaks in the same code.
+// In a build with sanitisers the search for leaks at the end fails now and then because of OSMesa's threads,
+// and a submission would have no result. The suite's own tests look for leaks in the same code.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the sanitiser's name
 extern "C" int __lsan_is_turned_off() {
   return 1;

@@ -1,5 +1,5 @@
 // STAFF ONLY. hairsuite and hairstudy as programs: each reads a job as JSON from standard input (job.h) and
-// writes what it found as JSON to standard output (grader/result/suite_result.h).
+// writes its results as JSON to standard output (grader/result/suite_result.h).
 #pragma once
 
 #include "grader/judge/job.h"
@@ -10,11 +10,11 @@ namespace grader::inline judge {
 
 WorkerSetup worker_of(const SuiteJob& job);
 
-// Ends the student's process; adds what it and its job took.
+// Ends the student's process; adds the costs of it and of this job.
 void add_costs(Student& student, const WorkerSetup& worker, SuiteResult& result);
 
-// The program's exit code: 2 if the job is none, 1 if `run` throws. It ends with the program that has started
-// it.
+// Returns the program's exit code: 2 if the job is malformed, 1 if `run` throws. It ends with the program
+// that started it.
 int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&));
 
 }  // namespace grader::judge

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Compares numbers of a student with the reference's, and describes the first failure.
 #include "grader/judge/trial.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::span<const double> as_span(const Eigen::VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
 }
 
-// The first NaN, or the largest difference.
+// Returns the first NaN, or the largest difference.
 std::optional<Eigen::Index> worst_entry(const Compared& numbers) {
   const auto& [actual, expected, block, before, bound] = numbers;
   std::optional<Eigen::Index> worst;
@@ -141,7 +141,7 @@ void Trial::ask_aside(const std::function<void()>& questions) {
   try {
     questions();
   } catch (const CaseFailed&) {
-    // What is not answered excuses nothing.
+    // A question without an answer excuses nothing.
   }
   when_wrong_ = when_wrong;
   cases_ = cases;
@@ -155,7 +155,7 @@ std::optional<CaseCount> count_of(const Category& category, Student& student, co
     category.run(trial);
   } catch (const CaseFailed&) {
     return {};
-  } catch (const std::exception&) {  // a message of another form, or what we can't compute with wrong answers
+  } catch (const std::exception&) {  // a malformed message, or wrong answers that we can't use
     return {};
   }
   if (trial.failed() == 0) return {};

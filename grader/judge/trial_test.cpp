@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests comparisons of numbers, and the sentences about failures.
 #include "grader/judge/trial.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// What a student and staff read when `error` meets `bound`; a status of `passed` if it holds.
+// Returns the texts for student and staff when `error` meets `bound`; the status is `passed` if it holds.
 CaseFailed verdict(double error, double bound) {
   Student nobody{WorkerSetup{}};
   Trial trial(nobody, Random("seed", "verdict"));
@@ -68,7 +68,7 @@ TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
   EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
 }
 
-// What a student reads of numbers where (1, 2, 3) is expected.
+// Returns the student's hint about numbers where (1, 2, 3) is expected.
 std::string hint_of(const std::vector<double>& numbers, const std::vector<double>& expected = {1, 2, 3}) {
   Student nobody{WorkerSetup{}};
   Trial trial(nobody, Random("seed", "hint"));
@@ -188,8 +188,8 @@ TEST(Random, DependsOnSeedAndPurpose) {
   EXPECT_NE(Random("another", "purpose").uniform(), first);
 }
 
-// Means of 10,000 draws, within five standard deviations of theirs: off by chance once in two million, and
-// the seed is fixed.
+// Tests means of 10,000 draws, within five standard deviations: a failure by chance has a probability of one
+// in two million, and the seed is fixed.
 TEST(Random, DrawsFromTheDistributionsNamed) {
   constexpr int kDraws = 10'000;
   Random random("seed", "distributions");
@@ -207,7 +207,7 @@ TEST(Random, DrawsFromTheDistributionsNamed) {
   }
   EXPECT_NEAR(uniform, 1, 5 * 4 / std::sqrt(12.0 * kDraws));
   EXPECT_NEAR(normal, 0, 5 / std::sqrt(kDraws));
-  EXPECT_NEAR(squared, 1, 5 * std::sqrt(2.0 / kDraws));  // the variance of z^2 is 2
+  EXPECT_NEAR(squared, 1, 5 * std::sqrt(2.0 / kDraws));  // z^2 has the variance 2
   EXPECT_TRUE(low && high);
 }
 

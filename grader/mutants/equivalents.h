@@ -1,6 +1,6 @@
-// STAFF ONLY. Mutants that are right programs nevertheless, in reference/<ID>/equivalents.json: the line and
-// what is changed in it, as in mutation.h, and why it does not matter. `occurrence` says which, where a line
-// has what is changed more than once: from 1, which is what it is without the key.
+// STAFF ONLY. Mutants that are right programs nevertheless, in reference/<ID>/equivalents.json: the line, its
+// change, as in mutation.h, and why it does not matter. If a line has the changed words more than once,
+// `occurrence` counts them from 1, the default.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct Equivalent {
   bool is(const std::string& source, const Mutation& mutation) const;
 };
 
-// Those of an exercise, from the project's folder; none where it has no such file.
+// Returns those of an exercise, from the project's folder; none if it has no such file.
 std::vector<Equivalent> equivalents_of(const std::string& exercise, const std::filesystem::path& project);
 
 }  // namespace grader::mutants

@@ -1,4 +1,4 @@
-// STAFF ONLY. Each entry of an equivalents.json is a mutant of a solution, and says why it is right.
+// STAFF ONLY. Tests that each entry of an equivalents.json is a mutant of a solution, and has a reason.
 #include "grader/mutants/equivalents.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 const std::filesystem::path kProject = HAIR_PROJECT;
 
-// An entry that nothing matches was left behind by a change of the solution.
+// An entry that matches nothing is left from an older solution.
 TEST(Equivalents, AreMutantsOfTheSolutions) {
   std::size_t count = 0;
   for (const Exercise& exercise : read_course(kProject / "handout/exercises.json").exercises) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. What becomes of a wrong program.
+// STAFF ONLY. The judgement of a wrong program.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ enum class Judgement { does_not_compile, loses_points, gets_all };
 
 struct Judged {
   Judgement judgement = Judgement::does_not_compile;
-  // Categories, the whole run among them; none where they were not counted.
+  // Lists categories, also the whole run; empty if they were not counted.
   std::vector<CaseResult> lost = {};
 };
 

@@ -1,6 +1,5 @@
-// STAFF ONLY. What the suite takes of wrong programs, as hairgrade would, but only as far as needed: cases
-// and the whole run first, and its pictures and the look for memory errors for those alone that pass all of
-// these.
+// STAFF ONLY. Grades wrong programs as hairgrade does, but only as far as needed: cases and the whole run
+// first; pictures and memory errors only if a program passes all of these.
 #pragma once
 
 #include <string>
@@ -18,7 +17,7 @@ class Judging {
   // `settings.exercise` names the exercise. Throws as Grading does, in grader/tool/grading.h.
   explicit Judging(GradingSettings settings);
 
-  // Of the file `source` of the submission `name`. Threads may call it side by side, with different names.
+  // Judges the file `source` of the submission `name`. Threads may call it in parallel, with different names.
   Judged judge(const std::string& name, const std::string& source) const;
 
  private:

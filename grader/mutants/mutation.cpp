@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Finds all small changes of a source.
 #include "grader/mutants/mutation.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Word::Kind;
 
-// What takes the place of an operator between two values.
+// Maps an operator between two values to its replacements.
 const std::map<std::string, std::vector<std::string>> kBetween = {
     {"+", {"-"}},        {"-", {"+"}},        {"*", {"/"}},        {"/", {"*"}},        {"<", {"<=", ">"}},
     {">", {">=", "<"}},  {"<=", {"<", ">="}}, {">=", {">", "<="}}, {"==", {"!="}},      {"!=", {"=="}},
@@ -35,7 +35,7 @@ const std::map<std::string, std::string> kNames = {{"true", "false"},
                                                    {"break", "continue"},
                                                    {"continue", "break"}};
 
-// Names that are easily taken for each other.
+// Lists names that are easily confused.
 const std::map<std::string, std::string> kAlike = {{"x", "v"},
                                                    {"v", "x"},
                                                    {"i", "j"},
@@ -58,7 +58,7 @@ class Mutations {
   explicit Mutations(const std::string& source) : source_(source), words_(words_of(source)) {}
 
   std::vector<Mutation> take() {
-    int types = 0;  // how many < of templates are open
+    int types = 0;  // counts open < of templates
     for (i_ = 0; i_ < words_.size(); ++i_) {
       if (skip_declaration()) continue;
       if (text(i_) == "<" && !is_spaced(i_)) ++types;
@@ -94,7 +94,7 @@ class Mutations {
     return words_[i].at > 0 && is_space(words_[i].at - 1) && is_space(words_[i].at + words_[i].text.size());
   }
 
-  // It is declared there: int a, Matrix* b, Vector<3>& c.
+  // True if it is declared there: int a, Matrix* b, Vector<3>& c.
   bool follows_type(std::size_t i) const {
     if (i == 0) return true;
     const Word& before = words_[i - 1];
@@ -107,7 +107,7 @@ class Mutations {
     found_.push_back({words_[i].at, words_[i].text.size(), instead, kind});
   }
 
-  // using, namespace, template, ...: nothing that runs.
+  // Skips using, namespace, template, ...: nothing that runs.
   bool skip_declaration() {
     static const std::set<std::string> skipped = {"using",         "namespace", "template",
                                                   "static_assert", "struct",    "class"};
@@ -126,7 +126,7 @@ class Mutations {
     } else if (sign == "-" || sign == "!") {
       replace(i_, "", "sign");
     }
-    // An index: [i] to [i + 1], and an argument that follows: segment<3>(i) is the matter of constants.
+    // Changes an index, [i] to [i + 1]. Arguments, as in segment<3>(i), are left to changed constants.
     if (sign == "[" && is_value_before(i_) && text(i_ - 1) != "auto") {
       const std::size_t close = closing(i_, "[", "]");
       const bool declares = text(close + 1) == "=" && text(close + 2) == "{";
@@ -136,7 +136,7 @@ class Mutations {
     if (sign == ",") arguments();
   }
 
-  // (a, b) to (b, a), where both are names.
+  // Changes (a, b) to (b, a), if both are names.
   void arguments() {
     const auto alone = [&](std::size_t i) {
       const auto beside = [](const std::string& sign) { return sign == "(" || sign == "," || sign == ")"; };
@@ -193,7 +193,7 @@ class Mutations {
     return before == ";" || before == "{" || before == "}" || before == ")" || before == "else";
   }
 
-  // "a.b = c;", "f(a);", "a += b;", "return a;" within loops is left: it does not compile, or all is wrong.
+  // Removes "a.b = c;", "f(a);", "a += b;". Without "return" a program fails to compile, or is all wrong.
   void statement() {
     static const std::set<std::string> kept = {"return", "if",   "for",   "while",  "do",   "else",
                                                "const",  "auto", "throw", "switch", "case", "double",
@@ -203,7 +203,7 @@ class Mutations {
     if (kept.contains(words_[i_].text) || !second.contains(text(i_ + 1))) return;
     std::size_t end = i_;
     for (int depth = 0; end < words_.size(); ++end) {
-      // A constructor, which has a body.
+      // This is a constructor with a body.
       if (depth == 0 && text(end) == "{" && words_[end - 1].text == ")") return;
       if (depth == 0 && text(end) == ":" && words_[end - 1].text == ")") return;
       if (text(end) == "(" || text(end) == "[" || text(end) == "{") ++depth;
@@ -239,7 +239,7 @@ std::vector<Mutation> drawn(std::vector<Mutation> all, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::map<std::string, std::vector<Mutation>> kinds;
   for (Mutation& mutation : all) kinds[mutation.kind].push_back(std::move(mutation));
-  // Not std::shuffle, whose order is each library's own.
+  // std::shuffle does not serve: its order depends on the library.
   for (auto& [kind, of_kind] : kinds)
     for (std::size_t i = of_kind.size(); i > 1; --i) std::swap(of_kind[i - 1], of_kind[random() % i]);
   std::vector<Mutation> order;
@@ -264,7 +264,7 @@ std::string line_of(const std::string& source, const Mutation& mutation) {
 }
 
 std::string change_of(const std::string& source, const Mutation& mutation) {
-  // Over several lines: as one.
+  // Several lines count as one.
   std::string gone;
   for (const char c : source.substr(mutation.at, mutation.length))
     if (c != '\n' && !(c == ' ' && gone.ends_with(' '))) gone += c;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Mutants: wrong programs that are made of a right one by one small change (DeMillo, Lipton,
-// Sayward 1978). A suite that gives one of them all points does not ask for what the change broke.
+// STAFF ONLY. Mutants: wrong programs that one small change makes of a right one (DeMillo, Lipton, Sayward
+// 1978). A suite that gives one of them all points does not test the changed part.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 namespace grader::inline mutants {
 
 struct Mutation {
-  std::size_t at, length;  // the bytes of the source that go
-  std::string instead;     // what stands in their place
+  std::size_t at, length;  // are the removed bytes of the source
+  std::string instead;     // replaces them
   // "operator", "comparison", "constant", "index", "argument", "name", "sign", "condition", "function",
   // "statement"
   std::string kind;
 };
 
-// All changes of a C++ source as clang-format writes it, in its order. It looks at words and signs alone, so
-// some do not compile, and some change nothing.
+// Returns all changes of a C++ source in clang-format's layout, in its order. It looks at words and signs
+// alone, so some do not compile, and some change nothing.
 std::vector<Mutation> mutations_of(const std::string& source);
 
-// All of them in the order in which they are tried: one of each kind in turn, drawn by the seed.
+// Returns all of them in the order of trials: one of each kind in turn, drawn by the seed.
 std::vector<Mutation> drawn(std::vector<Mutation> all, std::uint64_t seed);
 
 std::string mutated(const std::string& source, const Mutation& mutation);
 
-// The line where it begins, without the white space at its ends; and what is changed, "`<` to `<=`".
+// Return the line where it begins, without white space at its ends; and the change, "`<` to `<=`".
 std::string line_of(const std::string& source, const Mutation& mutation);
 std::string change_of(const std::string& source, const Mutation& mutation);
-// Which of the line's words like this one, or places for what is added, is changed: from 1.
+// Counts from 1 which of the line's equal words, or places of an addition, is changed.
 int occurrence_of(const std::string& source, const Mutation& mutation);
 int line_number(const std::string& source, const Mutation& mutation);  // from 1
 

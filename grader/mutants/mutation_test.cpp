@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests which mutants are made of small sources.
 #include "grader/mutants/mutation.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Divides a source into words and signs.
 #include "grader/mutants/words.h"
 
 #include <array>
@@ -16,7 +16,7 @@ bool is_of_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Longer ones first.
+// Longer ones come first.
 constexpr std::array<std::string_view, 22> kSigns = {
     "<<=", ">>=", "...", "->", "++", "--", "<=", ">=", "==", "!=", "&&",
     "||",  "+=",  "-=",  "*=", "/=", "%=", "::", "<<", ">>", "|=", "&="};
@@ -40,8 +40,8 @@ std::size_t end_of_number(const std::string& source, std::size_t at) {
   return end;
 }
 
-// Behind a comment, a text in quotes or a line of the preprocessor that begins at `at`; `at` itself if there
-// is none.
+// Returns the place behind a comment, a text in quotes or a line of the preprocessor that begins at `at`;
+// `at` itself if there is none.
 std::size_t behind_what_is_no_code(const std::string& source, std::size_t at) {
   const auto behind = [&](const char* end, std::size_t from) {
     const std::size_t found = source.find(end, from);

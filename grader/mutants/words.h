@@ -1,5 +1,5 @@
-// STAFF ONLY. A C++ source as its words and signs, for mutants: no comments, no text in quotes, no lines of
-// the preprocessor.
+// STAFF ONLY. Divides a C++ source into words and signs, for mutants: it skips comments, texts in quotes, and
+// lines of the preprocessor.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Word {
   enum class Kind { name, number, sign };
   Kind kind;
   std::string text;
-  std::size_t at;  // its first byte in the source
+  std::size_t at;  // is its first byte in the source
 };
 
 std::vector<Word> words_of(const std::string& source);

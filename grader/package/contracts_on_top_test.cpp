@@ -1,4 +1,4 @@
-// STAFF ONLY. Which given headers lie on top of the handout.
+// STAFF ONLY. Tests which given headers lie on top of the handout.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The project's headers that a text includes, "hair/strand.h".
+// Lists the project's headers that a text includes, "hair/strand.h".
 std::vector<std::string> included_by(const std::string& text) {
   static const std::regex line("#include \"([^\"]+)\"");
   std::vector<std::string> found;
@@ -22,7 +22,7 @@ std::vector<std::string> included_by(const std::string& text) {
   return found;
 }
 
-// On top lie the exercises' headers and what these and the stubs include, and nothing else.
+// On top lie only the exercises' headers and those that these and the stubs include.
 TEST(ContractsOnTop, AreThereAndNoOtherGivenCode) {
   const fs::path root = HAIR_SOURCE_DIR;
   const Course course = read_course(root / "handout/exercises.json");

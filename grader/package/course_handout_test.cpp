@@ -1,4 +1,4 @@
-// STAFF ONLY. Handouts of the real project, for any course.
+// STAFF ONLY. Tests handouts of the real project, for any course.
 
 #include "grader/package/handout.h"
 
@@ -56,13 +56,13 @@ TEST_F(RealProject, MakesGoldenDataThatShipsAsAWhole) {
   Paths listed;
   for (const ManifestLine& line : read_manifest(root_, course_)) listed.insert(line.source);
   for (const fs::directory_entry& entry : fs::directory_iterator(sources_.golden)) {
-    if (entry.is_directory()) continue;  // runs of the scenes that ship
+    if (entry.is_directory()) continue;  // skips runs of the scenes that ship
     const std::string source = "golden/" + entry.path().filename().string();
     EXPECT_TRUE(listed.contains(source)) << source << " is not in handout/manifest.txt";
   }
 }
 
-// Where a link of a text leads, from the handout's top: "given/hair/README.md#grooms".
+// Returns the targets of a text's links, from the handout's top: "given/hair/README.md#grooms".
 std::vector<std::string> links_of(const std::string& path, const std::string& text) {
   static const std::regex link("\\]\\(([^)\\s]+)\\)");
   std::vector<std::string> found;
@@ -103,7 +103,7 @@ void expect_links_resolve(const Files& files) {
   }
 }
 
-// A text that mentions it says at its end that the course lacks it.
+// A text that mentions the exercise says at its end that the course lacks it.
 void expect_named_as_absent(const Exercise& exercise, const Files& files) {
   for (const auto& [path, text] : files) {
     if (!path.ends_with(".md") || text.find(" " + exercise.id + " ") == std::string::npos) continue;
@@ -113,7 +113,7 @@ void expect_named_as_absent(const Exercise& exercise, const Files& files) {
   }
 }
 
-// The points that an exercise's text names, and their sum over its categories; {-1, 0} if it names none.
+// Returns the points in an exercise's text, and their sum over its categories; {-1, 0} without points.
 std::pair<double, double> points_in(const std::string& text) {
   static const std::regex total("([0-9.]+) points, in these categories:"), row("\\| .+? \\| ([0-9.]+) \\|.*");
   std::pair<double, double> points{-1, 0};
@@ -130,7 +130,7 @@ std::pair<double, double> points_in(const std::string& text) {
   return points;
 }
 
-// "2. P1, H1: your first hair, ..., `hairlab view limp-hair`.": the exercises play the scene, as
+// "2. P1, H1: your first hair, ..., `hairlab view limp-hair`.": the exercises call the scene, as
 // golden/scenes.md has it.
 TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
   const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
@@ -168,7 +168,7 @@ TEST_F(RealProject, ShowsEachExerciseByASceneThatCallsIt) {
   }
 }
 
-// Commands play scenes that are there, and nobody is asked to look at, study or copy another.
+// Commands run only scenes that ship, and no text tells a student to look at, study or copy another.
 void expect_scenes_to_play(const Files& files, const std::vector<ManifestLine>& all) {
   for (const ManifestLine& line : all) {
     if (!line.destination.starts_with("given/hair/scenes/") || !line.destination.ends_with(".json")) continue;
@@ -181,7 +181,7 @@ void expect_scenes_to_play(const Files& files, const std::vector<ManifestLine>& 
   }
 }
 
-// Points stand where the course's are put: in the index's table and in an exercise's categories.
+// Points stand only in the index's table and in an exercise's categories, where the course's are filled in.
 void expect_no_other_points(const Files& files) {
   static const std::regex number("\\b([Oo]ne|[Tt]wo|half a|[0-9.]+) points? (for|of|if|each|in)\\b"),
       categories("[0-9.]+ points, in these categories:");
@@ -198,7 +198,7 @@ TEST_F(RealProject, FitsAnyCourse) {
   const std::vector<ManifestLine> all = read_manifest(root_, course_);
   std::mt19937 random(1);
   for (int number = 0; number < 10; ++number) {
-    // The first is the course as it is.
+    // The first course is the project's.
     for (Exercise& exercise : course_.exercises) {
       if (number == 0) continue;
       exercise.role = std::array{Role::assigned, Role::optional, Role::given, Role::absent}[random() % 4];
@@ -209,7 +209,7 @@ TEST_F(RealProject, FitsAnyCourse) {
     expect_links_resolve(files);
     expect_scenes_to_play(files, all);
     expect_no_other_points(files);
-    // With all exercises none of a text's links was left out; the index has one more for each of them.
+    // With all exercises no link of a text is removed; the index has one more for each of them.
     for (const ManifestLine& line : all)
       if (number == 0 && line.source.ends_with(".md") && !line.source.starts_with("golden/")) {
         EXPECT_EQ(links_of(line.destination, files.at(line.destination)).size(),
@@ -240,7 +240,7 @@ TEST_F(RealProject, FitsAnyCourse) {
       // Each share is rounded to a hundredth.
       EXPECT_NEAR(sum, given ? 0 : exercise.points, 0.005 * 32);
     }
-    // The scenes that their list names are there, and no others.
+    // Exactly the scenes in their list ship.
     const std::string& scenes = files.at("given/hair/scenes/scenes.md");
     for (const ManifestLine& line : all) {
       if (!line.destination.starts_with("given/hair/scenes/") || !line.destination.ends_with(".json"))
@@ -251,7 +251,7 @@ TEST_F(RealProject, FitsAnyCourse) {
   }
 }
 
-// An example's scene makes room for another; a scene that a paragraph is about does not.
+// An example's scene gives way to another one; a scene that its paragraph describes does not.
 TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
   const std::vector<ManifestLine> all = read_manifest(root_, course_);
   for (Exercise& exercise : course_.exercises)
@@ -272,7 +272,7 @@ TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
       std::string::npos);
 }
 
-// Some hand in the whole folder, or those two whose names say that they hold their files.
+// Some hand in the whole folder, or the two folders whose names promise their files.
 TEST_F(RealProject, IsAHandInAsAWhole) {
   for (const bool whole : {true, false}) {
     const hair::TemporaryFolder folder("handout");
@@ -307,13 +307,13 @@ TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
       << readme;
 }
 
-// packages.cmake is what the build asks for.
+// The build needs the packages in packages.cmake.
 TEST_F(RealProject, NamesAllPackagesInTheReadme) {
   const std::string readme = hair::bytes_of(root_ / "handout/README.md");
   const std::size_t debian = readme.find("\n**Debian, Ubuntu**"), macos = readme.find("\n**macOS**"),
                     windows = readme.find("\n**Windows**");
   ASSERT_TRUE(debian < macos && macos < windows && windows != std::string::npos);
-  // The words of all lines that begin with this command.
+  // Lists the words of all lines that begin with this command.
   const auto installed = [&](std::size_t from, std::size_t to, const std::string& command) {
     std::set<std::string> words;
     std::istringstream lines(readme.substr(from, to - from));
@@ -345,8 +345,8 @@ TEST_F(RealProject, NamesAllPackagesInTheReadme) {
   EXPECT_EQ(brew, std::set<std::string>());
 }
 
-// The standard library of macOS is libc++, which has none of these. (Numbers that are no whole numbers have
-// no std::from_chars there: the nightly's stage libcxx compiles everything.)
+// The standard library of macOS is libc++, which has none of these. (There std::from_chars takes whole
+// numbers alone: the nightly's stage libcxx compiles everything.)
 TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
   for (const auto& [path, text] : handout_files(sources_, course_)) {
     if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
@@ -356,7 +356,7 @@ TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
   }
 }
 
-// What a text asks for a command or a check prints; what the report does not say it does not promise.
+// A text promises only numbers that a command or a check prints.
 TEST_F(RealProject, PromisesWhatIsThere) {
   const auto text = [&](const char* name) { return hair::bytes_of(root_ / "handout/assignment" / name); };
   EXPECT_NE(text("README.md").find("fewer than five checks, it says only that it is not right"),

@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts other scenes, or none, into the texts' commands whose scene the course lacks.
+// STAFF ONLY. Replaces or removes commands in texts whose scene the course lacks.
 #include "grader/package/course_scenes.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace grader::inline package {
 namespace {
 
-// The name is the last group that is there.
+// The name is the last group that matched.
 const std::regex& playing() {
   static const std::regex all(
       "hairlab (?:run|view|study|stability)\\s+([a-z][a-z-]*)(?![a-z./-])|hair/scenes/([a-z-]+)\\.json"
@@ -23,7 +23,7 @@ std::string file_of(const std::string& scene) {
   return "given/hair/scenes/" + scene + ".json";
 }
 
-// The first scene that the text plays and the course lacks; empty if there is none.
+// Returns the first scene in the text's commands that the course lacks, or an empty text.
 std::string missing_scene_in(const std::string& text, const Paths& missing) {
   for (std::sregex_iterator found(text.begin(), text.end(), playing()), end; found != end; ++found)
     for (std::size_t group = 1; group < found->size(); ++group)
@@ -31,12 +31,12 @@ std::string missing_scene_in(const std::string& text, const Paths& missing) {
   return {};
 }
 
-// A line of a block of code; nothing if no scene can stand in.
+// Changes a line of a block of code; returns nothing if no scene can stand in.
 std::optional<std::string> command_line(const std::string& line, const Paths& shipped, const Paths& missing) {
   const std::string scene = missing_scene_in(line, missing);
   if (scene.empty()) return line;
-  // Examples of a command, for which any hair does; the last ones are no strands with springs, and can only
-  // be played.
+  // These scenes can replace an example of a command for any hair; the last ones have no strands with
+  // springs, and can only be viewed.
   static constexpr std::array kExamples{"strand-swing", "head-of-hair"};
   static constexpr std::array kStandIns{"long-straight", "wavy",        "skip-springs", "rigid-links",
                                         "pendulum",      "super-helix", "rod-pendulum", "cloth-patch"};
@@ -49,13 +49,13 @@ std::optional<std::string> command_line(const std::string& line, const Paths& sh
   if (std::find(kExamples.begin(), kExamples.end(), scene) == kExamples.end() || other == end) return {};
   std::string changed = line;
   changed.replace(changed.find(scene), scene.size(), *other);
-  // What a study of the example takes is not what this one takes.
+  // The duration of the example's study does not hold for another scene.
   static const std::regex duration(" *#.*([0-9]|minute|second).*");
   if (!played) changed = std::regex_replace(changed, duration, "");
   return changed;
 }
 
-// A paragraph, an item of a list, a row of a table: its lines.
+// A paragraph, an item of a list or a row of a table, with its lines.
 std::string prose(const std::string& text, const Paths& missing) {
   const std::string scene = missing_scene_in(text, missing);
   if (scene.empty()) return text;

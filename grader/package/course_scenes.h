@@ -1,4 +1,4 @@
-// STAFF ONLY. Commands in the handout's texts that play a scene, where the course lacks the scene.
+// STAFF ONLY. Changes commands in the handout's texts whose scene the course lacks.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace grader::inline package {
 
-// A text, Markdown, whose commands play only scenes that are there. `missing` has what ships in other courses
-// only, "given/hair/scenes/wind.json". In a block of code a command has another scene in the place of an
-// example's, or it goes; so does a block that is left empty. A paragraph or item of a list that plays a
+// Returns a text, Markdown, whose commands run only scenes that ship. `missing` lists scenes of other
+// courses, "given/hair/scenes/wind.json". In a block of code a command gets another scene in the place of an
+// example's, or it is removed; so is a block that becomes empty. A paragraph or item of a list that runs a
 // missing scene, says "look at" or "study" it, or copies its file becomes a sentence that the course lacks
 // it.
 std::string with_present_scenes(const std::string& text, const Paths& shipped, const Paths& missing);

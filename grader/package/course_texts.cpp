@@ -21,7 +21,7 @@ std::string in_words(double points) {
   return text.str();
 }
 
-// The exercises that a cell of a table lists, "S1, H4"; none if it says something else.
+// Returns the exercises that a cell of a table lists, "S1, H4"; none for other texts.
 std::vector<const Exercise*> exercises_in(std::string cell, const Course& course) {
   std::replace(cell.begin(), cell.end(), ',', ' ');
   std::vector<const Exercise*> found;
@@ -33,7 +33,7 @@ std::vector<const Exercise*> exercises_in(std::string cell, const Course& course
   return found;
 }
 
-// Tells the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", that calls an exercise which the course
+// True for the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", with an exercise that the course
 // lacks.
 bool is_of_absent_scene(const std::string& line, const Course& course) {
   if (!line.starts_with("| [")) return false;
@@ -48,7 +48,7 @@ bool is_to_write(const Exercise& exercise) {
   return exercise.role == Role::assigned || exercise.role == Role::optional;
 }
 
-// The text below its title, or "".
+// Returns the text below its title, or "".
 std::string below_title(const std::string& path, const Exercise* own, const Course& course) {
   if (own != nullptr)
     return own->role != Role::given
@@ -93,8 +93,7 @@ std::string exercise_rows(const Course& course) {
   return rows;
 }
 
-// The place to which a path of the project ships: a folder goes where its files go. Empty if it does not
-// ship.
+// Returns the destination of a path of the project: a folder goes with its files. Empty if it does not ship.
 std::string destination_of(const std::string& path, const Shipped& shipped) {
   const auto found = shipped.lower_bound(path);
   if (found == shipped.end() || !found->first.starts_with(path)) return "";
@@ -104,7 +103,7 @@ std::string destination_of(const std::string& path, const Shipped& shipped) {
   return found->second.substr(0, found->second.size() - rest.size());
 }
 
-// Links, [words](file#place), and pictures.
+// Changes links, [words](file#place), and pictures.
 std::string relinked(const std::string& text, const ManifestLine& line, const Shipped& shipped) {
   static const std::regex link("!?\\[([^\\]\\n]*)\\]\\(([^)\\s#]+)(#[^)\\s]*)?\\)");
   const fs::path from = fs::path(project_path(line)).parent_path(),
@@ -113,7 +112,7 @@ std::string relinked(const std::string& text, const ManifestLine& line, const Sh
   auto rest = text.begin();
   for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
     const std::smatch& match = *found;
-    if (match[2].str().find(':') != std::string::npos) continue;  // elsewhere
+    if (match[2].str().find(':') != std::string::npos) continue;  // leads elsewhere
     result.append(rest, match[0].first);
     rest = match[0].second;
     const std::string target = destination_of((from / match[2].str()).lexically_normal().string(), shipped);
@@ -127,7 +126,7 @@ std::string relinked(const std::string& text, const ManifestLine& line, const Sh
   return result.append(rest, text.end());
 }
 
-// Whether the text says the id as a word of its own.
+// True if the text has the id as a word of its own.
 bool names(const std::string& text, const std::string& id) {
   const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   for (std::size_t at = text.find(id); at != std::string::npos; at = text.find(id, at + 1)) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. Folders with names that CMake can't hold are refused in a sentence, and others are built in.
+// STAFF ONLY. Tests that folders with names that CMake can't hold are refused in a sentence, and others work.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -15,8 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kGenerators[] = {"Unix Makefiles", "Ninja"};
 
-// Configures and builds a project in a folder of this name. Returns CMake's complaint, empty if there is
-// none.
+// Configures and builds a project in a folder of this name. Returns CMake's error, or an empty text.
 std::string configuring(const std::string& name, const std::string& generator) {
   const hair::TemporaryFolder temporary("folder-names");
   const fs::path folder = temporary.path() / name, errors = temporary.path() / "errors";
@@ -62,7 +61,7 @@ TEST(FolderNames, OfOtherKindsAreBuiltIn) {
       EXPECT_EQ(configuring(name, generator), "") << name;
 }
 
-// In lists of headers Ninja ends a name there.
+// Ninja ends names in lists of headers there.
 TEST(FolderNames, ThatNinjaCanNotReadAreForMake) {
   for (const std::string name : {"a&b", "it's", "a^b", "a`b"}) {
     EXPECT_EQ(configuring(name, "Unix Makefiles"), "") << name;

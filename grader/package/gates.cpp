@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Checks a handout's contents before its release.
 #include "grader/package/gates.h"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace {
 const std::string canary = "STAFF ONLY";
 constexpr std::size_t least_lines = 4, least_with_letters = 3, least_letters = 30;
 
-enum class Comments { with, without };  // those that begin with //
+enum class Comments { with, without };  // comments begin with //
 
 bool is_letter(char c) {
   return c == '_' || std::isalnum(static_cast<unsigned char>(c));
 }
 
-// Leaves out of a line what gives nothing away: #include, and the words that begin a namespace or a using.
+// Removes harmless parts of a line: #include, and the words that begin a namespace or a using.
 std::string_view telling_part(std::string_view line) {
   const auto first = static_cast<std::size_t>(std::ranges::find_if(line, is_letter) - line.begin());
   const std::string_view words = line.substr(first);
@@ -32,7 +32,7 @@ std::string_view telling_part(std::string_view line) {
   return line;
 }
 
-// Of what stands for one character in strings and on pages, and has letters.
+// Measures an escape that has letters and stands for one character in strings and on pages.
 std::size_t length_of_escape(std::string_view text) {
   if (text[0] != '\\' && text[0] != '&') return 0;
   for (const std::string_view escape : {"\\n", "\\t", "\\r", "&lt;", "&gt;", "&amp;", "&quot;"})
@@ -40,12 +40,12 @@ std::size_t length_of_escape(std::string_view text) {
   return 0;
 }
 
-// The letters, digits and underscores of a text, one after the other: neither its layout nor marks of
-// comments change them.
+// Holds the letters, digits and underscores of a text in a row: neither its layout nor marks of comments
+// change them.
 struct Letters {
   std::string text;
-  std::vector<int> line;            // of each
-  std::vector<std::size_t> begins;  // of each line that says something, and the end
+  std::vector<int> line;            // are their line numbers
+  std::vector<std::size_t> begins;  // are the places where lines with letters begin, and the end
 };
 
 Letters letters_of(const std::string& text, Comments comments) {
@@ -67,10 +67,10 @@ Letters letters_of(const std::string& text, Comments comments) {
   return letters;
 }
 
-// Consecutive lines by their letters: the fewest from one on that are enough to be a secret.
+// Finds consecutive lines from one on, as few as have enough letters to be a secret.
 struct Run {
   std::string_view letters;
-  int line;  // the first
+  int line;  // is the first one
 };
 
 std::vector<Run> runs_of(const Letters& letters) {
@@ -166,7 +166,7 @@ void check_reference_lines(const Files& handout, const Files& reference, const P
 }
 
 bool carries_canary(const std::string& text) {
-  // A script's first line is its interpreter's, a page's may be its document type.
+  // A script's first line names its interpreter, a page's may be its document type.
   std::istringstream in(text);
   std::string line;
   for (int number = 1; number <= 3 && std::getline(in, line); ++number)

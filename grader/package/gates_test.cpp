@@ -1,4 +1,4 @@
-// STAFF ONLY. Each gate is shown open for a clean handout and closed for a planted leak.
+// STAFF ONLY. Tests that each gate lets a clean handout pass and stops a planted leak.
 
 #include "grader/package/gates.h"
 #include "hair/io/files/read_file.h"
@@ -19,7 +19,7 @@ const std::string solution =
     "  return y * y;\n"
     "}\n";
 
-// What `call` throws, or nothing.
+// Returns the message that `call` throws, or nothing.
 template <typename Call>
 std::string complaint_of(Call call) {
   try {
@@ -106,7 +106,7 @@ TEST(ReferenceLinesGate, LooksPastUsingAndNamespace) {
         << leak;
 }
 
-// Three lines with letters, 30 in all.
+// A secret needs three lines with letters, 30 in all.
 TEST(ReferenceLinesGate, OpensForWhatAnybodyMayWrite) {
   const auto says = [](const std::string& text) {
     return complaint_of([&] { check_reference_lines({{"text.md", text}}, {{"f.cpp", text}}, {}); });
@@ -157,7 +157,7 @@ TEST(ReferenceLinesGate, ExemptsExactlyTheSolvedFiles) {
             "");
 }
 
-// The canary guards only what carries it.
+// The canary guards only files that carry it.
 TEST(Canary, StandsInEveryFileOfTheStaffs) {
   namespace fs = std::filesystem;
   // JSON has no comments.

@@ -14,11 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The platform ends a hand-in without any results: we end it before. Half a processor writes the last of them
-// in a few seconds.
+// The platform's limit leaves no results: grading ends before. Half a processor writes the last of them in a
+// few seconds.
 constexpr int kSecondsBefore = 30;
 
-// All that the build needs lies in these.
+// The build needs only these.
 constexpr const char* kParts[] = {"CMakeLists.txt", "CMakePresets.json", "solver",  "particles",
                                   "hair",           "reference",         "handout", "grader"};
 
@@ -32,7 +32,7 @@ bool is_program(const fs::path& path) {
   return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
 }
 
-// Hidden files, of editors say, stay where they are, and so do links.
+// Skips hidden files, such as an editor's, and links.
 std::vector<fs::path> files_of(const fs::path& project) {
   std::vector<fs::path> files;
   for (const char* part : kParts) {
@@ -61,8 +61,8 @@ bool is_below(const std::string& path, std::initializer_list<const char*> folder
   return std::ranges::any_of(folders, [&](const char* folder) { return path.starts_with(folder); });
 }
 
-// The public checks' package leaves these out: hidden cases, the engine, right and wrong solutions, and the
-// tests of all that.
+// The public checks' package leaves these out: hidden cases, the engine, right and wrong solutions, and their
+// tests.
 bool is_hidden(const std::string& path) {
   const fs::path file(path);
   const bool tests = path.starts_with("grader/") && file.stem().string().ends_with("_test");
@@ -73,7 +73,7 @@ bool is_hidden(const std::string& path) {
          is_below(path, {"grader/samples/solutions/", "grader/tests/", "reference/engine/"});
 }
 
-// The project's files by their paths in it.
+// Returns the project's files by their paths in it.
 Files whole_project(const fs::path& project) {
   Files files;
   for (const fs::path& file : files_of(project))
@@ -81,7 +81,7 @@ Files whole_project(const fs::path& project) {
   return files;
 }
 
-// A stub takes the place of each file of the reference that students don't have.
+// Replaces each file of the reference that students don't have by a stub.
 Files without_reference(Files all, const HandoutSources& sources, const Course& course) {
   Files files = all;
   Paths solved;
@@ -103,7 +103,7 @@ Files without_reference(Files all, const HandoutSources& sources, const Course& 
   return files;
 }
 
-// As a shell reads it.
+// Quotes a word for a shell.
 std::string quoted(const std::string& word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -143,7 +143,7 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
   const fs::path part = package.out.string() + ".part";
   try {
     write_file(part, "");
-    fs::permissions(part, fs::perms(0600));  // before the secret is in it
+    fs::permissions(part, fs::perms(0600));  // before it holds the secret
     write_zip(part, entries);
     fs::rename(part, package.out);
   } catch (const std::runtime_error& problem) {
@@ -154,10 +154,10 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
 }
 
 std::string advice_for_gradescope(const Course& course, int minutes) {
-  // A right hand-in's CPU seconds for an exercise, and for what comes before and after all of them:
+  // Are a right hand-in's CPU seconds for an exercise, and for the work before and after all of them:
   // grader/MEASURED.md, "On Gradescope".
   constexpr double kForAnExercise = 7, kBesides = 20, kProcessor = 0.5, kSlower = 1.5;
-  // A hand-in that goes to each limit, whatever its budget, takes as many times what a right one does.
+  // A hand-in that uses up each limit takes this many times the time of a right one, whatever its budget.
   constexpr double kGreedy = 4;
   const auto asked = std::ranges::count_if(
       course.exercises, [&](const Exercise& exercise) { return course.asks_for(exercise); });

@@ -1,4 +1,4 @@
-// STAFF ONLY. Packs the handout, and shuts its gates on what must not ship.
+// STAFF ONLY. Packs the handout, and lets its gates stop files that must not ship.
 #include "grader/package/handout.h"
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string top_folder = "hair-assignment/";
-// Eight letters that stand for all other files: hand-ins say which handout they were made with.
+// Eight letters hash all other files: hand-ins name the handout that they were made with.
 const std::string kVersion = "version.txt";
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
 
@@ -65,7 +65,7 @@ void add_motions(std::vector<ManifestLine>& lines) {
   lines.insert(lines.end(), added.begin(), added.end());
 }
 
-// The lines that ship. A scene ships if the course has all exercises that it calls.
+// Lists the lines that ship. A scene ships if the course has all exercises that it calls.
 std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& course) {
   std::vector<ManifestLine> lines = read_manifest(sources.root, course);
   Paths absent;
@@ -76,7 +76,7 @@ std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& 
   return lines;
 }
 
-// What ships if all exercises are assigned.
+// Lists the files that ship if all exercises are assigned.
 Paths whole_handout(const HandoutSources& sources, Course course) {
   for (Exercise& exercise : course.exercises) exercise.role = Role::assigned;
   Paths paths;
@@ -84,7 +84,7 @@ Paths whole_handout(const HandoutSources& sources, Course course) {
   return paths;
 }
 
-// Without what each exercise has: text, categories, checks, stub and contract.
+// Removes each exercise's files: text, categories, checks, stub and contract.
 Paths without_exercises(Paths paths, const Course& course) {
   for (const Exercise& exercise : course.exercises)
     for (const std::string& own : {exercise.folder + "/text.md", exercise.folder + "/categories.json",
@@ -105,8 +105,8 @@ Paths accepted_files(const HandoutSources& sources) {
   return accepted;
 }
 
-// The solutions, in whatever form: the reference, and right programs. Cases and tests ask what public checks
-// ask, too.
+// Reads the solutions in each form: the reference, and right programs. Cases and tests may resemble public
+// checks.
 Files solutions_of(const HandoutSources& sources, const Course& course) {
   Files files;
   const auto add = [&](const fs::path& path) {
@@ -122,8 +122,7 @@ Files solutions_of(const HandoutSources& sources, const Course& course) {
   return files;
 }
 
-// The files are dated by the newest commit. Sources without one, or with one that is still to come, have a
-// date of their own.
+// Dates files by the newest commit. Sources without a commit, or with one in the future, get a fixed date.
 std::time_t date_of(const fs::path& root) {
   const hair::TemporaryFolder folder("handout-date");
   const fs::path said = folder.path() / "said";
@@ -173,7 +172,7 @@ void check_gates(const fs::path& archive, const HandoutSources& sources, const C
   check_reference_lines(handout, solutions_of(sources, course), solved);
 }
 
-// Gone at the end, unless it was renamed.
+// Removes the file at its end, unless it was renamed.
 struct TemporaryFile {
   fs::path path;
   ~TemporaryFile() {

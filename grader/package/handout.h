@@ -19,14 +19,14 @@ struct HandoutSources {
 // can't be written, and HandoutError for a failed gate; then `out` stays unchanged.
 void make_handout(const HandoutSources& sources, const Course& course, const std::filesystem::path& out);
 
-// Writes the list of the whole course's files, handout/packed.txt, which make_handout compares with: somebody
-// has looked at them.
+// Writes the list of the whole course's files, handout/packed.txt, after a person has looked at them.
+// make_handout compares with it.
 void accept_files(const HandoutSources& sources, const Course& course);
 
-// Pages that anybody may read hold neither the staff's mark nor lines of a solution. Throws HandoutError.
+// Checks that public pages hold neither the staff's mark nor lines of a solution. Throws HandoutError.
 void check_pages(const Files& pages, const HandoutSources& sources, const Course& course);
 
-// The files of the handout, by their paths in it.
+// Returns the files of the handout, by their paths in it.
 Files handout_files(const HandoutSources& sources, const Course& course);
 
 }  // namespace grader::package

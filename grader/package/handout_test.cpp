@@ -1,4 +1,4 @@
-// STAFF ONLY. Handouts of a small project of two exercises, into which leaks are planted.
+// STAFF ONLY. Tests handouts of a small project of two exercises, with planted leaks.
 
 #include "grader/package/handout.h"
 
@@ -78,7 +78,7 @@ class SmallProject : public testing::Test {
 
   Files files() const { return handout_files(sources_, course_); }
 
-  // What make_handout says; then it must have left nothing behind.
+  // Returns the message of make_handout, which must leave nothing behind then.
   std::string complaint() {
     try {
       make_handout(sources_, course_, out_);
@@ -95,7 +95,7 @@ class SmallProject : public testing::Test {
   Course course_;
 };
 
-// Pages of the site, of which nothing is packed.
+// Checks pages of the site; packs nothing.
 TEST_F(SmallProject, PagesForEverybodyHoldNoSolutionAndNothingOfTheStaffs) {
   const auto check = [&](const std::string& page) { check_pages({{"a/b.html", page}}, sources_, course_); };
   check("<pre>int f();</pre>");

@@ -34,7 +34,7 @@ std::string default_destination(const std::string& source) {
   return source.starts_with(handout) ? source.substr(handout.size()) : "given/" + source;
 }
 
-// Collects what ships, and no destination twice.
+// Collects lines, and no destination twice.
 class Lines {
  public:
   void add(const ManifestLine& line, bool absent) {
@@ -45,7 +45,7 @@ class Lines {
     if (!absent) lines_.push_back(line);
   }
 
-  // `folder` is a line whose source and destination end with /. Folders in it are not looked into.
+  // `folder` is a line whose source and destination end with /. Its subfolders are skipped.
   void add_files_of(const fs::path& root, const ManifestLine& folder, bool absent) {
     Files files;
     std::error_code error;
@@ -67,7 +67,7 @@ class Lines {
   std::map<std::string, std::string> taken_;  // destination -> where
 };
 
-// All of its folder ships. Its contract ships in every course: the given code and other exercises know it.
+// All files of its folder ship. Its contract ships in every course, since other code includes it.
 void add_exercise(Lines& lines, const fs::path& root, const Exercise& exercise) {
   const std::string where = "exercises.json: " + exercise.id, folder = "handout/" + exercise.folder;
   const bool absent = exercise.role == Role::absent;

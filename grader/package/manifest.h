@@ -9,18 +9,18 @@
 
 namespace grader::inline package {
 
-// A file that ships.
+// Is a file that ships.
 struct ManifestLine {
   std::string source;       // relative to the project's root; "golden/..." comes from the build
   std::string destination;  // relative to the handout's top
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
-// The path of an exercise's file in the handout, "stubs/conj_grad.cpp.stub": the handout's build copies it to
-// student/ if it is not there. Its name is no exercise file's: a hand-in may hold the whole handout.
+// Returns an exercise's file in the handout, "stubs/conj_grad.cpp.stub": the build copies it to student/ if
+// it is missing there. Its name is no exercise file's, since a hand-in may hold the whole handout.
 std::string stub_of(const Exercise& exercise);
 
-// The files for this course: those of its exercises (exercises.json), and those that the lines of
+// Returns the files for this course: those of its exercises (exercises.json), and those that the lines of
 // root/handout/manifest.txt and the folders in it name. Throws BadInput with file and line for a line that
 // can't be parsed, names an unknown exercise or a folder without files, points outside the project or the
 // handout, or repeats a destination; and HandoutError for a folder that does not ship as one.

@@ -1,4 +1,4 @@
-// STAFF ONLY. Lists of files that ship, right ones and broken ones.
+// STAFF ONLY. Tests right and broken lists of files that ship.
 
 #include "grader/package/manifest.h"
 
@@ -56,7 +56,7 @@ std::string complaint(const std::string& text) {
 
 using Destinations = std::set<std::string>;
 
-// The files of S1.
+// Are the files of S1.
 const Destinations kExercise = {"exercises/S1/text.md", "exercises/S1/check.cpp", "solver/s.h",
                                 "stubs/s.cpp.stub"};
 

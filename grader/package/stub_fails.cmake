@@ -1,5 +1,5 @@
-# STAFF ONLY. Passes if PROGRAM, the public checks with a stub, fails and prints SENTENCES, one to a line, and
-# nothing else.
+# STAFF ONLY. Passes if PROGRAM, the public checks with a stub, fails and prints exactly SENTENCES, one to a
+# line.
 execute_process(COMMAND "${PROGRAM}" RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT result EQUAL 1)
   message(FATAL_ERROR "with a stub the checks ended with ${result}; they must fail, with 1. They print:\n${output}")

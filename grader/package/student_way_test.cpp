@@ -1,5 +1,5 @@
-// STAFF ONLY. A student's way from the archive to the hand-in, in an empty folder, with nothing else of the
-// project there.
+// STAFF ONLY. Tests a student's way from the archive to the hand-in, in an empty folder, with nothing else of
+// the project there.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -40,7 +40,7 @@ class StudentsWay : public testing::Test {
     ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0);
   }
 
-  // In the handout's folder, with the environment of a shell that has just been opened.
+  // Runs a command in the handout's folder, with the environment of a new shell.
   Ran run(const std::string& command) const {
     fs::create_directories(folder_ / "hair-assignment");
     const std::string line = "cd '" + (folder_ / "hair-assignment").string() +
@@ -55,8 +55,8 @@ class StudentsWay : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
   }
 
-  // The checks have AddressSanitizer, and start wherever the kernel puts memory. Code 77: that can't be tried
-  // here.
+  // Starts checks, whose AddressSanitizer must work wherever the kernel puts memory. Code 77: this machine
+  // can't try it.
   Ran start(int times, const std::string& programs) const {
     return run("'" + (sources_.root / "grader/tests/random_addresses").string() + "' " +
                std::to_string(times) + " --gtest_list_tests " + programs);
@@ -144,7 +144,7 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
                                       handout_files(sources_, course_).at("version.txt"));
 }
 
-// hairlab names what is not written, and what only studies read is there, too.
+// hairlab names exercises that are not written, and libraries that only studies use are there, too.
 TEST_F(SlowWay, HasStudies) {
   unpack();
   Ran ran = run(configure_);
@@ -181,14 +181,14 @@ TEST_F(SlowWay, HasStudies) {
   ran = start(1000, "build/student_S1_check");
   EXPECT_TRUE(ran.code == 0 || ran.code == 77) << ran.output;
 
-  // Where all strands are moved by the exercises: the fast head is the staff's.
+  // The exercises move all strands of this head: the fast head is the staff's.
   ran = run("build/hairlab study head --hair straight --quick --out head");
   EXPECT_EQ(ran.code, 0) << ran.output;
   for (const char* name : {"index.html", "head.json", "head.csv", "straight-every.png"})
     EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/head" / name)) << name << "\n" << ran.output;
 }
 
-// The lines of the first block of commands behind a heading of the README.
+// Returns the lines of the first block of commands behind a heading of the README.
 std::vector<std::string> commands_behind(const std::string& readme, const std::string& heading) {
   const std::size_t begin = readme.find("```\n", readme.find(heading)) + 4;
   std::istringstream block(readme.substr(begin, readme.find("```", begin) - begin));
@@ -197,8 +197,8 @@ std::vector<std::string> commands_behind(const std::string& readme, const std::s
   return lines;
 }
 
-// From an empty folder to hair of one's own in a browser: unpacking, two files that are written, and what the
-// README says.
+// Goes from an empty folder to hair of one's own in a browser: it unpacks, writes two files, and follows the
+// README.
 TEST_F(SlowWay, IsShortToTheFirstHair) {
   unpack();
   const fs::path own = folder_ / "hair-assignment";
@@ -233,8 +233,8 @@ TEST_F(SlowWay, IsShortToTheFirstHair) {
       << "the page's script says the time that it shows: " << browser.output.substr(moment, 200);
 }
 
-// The second compiler: an exercise with its prerequisite, and the given code that its checks need. H4's need
-// most of it, and are left to the slow tests.
+// Tries the second compiler: an exercise with its prerequisite, and the given code that its checks need. H4's
+// need most of it, so the slow tests have them.
 void StudentsWay::pass_with_another_compiler(const std::string& exercise, int starts) {
   const std::string compiler = HAIR_OTHER_COMPILER;
   if (!fs::exists(compiler)) GTEST_SKIP() << "there is no clang++; it is in the package clang";
@@ -257,7 +257,7 @@ TEST_F(SlowWay, BuildsHairWithAnotherCompiler) {
   pass_with_another_compiler("H4", 1000);
 }
 
-// What hairlab alone needs is not there: it is named, and the rest is configured.
+// Packages that only hairlab needs are missing: they are named, and the rest is configured.
 TEST_F(StudentsWay, GoesWithoutHairlabsPackages) {
   unpack();
   const Ran ran = run(configure_ +
@@ -268,13 +268,13 @@ TEST_F(StudentsWay, GoesWithoutHairlabsPackages) {
   EXPECT_NE(ran.output.find("brew install nlohmann-json cli11;"), std::string::npos) << ran.output;
 }
 
-// Packages of Eigen that say which version they are, with this machine's Eigen in them.
+// Makes packages of Eigen that state their version, with this machine's Eigen in them.
 TEST_F(StudentsWay, TakesEigenFromVersion33On) {
   unpack();
   for (const std::string version : {"3.2.9", "3.3.0", "5.0.1"}) {
     const fs::path package = folder_ / ("eigen-" + version);
     fs::create_directories(package);
-    // As Eigen's own: another first number is not compatible.
+    // As in Eigen's own package, another first number is not compatible.
     std::ofstream(package / "Eigen3ConfigVersion.cmake")
         << "set(PACKAGE_VERSION " << version << ")\n"
         << "if(PACKAGE_FIND_VERSION_MAJOR STREQUAL \"" << version[0]
@@ -290,7 +290,7 @@ TEST_F(StudentsWay, TakesEigenFromVersion33On) {
       EXPECT_NE(ran.output.find("Eigen is missing, version 3.3 or later."), std::string::npos) << ran.output;
     } else {
       EXPECT_EQ(ran.code, 0) << version << "\n" << ran.output;
-      // It did not find another one.
+      // CMake must not find another one.
       const std::string cache =
           hair::bytes_of(folder_ / "hair-assignment" / ("build-" + version) / "CMakeCache.txt");
       EXPECT_NE(cache.find("\nEigen3_DIR:PATH=" + package.string() + "\n"), std::string::npos) << version;
@@ -312,7 +312,7 @@ TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {
   EXPECT_EQ(listing.output, others + "about.txt\n");
 }
 
-// Its build has definitions in the place of what the course lacks, and links all given code.
+// The build has definitions in the place of absent exercises, and links all given code.
 TEST_F(StudentsWay, ConfiguresWithoutAnExerciseThatTheCourseLacks) {
   course_.exercises.back().role = Role::absent;
   unpack();
@@ -323,10 +323,10 @@ TEST_F(StudentsWay, ConfiguresWithoutAnExerciseThatTheCourseLacks) {
   EXPECT_FALSE(fs::exists(folder_ / "hair-assignment/student" / course_.exercises.back().file));
 }
 
-// As the first handouts had them, which had no given/: with the folder above or without.
+// The first handouts had no given/: includes name the folder above, or not.
 TEST_F(StudentsWay, CompilesEveryIncludeOfAFlatTree) {
   unpack();
-  // Two names of hair/lab/ are others' names elsewhere.
+  // Two headers of hair/lab/ have the names of others elsewhere.
   std::string lines[2];
   for (const auto& [path, text] : handout_files(sources_, course_)) {
     const std::string header = path.starts_with("given/") ? path.substr(6) : path;
@@ -347,7 +347,7 @@ TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
   unpack();
   const Ran debug = run("cmake --preset debug");
   EXPECT_EQ(debug.code, 0) << debug.output;
-  // A program whose own code is compiled with sanitizers by the preset alone.
+  // Compiles a program with the preset's sanitizers alone.
   const std::string link =
       hair::bytes_of(folder_ / "hair-assignment/build-debug/CMakeFiles/student_example1.dir/link.txt");
   EXPECT_NE(link.find(" -no-pie "), std::string::npos) << link;

@@ -1,4 +1,4 @@
-// STAFF ONLY. What is unpacked over a folder that is built is built anew, whatever the dates of its files.
+// STAFF ONLY. Tests that files unpacked over a built folder are built again, whatever their dates.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -22,13 +22,13 @@ class Unpacked : public testing::TestWithParam<const char*> {
     fs::last_write_time(folder_ / file, date);
   }
 
-  // As an archive that keeps dates.
+  // Unpacks as an archive that keeps dates.
   void unpack(const std::string& given) const {
     write("given/a.txt", given, old_);
     write("cmake/just-unpacked", "", old_);
   }
 
-  // The lines that were built, a line for each time that they were.
+  // Returns the built lines, one for each time that they were built.
   std::string built(const std::string& build = "build", bool configures = false) const {
     const auto run = [](std::vector<std::string> words) {
       return hair::exit_code_of(hair::start_program({.words = std::move(words), .output = "/dev/null"}));

@@ -1,4 +1,4 @@
-// STAFF ONLY. Opens and asks the file of a record.
+// STAFF ONLY. Opens and queries the file of a record.
 #include "grader/record/database.h"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@
 namespace grader::inline record {
 namespace {
 
-constexpr int kPatienceInMs = 60'000;  // others hold the file for the time of one result
+constexpr int kPatienceInMs = 60'000;  // others hold the file while they write one result
 
 void bind(sqlite3_stmt* statement, int place, const Value& value) {
   if (const auto* number = std::get_if<std::int64_t>(&value))
@@ -92,7 +92,7 @@ Database::Database(std::filesystem::path file, Journal journal) : file_(std::mov
       "= OFF; PRAGMA temp_store = MEMORY;");
 }
 
-// The change of a journal asks for the file alone, and does not wait for it: then it is tried again.
+// Changing the journal needs the file alone, and SQLite does not wait for that: this tries again.
 void Database::choose_journal(Journal journal) {
   struct statfs system = {};
   const bool local =
@@ -183,7 +183,7 @@ Transaction::~Transaction() {
   if (!open_) return;
   try {
     database_.run("ROLLBACK");
-  } catch (const BadInput&) {  // SQLite has taken it back itself, as on a full disk
+  } catch (const BadInput&) {  // SQLite has rolled back already, as on a full disk
   }
 }
 

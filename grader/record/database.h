@@ -1,9 +1,8 @@
-// STAFF ONLY. A small face of SQLite: a file that several processes may use at once, and statements with
+// STAFF ONLY. A small interface of SQLite: a file that several processes may use at once, and statements with
 // values.
 //
 // On a local file system the journal is a write-ahead log, else a rollback journal: write-ahead logs need
-// shared memory, which network file systems don't have; on some of them databases were damaged without a
-// word.
+// shared memory, which network file systems lack; some of them damaged databases silently.
 //
 // The process must never open and close the database's file by other means: that drops SQLite's locks.
 #pragma once
@@ -22,10 +21,10 @@ struct sqlite3_stmt;
 
 namespace grader::inline record {
 
-enum class Journal { best, rollback };  // best: a write-ahead log where the file system is known to allow it
+enum class Journal { best, rollback };  // best: a write-ahead log if the file system is known to allow it
 
-// Tells whether a file system with this f_type (statfs) has shared memory for all that use it. Unknown ones
-// are taken for remote.
+// Returns true if a file system with this f_type (statfs) has shared memory for all its users. Unknown ones
+// count as remote.
 bool is_local_file_system(std::uint64_t kind);
 
 struct Blob {
@@ -33,7 +32,7 @@ struct Blob {
 };
 using Value = std::variant<std::nullptr_t, std::int64_t, double, std::string_view, Blob>;
 
-// A row of an answer, valid until the next one.
+// Is a row of an answer, valid until the next one.
 class DatabaseRow {
  public:
   explicit DatabaseRow(sqlite3_stmt* statement) : statement_(statement) {}
@@ -49,8 +48,8 @@ class DatabaseRow {
 
 class Database {
  public:
-  // Makes the file if it is not there; nobody else can read it. All errors are BadInput, a line that names
-  // the file.
+  // Makes the file if it is missing; nobody else can read it. All errors are BadInput, a line that names the
+  // file.
   explicit Database(std::filesystem::path file, Journal journal = Journal::best);
 
   void run(std::string_view sql, std::initializer_list<Value> values = {});
@@ -60,7 +59,7 @@ class Database {
   std::int64_t number(std::string_view sql, std::initializer_list<Value> values = {});  // 0 without a row
   std::string text(std::string_view sql, std::initializer_list<Value> values = {});     // "" without a row
 
-  // Leaves no byte of deleted rows in the file, nor in its journal. False if a reader held the log meanwhile.
+  // Removes all bytes of deleted rows from file and journal. False if a reader held the log meanwhile.
   bool shred();
 
   const std::filesystem::path& file() const { return file_; }
@@ -77,7 +76,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> connection_;
 };
 
-// All or nothing: without commit() all of it is taken back. One that writes has the right to it from its
+// Does all or nothing: without commit() all of it is undone. One that writes has the right to it from its
 // begin on.
 class Transaction {
  public:

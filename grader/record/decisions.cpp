@@ -1,4 +1,4 @@
-// STAFF ONLY. Applies decisions of people to what was computed.
+// STAFF ONLY. Applies decisions of people to computed results.
 #include "grader/record/decisions.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Place {
 
   double points() const { return category ? category->points : exercise->points; }
   double max_points() const { return category ? category->max_points : exercise->max_points; }
-  // A category's feedback is made anew for students, so its exercise has the sentence.
+  // A category's feedback is written anew for students, so its exercise has the sentence.
   void tell(const std::string& sentence) const {
     std::string& text = exercise->feedback;
     if (text.empty()) text = sentence_for(exercise->status);
@@ -124,7 +124,7 @@ void check(Decision& decision, const SubmissionResult& computed) {
 }
 
 SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>& decisions) {
-  // Exercises before their categories: then both count. Points of an excused exercise are none.
+  // Exercises come before their categories: then both count. An excused exercise has no points.
   std::vector<Decision> in_order = decisions;
   std::ranges::stable_sort(in_order, {}, [](const Decision& one) {
     return one.kind == DecisionKind::excuse ? 2 : one.place.find('.') != std::string::npos ? 1 : 0;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Decisions of people about a student's results. They stand beside what was computed and never
-// replace it, so they survive each regrade, and can be taken back.
+// STAFF ONLY. Decisions of people about a student's results. They are stored beside the computed results and
+// never replace them, so they survive each regrade, and can be undone.
 #pragma once
 
 #include <optional>
@@ -20,23 +20,23 @@ struct Decision {
   DecisionKind kind = DecisionKind::points;
   std::string place;
   double number = 0;     // points, or days; else 0
-  double computed = 0;   // the points that it was decided against
-  std::string why;       // for the student, too; a comment's text
-  std::string who = {};  // and when, as the log has it
+  double computed = 0;   // are the points when it was decided
+  std::string why;       // is for the student, too; a comment's text
+  std::string who = {};  // with the time, as the log has it
   std::string at = {};
 };
 
 // Throws BadInput, a line that says what would be right: for a place that the result does not have, for
-// points that the place is not worth, and for a reason that is missing. Sets `computed`.
+// points that the place is not worth, and for a missing reason. Sets `computed`.
 void check(Decision& decision, const SubmissionResult& computed);
 
-// With all decisions and their reasons, for students and staff. Places that are no more change nothing.
+// Applies all decisions with their reasons, for students and staff. Missing places change nothing.
 SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>& decisions);
 
-// "points H2.3: 2 (computed: 1.5): a reason".
+// Writes "points H2.3: 2 (computed: 1.5): a reason".
 std::string decision_text(const Decision& decision);
 
-// A line each: decisions that were made against other points than those that are computed now.
+// Lists decisions that were made when other points than the present ones were computed, a line each.
 std::vector<std::string> conflicts(const SubmissionResult& computed, const std::vector<Decision>& decisions);
 
 }  // namespace grader::record

@@ -1,4 +1,4 @@
-// STAFF ONLY. Decisions of people stand beside what was computed: they survive each regrade, and tell of it.
+// STAFF ONLY. Tests that decisions of people survive each regrade, and report changed results.
 #include "grader/record/decisions.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. A record as JSON, for other programs.
+// STAFF ONLY. Writes a record as JSON, for other programs.
 #include "grader/record/record.h"
 #include "grader/result/fields.h"
 

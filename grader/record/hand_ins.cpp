@@ -11,7 +11,7 @@
 namespace grader::inline record {
 namespace {
 
-// An exercise that the course does not ask for is handed in by nobody.
+// Students don't hand in an exercise that the course does not assign.
 void check_exercises(const Course& course, const JsonValue& json, std::map<std::string, std::string>& taken,
                      const std::string& name) {
   if (json.items().empty()) json.fail("is empty; name the exercises of this hand-in");

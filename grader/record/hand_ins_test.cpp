@@ -1,5 +1,5 @@
-// STAFF ONLY. A course file names its hand-ins, and each has results, decisions and lateness of its own in
-// one record.
+// STAFF ONLY. Tests that a course file names its hand-ins, and that each has results, decisions and
+// lateness of its own in one record.
 #include "grader/record/hand_ins.h"
 
 #include <gtest/gtest.h>
@@ -150,7 +150,7 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
       std::string::npos);
 }
 
-// Due dates are in the other order than names.
+// The order of due dates differs from that of names.
 TEST_F(HandIns, UseTheCoursesFreeDaysInTheOrderOfTheirDueDates) {
   const auto due = [](const char* day) {
     HandInRules rules;

@@ -1,5 +1,5 @@
-// STAFF ONLY. What a record knows of a version that was handed in: its time, the learning system's mark, and
-// whose it was.
+// STAFF ONLY. Tests the record of a version that was handed in: its time, the learning system's mark, and its
+// owner.
 #include <gtest/gtest.h>
 
 #include "grader/record/record.h"
@@ -56,7 +56,7 @@ TEST_F(HandedInVersions, KnowWhatTheLearningSystemMarkedAsLate) {
   const std::string json = record.export_json();
   EXPECT_LT(json.find("\"marked_late\": true"), json.find("\"bob\""));
   EXPECT_NE(json.find("\"marked_late\": false"), std::string::npos);
-  // A later download of the same version, after the due date was moved.
+  // This is a later download of the same version, after the due date was moved.
   record.set_handed_in("alice", {"", "files", false});
   record.set_handed_in("bob", {"", "files", true});
   EXPECT_FALSE(record.find_decided("alice")->late.marked);

@@ -1,5 +1,5 @@
 // STAFF ONLY. Four processes write to two hand-ins of one record, and each is killed at a random time, again
-// and again: what a process was told as done is there once, and a result and its log agree.
+// and again: each result that was reported as done is there once, and results and log agree.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -29,7 +29,7 @@ std::string hand_in_of(std::int64_t number) {
   return kHandIns.at(static_cast<std::size_t>(number) % kHandIns.size());
 }
 
-// One of a kind: its number is in its points, and in its pictures.
+// Makes a unique result: its number is in its points, and in its pictures.
 Recorded numbered(std::int64_t number) {
   SubmissionResult result;
   result.name = "student-" + std::to_string(number / 2 % kStudents);  // each in both hand-ins
@@ -37,13 +37,13 @@ Recorded numbered(std::int64_t number) {
   ExerciseResult exercise;
   exercise.id = "S1";
   exercise.points = static_cast<double>(number);
-  exercise.staff_log = std::string(9000, 'x');  // more than a page
+  exercise.staff_log = std::string(9000, 'x');  // is longer than a page
   exercise.pictures = {{"1 s", 0, 0, "picture " + std::to_string(number), "the reference's", ""}};
   result.exercises = {exercise};
   return {result, {}, {{"S1", {static_cast<double>(number)}}}};
 }
 
-// Writes results until it is killed, and tells of each one that is done.
+// Writes results until it is killed, and reports each one that is done.
 [[noreturn]] void write_on(const std::filesystem::path& folder, Journal journal, std::int64_t first,
                            int told) {
   try {
@@ -65,7 +65,7 @@ std::int64_t number_of(const LogEntry& entry) {
 
 class Killed : public testing::TestWithParam<Journal> {
  protected:
-  // One round: four processes until each is killed. Numbers are those told as done.
+  // Runs one round: four processes until each is killed. Returns the numbers that were reported as done.
   void write_and_kill(std::int64_t round) {
     Pipe told = make_pipe();
     std::array<pid_t, kProcesses> writers{};
@@ -75,7 +75,7 @@ class Killed : public testing::TestWithParam<Journal> {
         write_on(folder_.path(), GetParam(), (round * kProcesses + i) * 1'000'000, told.write_end.get());
       }
     told.write_end.close();
-    // Else they may be killed while they make the record.
+    // Otherwise they may be killed while they make the record.
     if (round % 2 == 0) take_one_told(told.read_end);
     std::shuffle(writers.begin(), writers.end(), random_);
     for (const pid_t writer : writers) {

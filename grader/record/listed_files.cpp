@@ -1,4 +1,4 @@
-// STAFF ONLY. The files of the input that reached no hand-in, in the record.
+// STAFF ONLY. Stores the files of the input that reached no hand-in.
 #include "grader/course/input.h"
 #include "grader/record/record.h"
 
@@ -12,7 +12,7 @@ void Record::set_listed(const std::vector<Accounted>& listed) {
   database_.run("DELETE FROM listed_files WHERE assignment = ?", {assignment});
   for (const Accounted& file : listed) {
     const std::int64_t person = database_.number("SELECT id FROM people WHERE name = ?", {file.whose});
-    if (person == 0 && !file.whose.empty()) continue;  // of somebody who was not asked for
+    if (person == 0 && !file.whose.empty()) continue;  // belongs to a student outside this run
     database_.run(
         "INSERT INTO listed_files (assignment, person, listed_as, path, reason) VALUES (?, ?, ?, ?, ?)",
         {assignment, person == 0 ? Value(nullptr) : Value(person), to_string(file.as), file.path,

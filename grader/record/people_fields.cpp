@@ -6,7 +6,7 @@
 namespace grader::inline record {
 namespace {
 
-// In the order of IdKind.
+// Follows the order of IdKind.
 Field<Person> ids() {
   using Ids = std::vector<std::string>;
   return {"ids",

@@ -1,4 +1,4 @@
-// STAFF ONLY. People as JSON (grader/result/fields.h): whose a hand-in is, and who is on a roster.
+// STAFF ONLY. People as JSON (grader/result/fields.h): owners of hand-ins, and people on a roster.
 #pragma once
 
 #include "grader/intake/owner.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. The points of a grading by category.
+// STAFF ONLY. Lists the points of a grading by category.
 #include "grader/record/points_then.h"
 
 namespace grader {

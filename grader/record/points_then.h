@@ -1,5 +1,5 @@
-// STAFF ONLY. The points of a grading, small enough to be kept of each one: the log has them, and a
-// comparison with an earlier grading needs no more.
+// STAFF ONLY. The points of a grading, small enough to keep for each one: the log has them, and they suffice
+// for a comparison with an earlier grading.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct Fields<PointsThen> {
 
 namespace grader::inline record {
 
-// A category of each exercise, counted from 1.
+// Counts the categories of each exercise from 1.
 std::vector<PointsThen> points_then(const SubmissionResult& result);
 
 }  // namespace grader::record

@@ -20,7 +20,7 @@ constexpr const char* kEntered = "entered into a gradebook";
 
 namespace fs = std::filesystem;
 
-// The digests stand for pictures in the text; the pictures are in a table of their own.
+// Digests replace pictures in the text; the pictures are in a table of their own.
 std::string text_of(const SubmissionResult& result, std::map<std::string, std::string>& pictures) {
   return json_text(result, -1,
                    {[&](const std::string& png) {
@@ -60,7 +60,7 @@ fs::path Record::pages() const {
   return hand_in_.empty() ? folder : folder / folder_of_hand_in(hand_in_);
 }
 
-// 0 as long as it is not there: then no row is its.
+// Returns 0 until the hand-in has a row: then no other row belongs to it.
 std::int64_t Record::assignment() {
   return database_.number("SELECT id FROM assignments WHERE name = ?", {hand_in_});
 }
@@ -131,8 +131,8 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
-  // A table of times is not given each time. Rows of older records don't say which files they had: the newest
-  // one counts there, so that nobody becomes later.
+  // A table of times is not given each time. Older records don't say which files a row had: there the newest
+  // one counts, so that nobody becomes later.
   std::string before;
   for (const std::string& files : {handed_in.files, std::string()})
     if (before.empty() && !handed_in.files.empty())
@@ -145,8 +145,7 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
       "marked_late) VALUES (?, ?, ?, ?, ?, ?, ?)",
       {assignment, id, result.origin, result.fingerprint, handed_in.time.empty() ? before : handed_in.time,
        handed_in.files, std::int64_t{handed_in.marked_late}});
-  std::vector<std::string>
-      earlier;  // nobody may show these any more; to look at all pictures would take long
+  std::vector<std::string> earlier;  // may have become unused; searching all pictures would take long
   database_.each("SELECT digest FROM shown WHERE assignment = ? AND person = ?", {assignment, id},
                  [&](const DatabaseRow& row) { earlier.push_back(row.text(0)); });
   database_.run("DELETE FROM shown WHERE assignment = ? AND person = ?", {assignment, id});
@@ -278,7 +277,7 @@ std::vector<std::string> Record::entered(const std::string& name) {
 void Record::forget(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  // Paths of files that are nobody's may name them all the same.
+  // Paths of files without an owner may still contain their names.
   database_.run(
       "DELETE FROM listed_files WHERE person IS NULL AND EXISTS (SELECT 1 FROM people LEFT JOIN owners ON "
       "owners.person = people.id WHERE people.name = ? AND (instr(path || reason, people.name) OR instr(path "

@@ -1,9 +1,9 @@
-// STAFF ONLY. The record of a class: one file, class.sqlite, that holds what can't be made again or must
-// agree: results, costs, hand-ins, what a student's inputs are drawn from, decisions of people, and who did
-// what and when. Pages, CSV and JSON are made from it, and never read back.
+// STAFF ONLY. The record of a class: one file, class.sqlite, that holds data that can't be made again or must
+// agree: results, costs, hand-ins, the names that students' inputs are drawn from, decisions of people, and
+// a log of all changes. Pages, CSV and JSON are made from it, and never read back.
 //
-// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and what inputs
-// are drawn from. An object of this class is about one of them, but where a comment says otherwise.
+// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and these
+// names. An object of this class is about one of them, unless a comment says otherwise.
 //
 // Several processes and threads may use it at once. Each change is one transaction: a process that is killed
 // leaves all of it or nothing.
@@ -29,7 +29,7 @@
 
 namespace grader::inline record {
 
-inline constexpr const char* kRecordFile = "class.sqlite";  // no submission is called so
+inline constexpr const char* kRecordFile = "class.sqlite";  // no submission has this name
 
 struct StudyPair {
   SubmissionStudy own, beside_itself;  // the student's, and the reference's in the same run
@@ -39,13 +39,13 @@ struct Recorded {
   SubmissionResult result;
   std::optional<StudyPair> study = {};
   TimingByExercise costs = {};
-  Lateness late = {};  // of find_decided
+  Lateness late = {};  // set by find_decided
 };
 
-// A version that was handed in, as its download says it.
+// Holds a version that was handed in, as its download describes it.
 struct HandedIn {
-  std::string time = {};     // grader/text/time_text.h; "": it has none; "-": a table says that there is none
-  std::string files = {};    // their hash: others are another version; "": nobody knows it
+  std::string time = {};     // see grader/text/time_text.h; "": it has none; "-": a table has an empty cell
+  std::string files = {};    // is their hash: another hash is another version; "": unknown
   bool marked_late = false;  // by the learning system
 
   bool operator==(const HandedIn&) const = default;
@@ -59,75 +59,74 @@ class Record {
  public:
   static bool is_in(const std::filesystem::path& folder);
 
-  // Makes it if it is not there; the folder is. Throws BadInput as Database and migrate do.
-  // `hand_in` is "" where the course has one without a name. One that is new is there from the first change
-  // on.
+  // Makes the record if it is missing; the folder must exist. Throws BadInput as Database and migrate do.
+  // `hand_in` is "" if the course has one without a name. A new hand-in is stored with the first change.
   explicit Record(const std::filesystem::path& folder, Journal journal = Journal::best);
   Record(const std::filesystem::path& folder, std::string hand_in, Journal journal = Journal::best);
 
   const std::string& hand_in() const { return hand_in_; }
-  std::filesystem::path pages() const;        // the folder of its pages: the record's, or one below
-  std::vector<std::string> named_hand_ins();  // of the record, in the order of their due dates
+  std::filesystem::path pages() const;        // is the folder of its pages: the record's, or one below
+  std::vector<std::string> named_hand_ins();  // lists the record's, in the order of their due dates
 
-  // JSON of tool/made_by.h; "": nothing was graded.
+  // Is JSON of tool/made_by.h; "": nothing was graded.
   std::string made_by();
   void set_made_by(const std::string& json);
 
-  // The names of their rows, by whose they are (same_people.h).
+  // Returns the names of their rows, found by their owners (same_people.h).
   std::vector<RowName> row_names(const std::vector<HandIn>& hand_ins);
 
-  // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people
-  // comes first.
+  // Returns the name that seeds a hand-in's inputs, and stores it at first (same_people.h). Call put_people
+  // first.
   std::string drawn_from(const std::string& name);
 
-  // Replaces the earlier result of this student; the log has both. Without a time, one that these files had
-  // before stays. Returns that earlier time, "" if there was none.
+  // Replaces the earlier result of this student; the log has both. If the new one has no time, the earlier
+  // time of the same files stays. Returns that earlier time, "" if there was none.
   std::string put(const Recorded& one, const HandedIn& handed_in = {});
 
   // Sets time and mark of the version that counts. Without a new time the old one stays. Returns the old one.
   std::string set_handed_in(const std::string& name, const HandedIn& handed_in);
-  std::string handed_in(const std::string& name);  // the time; "": nobody knows it
+  std::string handed_in(const std::string& name);  // returns the time; "": unknown
 
-  // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier
-  // one. With `only` one owner is stored; all tell whose earlier hand-ins are.
+  // Earlier owners of hand-ins stay if they are not named again. A roster replaces the earlier one. With
+  // `only` one owner is stored; all of them identify earlier hand-ins.
   void put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster = {},
                   const std::optional<std::string>& only = {});
-  // By hand-in, of all that have an owner; nothing where grading is blind.
+  // Returns names by hand-in, for all that have an owner; nothing in blind grading.
   NamesForPeople names_for_people();
 
-  // Blind grading: names are codes from the first result on. set_blind throws BadInput if there are results
+  // In blind grading names are codes from the first result on. set_blind throws BadInput if there are results
   // under names.
   bool is_blind();
   void set_blind();
-  std::map<std::string, std::string> codes();  // by the name that intake found
-  std::optional<HiddenNames> hidden_names();   // nothing if grading is not blind
+  std::map<std::string, std::string> codes();  // by the name from intake
+  std::optional<HiddenNames> hidden_names();   // returns nothing if grading is not blind
 
-  // With a result, by name. One without an owner, of an older record, has none here. Of the course: the owner
-  // of the latest.
+  // Lists hand-ins with a result, by name; one without an owner, from an older record, is left out. For the
+  // course it has the latest owner.
   enum class Of { hand_in, course };
   std::vector<HandIn> hand_ins(Of of = Of::hand_in);
-  // Nothing if no roster was given so far.
+  // Returns nothing if no roster was given so far.
   std::optional<std::vector<Person>> roster();
-  // Likewise. Of the course: a group's row is of everybody who was in it.
+  // Returns nothing without a roster, too. For the course, a group's row belongs to all its members so far.
   std::optional<ClassList> class_list(Of of = Of::hand_in);
 
-  std::vector<std::string> names();  // of those with a result, sorted
+  std::vector<std::string> names();  // have a result, sorted
   struct Row {
-    std::string origin;  // intake/origin.h
-    std::string files;   // the hash of those that it was graded for; "": nobody knows it
+    std::string origin;  // see intake/origin.h
+    std::string files;   // is the hash of the graded files; "": unknown
   };
   std::map<std::string, Row> rows();  // by name
-  // As it was computed; and with the decisions of people, under the rules of the hand-in. Throw BadInput if
-  // it is damaged.
+  // Return the computed result; and the one with people's decisions, under the rules of the hand-in. Throw
+  // BadInput if it is damaged.
   std::optional<Recorded> find(const std::string& name);
   std::optional<Recorded> find_decided(const std::string& name);
 
-  // Under other rules; `change` may change points before these apply.
+  // Uses other rules; `change` may change points before these apply.
   using ChangePoints = std::function<void(SubmissionResult&)>;
   std::optional<SubmissionResult> find_under(const std::string& name, const HandInRules& rules,
                                              const ChangePoints& change);
 
-  // Points as they count; of everybody with a result.
+  // Holds the points that count, for each person with a result.
   struct Total {
     double points = 0, max_points = 0;
   };
@@ -137,8 +136,8 @@ class Record {
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
-  // Replaces an earlier one of this kind and place. Throws BadInput as check does, and for an unknown name;
-  // undo does so, too, if there is no such decision.
+  // Replaces an earlier decision of this kind and place. Throws BadInput as check does, and for an unknown
+  // name; undo does so, too, if there is no such decision.
   void decide(const std::string& name, Decision decision);
   void undo(const std::string& name, DecisionKind kind, const std::string& place);
 
@@ -146,25 +145,25 @@ class Record {
   ClassCosts costs();
   std::string now();  // "2025-03-04 10:15:22" (UTC)
 
-  // Files of the last run's input that reached no hand-in, and notices. Replaces those of an earlier run;
-  // leaves out those of people whom it does not know.
+  // Stores files of the last run's input that reached no hand-in, and notices. Replaces those of an earlier
+  // run; leaves out those of unknown people.
   void set_listed(const std::vector<Accounted>& listed);
   std::vector<Accounted> listed();
 
-  // Cells that a learning system's table got of hand-ins: later ones that differ are a person's.
+  // Stores cells that went into a learning system's table: if they differ later, a person changed them.
   void put_entered(const std::vector<std::pair<std::string, std::string>>& cells);
   std::vector<std::string> entered(const std::string& name);
 
-  // Oldest first; throws BadInput for a name that the record does not have.
+  // Returns the oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);
 
-  // Removes all of a person, of all hand-ins, and on the roster, too. Throws BadInput for an unknown name.
-  // Then shred() clears free pages and journal of all bytes that were deleted; it throws BadInput if another
-  // process reads for a minute meanwhile.
+  // Removes all data of a person, in all hand-ins, and on the roster, too. Throws BadInput for an unknown
+  // name. Then shred() clears free pages and journal of all bytes that were deleted; it throws BadInput if
+  // another process reads for a minute meanwhile.
   void forget(const std::string& name);
   void shred();
 
-  std::string export_json();  // all that it holds, but for pictures' bytes
+  std::string export_json();  // returns all data except pictures' bytes
 
  private:
   struct Dated;  // another hand-in of the record, with a due date
@@ -201,9 +200,9 @@ class Record {
   Database database_;
 };
 
-std::string user();  // who runs this process: for the log
+std::string user();  // returns this process's user, for the log
 
-// The result of `name` in the record of a folder, as it was computed; nothing without one.
+// Returns the computed result of `name` in the record of a folder; nothing if there is none.
 std::optional<SubmissionResult> recorded_result(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace grader::record

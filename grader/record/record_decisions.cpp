@@ -1,4 +1,4 @@
-// STAFF ONLY. The decisions of people in a record.
+// STAFF ONLY. Stores decisions of people in a record.
 #include "grader/course/input.h"
 #include "grader/record/record.h"
 #include "grader/record/rules.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the hand-ins of one record have in common: their order, the course's free days, and
+// STAFF ONLY. Computes the common data of a record's hand-ins: their order, the course's free days, and
 // totals.
 #include <algorithm>
 

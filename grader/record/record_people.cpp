@@ -1,5 +1,4 @@
-// STAFF ONLY. Owners and the roster in the record. What the class looks like is found anew from both each
-// time.
+// STAFF ONLY. Stores owners and the roster. The list of the class is found anew from both each time.
 #include <algorithm>
 
 #include "grader/course/input.h"
@@ -10,7 +9,7 @@
 namespace grader::inline record {
 namespace {
 
-// The last one of each name.
+// Keeps the last one of each name.
 std::vector<HandIn> with_one_owner(const std::vector<HandIn>& all) {
   std::vector<HandIn> last;
   for (const HandIn& one : all) {
@@ -50,7 +49,7 @@ void Record::put_roster(const std::vector<Person>& roster) {
     database_.run("INSERT INTO roster (person) VALUES (?)", {json_text(one, -1)});
 }
 
-// The row has name, owner, system, and the name that intake found.
+// The row has name, owner, system, and the name from intake.
 HandIn Record::hand_in_of(const DatabaseRow& row) const {
   const std::string name = row.text(0),
                     where = printable(database_.file().string(), 4096) + ": the owner of " + name;
@@ -75,7 +74,7 @@ std::vector<HandIn> Record::hand_ins(Of of) {
   return with_one_owner(read_hand_ins(of));
 }
 
-// A name stands here with its owner of each hand-in; the one of this hand-in is the last, then the latest.
+// Lists a name with its owner in each hand-in; this hand-in's owner is the last, or else the latest.
 std::vector<Drawn> Record::read_drawn() {
   std::vector<Drawn> all;
   database_.each(

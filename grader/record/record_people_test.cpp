@@ -1,4 +1,4 @@
-// STAFF ONLY. A record knows whose its hand-ins are and who is missing, and forgets both.
+// STAFF ONLY. Tests that a record knows the owners of hand-ins and missing people, and forgets both.
 #include "grader/record/record.h"
 
 #include <gtest/gtest.h>

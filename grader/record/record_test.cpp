@@ -1,4 +1,4 @@
-// STAFF ONLY. A record gives back what was put into it, and keeps nothing of whom it forgets.
+// STAFF ONLY. Tests that a record returns its data, and keeps nothing of a forgotten person.
 #include "grader/record/record.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST_P(RecordOfAClass, IsClosedToOthers) {
     EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << entry.path();
 }
 
-// Another process looks: this one must not open the file beside SQLite.
+// Looks in another process: this one must not open the file beside SQLite.
 bool holds(const fs::path& folder, const std::string& bytes) {
   const std::string command = "grep -rqaF '" + bytes + "' '" + folder.string() + "'";
   const int status = std::system(command.c_str());
@@ -93,7 +93,7 @@ TEST_P(RecordOfAClass, ForgetsEveryByte) {
   SubmissionResult& bob = results[1];
   bob.name = "bobwillgo";
   bob.origin = "hand-in /bobwillgo-origin.zip";
-  bob.exercises[0].staff_log = "bobwillgo-log" + std::string(50'000, 'x');  // on pages of its own
+  bob.exercises[0].staff_log = "bobwillgo-log" + std::string(50'000, 'x');  // takes pages of its own
   bob.exercises[0].pictures = {{"1 s", 0, 0, "bobwillgo-picture", "reference-picture", ""}};
   results[0].exercises[0].pictures = {{"1 s", 0, 0, "alice-picture", "reference-picture", ""}};
   Record record(dir_, GetParam());
@@ -190,7 +190,7 @@ TEST(Journals, AreRollbackJournalsWhereMemoryMayNotBeShared) {
     EXPECT_FALSE(is_local_file_system(remote)) << remote;
 }
 
-// As a record that is moved from a local disk to a network home.
+// The record moves from a local disk to a network home.
 TEST(Journals, ARecordChangesItsJournalWithItsPlace) {
   const hair::TemporaryFolder folder("journals");
   const fs::path file = folder.path() / kRecordFile;

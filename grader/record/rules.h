@@ -1,19 +1,18 @@
-// STAFF ONLY. The rules of a hand-in, from the course file's "hand_in": when it is due, what lateness costs,
-// and how much extra credit counts. They change totals and no category, so that they can change without
-// grading again.
+// STAFF ONLY. The rules of a hand-in, from the course file's "hand_in": the due date, the cost of lateness,
+// and the share of extra credit that counts. They change totals and no category, so that they can change
+// without grading again.
 //
-//   {"hand_in": {"due": "2025-03-04 23:59", "zone": "Europe/Berlin", "grace_minutes": 10, "free_days": 1,
-//                "late_per_cent_a_day": 10, "late_of": "reached", "late_per_cent_at_most": 50, "total_per_cent_at_most": 110}}
+// {"hand_in": {"due": "2025-03-04 23:59", "zone": "Europe/Berlin", "grace_minutes": 10, "free_days": 1,
+//  "late_per_cent_a_day": 10, "late_of": "reached", "late_per_cent_at_most": 50, "total_per_cent_at_most":
+// 110}}
 //
-// The due date is one of the clock in the course's zone (zone.h), and so are times without an offset. A late
-// day ends when that clock shows the due time again, so that a change of the clock costs nobody a day. Within
-// the due minute is not late.
+// The due date and times without an offset are on the clock of the course's zone (zone.h). A late day ends
+// when that clock shows the due time again, so that a change of the clock costs nobody a day. The due minute
+// itself is not late. "late_of": per cent of the points that the student has "reached", or of all that are
+// "reachable"; never below 0 in all.
 //
-// "late_of": per cent of the points that the student has "reached", or of all that are "reachable"; never
-// below 0 in all.
-//
-// Without "total_per_cent_at_most" the total counts up to 100 per cent: extra credit makes up for points that
-// were lost elsewhere, and a total beyond the full points would be refused or cut by most gradebooks.
+// Without "total_per_cent_at_most" the total counts up to 100 per cent: extra credit makes up for lost
+// points, and most gradebooks would refuse or cut a total beyond the full points.
 #pragma once
 
 #include <optional>
@@ -31,12 +30,12 @@ enum class LateOf { reached, reachable };
 std::string to_string(LateOf of);
 
 struct HandInRules {
-  std::string due = {};   // "": there is no date, and nobody is late
-  std::string zone = {};  // "": times are taken as they are shown, and offsets are not looked at
-  std::vector<std::string> exercises = {};  // of a hand-in with a name, else empty
-  std::string column = {};                  // in the learning system's gradebook
+  std::string due = {};                     // "": there is no date, and nobody is late
+  std::string zone = {};                    // "": times are taken as they are shown, and offsets are ignored
+  std::vector<std::string> exercises = {};  // are those of a hand-in with a name, else empty
+  std::string column = {};                  // is in the learning system's gradebook
   int grace_minutes = 0, free_days = 0;
-  int free_days_in_all = 0;  // of the course: used by hand-ins in the order of their due dates
+  int free_days_in_all = 0;  // are the course's: hand-ins use them in the order of their due dates
   double late_per_cent_a_day = 0, late_per_cent_at_most = 100;
   LateOf late_of = LateOf::reached;
   double total_per_cent_at_most = 100;
@@ -59,28 +58,28 @@ struct Fields<HandInRules> {
 
 namespace grader::inline record {
 
-// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place and
-// what would be right.
+// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place
+// and what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
 
-// How many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing without
-// both times.
+// Returns how many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing
+// without both times.
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in);
 
-// Days for one student beyond the hand-in's own free ones.
+// Are days for one student beyond the hand-in's own free ones.
 struct MoreDays {
   double given = 0;     // by a person
-  int left_of_all = 0;  // of the course's free days, by earlier hand-ins
+  int left_of_all = 0;  // are the course's free days that earlier hand-ins left
 };
 
-// How many of the course's free days are used for a hand-in that is so late.
+// Returns how many of the course's free days a hand-in uses that is `late` days late.
 int used_of_all(const HandInRules& rules, int late, const MoreDays& more);
 
-// The result is one before any rule.
+// Takes a result before any rule.
 Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                   const MoreDays& more);
 
-// The result with a line for each rule that changes its total.
+// Returns the result with a line for each rule that changes its total.
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                        const MoreDays& more);
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Lateness is counted in days of the calendar; it and the cap on extra credit are lines of their
-// own.
+// STAFF ONLY. Tests that lateness is counted in days of the calendar; it and the cap on extra credit are
+// lines of their own.
 #include "grader/record/rules.h"
 
 #include <gtest/gtest.h>

@@ -10,27 +10,27 @@
 namespace grader::inline record {
 namespace {
 
-// A group whose members nobody knows has none.
+// A group with unknown members has none.
 std::vector<Owner> people_of(const Owner& owner) {
   return owner.members.empty() && !owner.group ? std::vector{owner} : owner.members;
 }
 
-// A name says little: it counts where there is nothing else.
+// A name is weak evidence: it counts only without other data.
 bool same_person(const Owner& a, const Owner& b, bool same_system) {
   if (same_system && !a.id.empty() && !b.id.empty()) return a.id == b.id;
   if (!a.email.empty() && !b.email.empty()) return a.email == b.email;
   return (a.id + a.email + b.id + b.email).empty() && !a.name.empty() && keys_of(a.name) == keys_of(b.name);
 }
 
-// Canvas's group has the number of whoever handed in: it counts where nobody knows the members.
+// Canvas's group has the number of the student who handed in: it counts if the members are unknown.
 bool has_ids_of_groups(const HandIn& a, const HandIn& b) {
   const bool members = !a.owner.members.empty() && !b.owner.members.empty();
   return a.owner.group && b.owner.group && a.system == b.system && !a.owner.id.empty() &&
          !b.owner.id.empty() && !(a.system == "canvas" && members);
 }
 
-// 0: others. The share of people in both among those in either; an id of the group says more, and an own row
-// of one person all.
+// Rates two hand-ins; 0: others. It is the share of people in both among those in either; an equal id of the
+// group counts more, and one person's hand-ins with the same name most.
 double sameness(const HandIn& a, const HandIn& b) {
   constexpr double kById = 2, kByName = 3;
   const bool same_system = a.system == b.system;
@@ -55,7 +55,7 @@ std::string ids_of(const Owner& owner) {
   return all;
 }
 
-// For each of `now` the one of `before`; null for somebody new.
+// Finds for each of `now` the one of `before`; null for somebody new.
 std::vector<const Drawn*> found_again(const std::vector<Drawn>& before, const std::vector<HandIn>& now) {
   struct Pair {
     double sameness;

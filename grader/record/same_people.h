@@ -1,10 +1,10 @@
-// STAFF ONLY. Who draws the inputs of whom: a hand-in keeps what its inputs are drawn from while its people
-// are the same, whatever its folder is called. A group is known by its id in the system, else by its members:
-// who leaves or joins changes nothing for the rest.
+// STAFF ONLY. Chooses the seed of a hand-in, a name that its inputs are drawn from: it stays while the people
+// are the same, whatever the folder's name is. A group is known by its id in the system, else by its members:
+// people who leave or join change nothing for the rest.
 //
-// The row of a hand-in stays, too, with all that people decided about it, if everybody of it is still there:
-// a group may get another name, and somebody more. If somebody has left it, decisions about that one's work
-// would become others': then it is a row of its own.
+// A hand-in also keeps its row, with all decisions of people about it, if all of its people are still there:
+// a group may get another name, and new members. If a member has left, the row's decisions would become other
+// people's: then it gets a row of its own.
 #pragma once
 
 #include <optional>
@@ -16,21 +16,21 @@
 namespace grader::inline record {
 
 struct Drawn {
-  HandIn hand_in;    // its system is "" if nobody knows whose it is: then its name counts
-  std::string from;  // what its inputs are drawn from
+  HandIn hand_in;    // its system is "" if the owner is unknown: then its name counts
+  std::string from;  // is the seed of its inputs
 };
 
-// For each of `now` what it draws from. Each row of `before` is found again at most once; it may stand there
-// several times, with its people of each hand-in of the course. Somebody new draws from the own name, or, if
-// that is another's, from one that is made of name and people.
+// Returns the seed of each of `now`. Each row of `before` is found again at most once; it may occur several
+// times, with its people of each hand-in of the course. A new hand-in gets its own name as seed, or, if that
+// is taken, one made of name and people.
 std::vector<std::string> drawn_from(const std::vector<Drawn>& before, const std::vector<HandIn>& now);
 
 struct RowName {
   std::string name;
   std::string told =
-      {};  // for staff: why it is another name than the hand-in's, or why the row is a new one; "": it is plain
+      {};  // tells staff why the name differs from the hand-in's, or why the row is new; "": it is plain
 };
-// For each of `now` the name of its row; no two are the same if none of `now` are.
+// Returns the name of the row of each of `now`; no two are the same if none of `now` are.
 std::vector<RowName> row_names(const std::vector<Drawn>& before, const std::vector<HandIn>& now);
 
 }  // namespace grader::record

@@ -1,4 +1,4 @@
-// STAFF ONLY. Groups that change keep what their inputs are drawn from, and no two draw from the same.
+// STAFF ONLY. Tests that groups that change keep their seed, and that no two share one.
 #include "grader/record/same_people.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<Drawn> at_first(const std::vector<HandIn>& hand_ins) {
 TEST(DrawnFrom, TheNameAtFirstSight) {
   const HandIn doe{"doe_1", {.name = "Doe", .id = "1"}, "canvas"};
   EXPECT_EQ(drawn_from({}, {doe}), std::vector<std::string>{"doe_1"});
-  // The same number under another name, as after a marriage; the same number elsewhere is another's.
+  // The number has another name, as after a marriage; the same number in another system is another person's.
   EXPECT_EQ(drawn_from({{doe, "x"}}, {{"roe_1", {.name = "Roe", .id = "1"}, "canvas"}}),
             std::vector<std::string>{"x"});
   EXPECT_EQ(drawn_from({{doe, "x"}}, {{"roe_1", {.name = "Roe", .id = "1"}, "moodle"}}),
@@ -38,7 +38,7 @@ TEST(DrawnFrom, OfAGroupItsIdDecidesWhereItHasOne) {
   // Names and members are exchanged, ids stay.
   EXPECT_EQ(drawn_from(before, {group("b", "7", {"3", "4"}), group("a", "8", {"1", "2"})}),
             (std::vector<std::string>{"a", "b"}));
-  // Moodle does not say who is in a team.
+  // Moodle does not list a team's members.
   const std::vector<Drawn> teams = at_first({group("a", "7", {}), group("b", "8", {})});
   EXPECT_EQ(drawn_from(teams, {group("c", "8", {}), group("b", "9", {})})[0], "b");
   EXPECT_NE(drawn_from(teams, {group("c", "8", {}), group("b", "9", {})})[1], "b");
@@ -71,7 +71,7 @@ TEST(RowNames, StayForTheSamePeople) {
                                               {"doe_1", {.name = "Doe", .id = "9"}, "canvas"},
                                               {"jane doe", {.name = "jane doe"}, "folders"}});
   const auto rows = [&](const std::vector<HandIn>& now) { return row_names(before, now); };
-  // Renamed, and somebody more.
+  // The group has a new name, and a new member.
   const std::vector<RowName> renamed =
       rows({group("c", "", {"1", "2", "6"}), group("b", "", {"3", "4", "5"})});
   EXPECT_EQ(names_of(renamed), (std::vector<std::string>{"a", "b"}));
@@ -89,7 +89,7 @@ TEST(RowNames, StayForTheSamePeople) {
   EXPECT_EQ(names_of(rows({{"Jane_Doe", {.name = "Jane Doe"}, "folders"}})),
             std::vector<std::string>{"Jane_Doe"})
       << "a name alone is no evidence";
-  // The same name, and somebody who has left: it is the group of that name still.
+  // The name is the same, and a member has left: it is still the group of that name.
   EXPECT_EQ(names_of(rows({group("b", "", {"3", "4"})})), std::vector<std::string>{"b"});
 }
 
@@ -102,14 +102,14 @@ TEST(RowNames, AreNewWhereSomebodyHasLeftOrOthersHaveTheName) {
   EXPECT_EQ(names_of(row_names(before, {{"M1_1", {.name = "M1", .id = "1"}, "gradescope"}})),
             std::vector<std::string>{"M1_1"})
       << "one alone has not what others were graded for";
-  // Others are called a now: decisions about the first group would become theirs.
+  // Other people have the name a now: they must not get decisions about the first group.
   const HandIn others = group("a", "", {"7", "8"});
   const std::vector<RowName> taken = row_names(before, {others, group("b", "", {"1", "2", "3"})});
   EXPECT_EQ(taken[1].name, "a");
   ASSERT_NE(taken[0].name, "a");
   EXPECT_TRUE(taken[0].name.starts_with("a-")) << taken[0].name;
   EXPECT_NE(taken[0].told, "");
-  // It is the same name in the next download.
+  // The name stays in the next download.
   std::vector<Drawn> then = before;
   then.push_back({others, "x"});
   then.back().hand_in.name = taken[0].name;
@@ -125,8 +125,8 @@ TEST(RowNames, OfCanvasGroupsDontFollowWhoeverHandedIn) {
   EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"team7_1"});
 }
 
-// Groups of two to four are renamed at random, in any order; in each at most one member leaves and one, of
-// nobody else, joins: of two or more at least one stays, and nobody is in two groups.
+// Groups of two to four are renamed at random, in any order; in each at most one member leaves and one
+// joins, who is in no other group: of two or more at least one stays, and nobody is in two groups.
 TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
@@ -152,7 +152,7 @@ TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {
         if (below(2) == 0 && members[i].size() > 1) members[i].erase(members[i].begin() + below(2));
         if (below(2) == 0) members[i].push_back(std::to_string(next++));
         std::ranges::shuffle(members[i], random);
-        std::string id;  // as Gradescope's groups have one, of their members'
+        std::string id;  // is like Gradescope's id of a group, from its members'
         if (with_id)
           for (const std::string& member : members[i]) id += member + "_";
         now.push_back(group("team" + std::to_string(names[i]), id, members[i]));

@@ -1,4 +1,4 @@
-// STAFF ONLY. The tables of a record.
+// STAFF ONLY. Holds the tables of a record.
 #include "grader/record/schema.h"
 
 #include <algorithm>
@@ -9,9 +9,9 @@ namespace grader::inline record {
 namespace {
 
 constexpr std::int64_t kApplication = 0x68616972;  // "hair"
-constexpr std::int64_t kBaseVersion = 7;           // of an empty file's first tables
+constexpr std::int64_t kBaseVersion = 7;           // is that of an empty file's first tables
 
-// Whoever leaves `people` leaves all other tables, but for pictures, which several may share.
+// Deleting a person deletes their rows in all other tables, except pictures, which several may share.
 constexpr const char* kBase = R"(
 CREATE TABLE migrations (version INTEGER PRIMARY KEY, at TEXT NOT NULL) STRICT;
 CREATE TABLE class (blind INTEGER NOT NULL) STRICT;  -- one row; 1: names of people are codes
@@ -126,7 +126,7 @@ void migrate(Database& database, const std::vector<std::string>& steps) {
                    "; use the hairgrade that made it");
   while (version() < last) {
     Transaction transaction(database);
-    const std::int64_t next = std::max(kBaseVersion, version() + 1);  // another process may have been here
+    const std::int64_t next = std::max(kBaseVersion, version() + 1);  // another process may have migrated it
     if (next > last) return;
     database.run_all(steps[static_cast<std::size_t>(next - kBaseVersion)]);
     database.run("INSERT INTO migrations VALUES (?, strftime('%Y-%m-%d %H:%M:%S', 'now'))", {next});

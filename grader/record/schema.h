@@ -1,4 +1,4 @@
-// STAFF ONLY. The tables of a record, and how those of older versions become them.
+// STAFF ONLY. The tables of a record, and the steps from older versions.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace grader::inline record {
 
-// The SQL that makes version 7 of an empty file, then 8 of 7, and so on. Entries are never changed, only
-// added: records have them.
+// Returns the SQL that makes version 7 of an empty file, then 8 of 7, and so on. Entries are never changed,
+// only added: records have them.
 const std::vector<std::string>& migrations();
 
 // Brings the file to the last version, each step in a transaction of its own. Throws BadInput for a file of a

@@ -1,4 +1,4 @@
-// STAFF ONLY. A number for people: "2", "1.5", two digits behind the point at most.
+// STAFF ONLY. Writes a number for people: "2", "1.5", with at most two digits behind the point.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// STAFF ONLY. Turns clocks with the tz library, whose names C++20 took over: this compiler's standard library
-// has no zones yet.
+// STAFF ONLY. Converts times with the tz library, whose names C++20 took over: this compiler's standard
+// library has no zones yet.
 #include "grader/record/zone.h"
 
 #include <date/tz.h>

@@ -1,6 +1,6 @@
-// STAFF ONLY. Lateness is counted on the clock of the course's zone, whatever clock a download shows, and a
-// change of the clock costs nobody a day. Offsets in the rows are those that the zones had then: tz database,
-// europe and northamerica.
+// STAFF ONLY. Tests that lateness is counted on the clock of the course's zone, whatever clock a download
+// shows, and that a change of the clock costs nobody a day. Offsets in the rows are the zones' at that time:
+// tz database, europe and northamerica.
 #include "grader/record/zone.h"
 
 #include <gtest/gtest.h>
@@ -69,8 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Row{"America/Los_Angeles", "2025-03-08 23:59", "2025-03-09 23:59:59", 1},
                     Row{"America/Los_Angeles", "2025-11-01 23:59", "2025-11-02 23:59:59", 1}));
 
-// 2:30 comes twice on the 26th of October, and not at all on the 30th of March, where it is taken for the
-// change itself, 3:00.
+// 2:30 comes twice on the 26th of October, and not at all on the 30th of March, where it counts as the change
+// itself, 3:00.
 INSTANTIATE_TEST_SUITE_P(WithinTheChange, LatenessBesideAChange,
                          testing::Values(Row{"Europe/Berlin", "2025-10-26 02:30", "2025-10-26 01:30:59 Z",
                                              0},  // the second one

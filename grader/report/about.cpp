@@ -12,7 +12,7 @@ namespace grader::inline report {
 namespace {
 
 struct Question {
-  const char *whole, *word;  // as the handout asks, and what may be left of it
+  const char *whole, *word;  // the question of the handout, and its shortest form
   std::string About::*answer;
 };
 constexpr std::array<Question, 3> kQuestions = {
@@ -20,7 +20,7 @@ constexpr std::array<Question, 3> kQuestions = {
      {"hardest exercise, and why", "hardest", &About::hardest},
      {"unclear in texts, headers or checks", "unclear", &About::unclear}}};
 constexpr double kMostHours = 1000;
-constexpr std::size_t kLongest = 2000;  // of an answer, in bytes
+constexpr std::size_t kLongest = 2000;  // bounds an answer, in bytes
 
 bool is_version(const std::string& text) {
   return text.size() == 8 && text.find_first_not_of("0123456789abcdef") == text.npos;

@@ -1,4 +1,4 @@
-// STAFF ONLY. The class's page says what people answered in about.txt.
+// STAFF ONLY. Writes the class page's section with the answers of about.txt.
 #include <algorithm>
 #include <map>
 
@@ -12,7 +12,7 @@
 namespace grader::inline report {
 namespace {
 
-// Sorted by their text: their order tells nothing of who wrote them.
+// Sorts answers by their text, so that their order does not show the authors.
 Html answers(const char* question, std::vector<std::string> texts) {
   std::erase(texts, "");
   if (texts.empty()) return {};
@@ -32,7 +32,7 @@ bool is_word_in(const std::string& text, const std::string& word) {
   return false;
 }
 
-// "H6 12, H4 5": the exercises that answers name, the one that most name first.
+// Returns "H6 12, H4 5": the exercises that answers name, the most frequent first.
 std::string named_exercises(const std::vector<std::string>& texts,
                             const std::vector<SubmissionResult>& results) {
   std::vector<std::pair<std::size_t, std::string>> counts;

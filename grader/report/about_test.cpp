@@ -1,4 +1,4 @@
-// STAFF ONLY. Answers of about.txt, and what the class's page makes of them.
+// STAFF ONLY. Tests the answers of about.txt and their section on the class's page.
 #include "grader/report/about.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(About, AnswersEndAtTheNextQuestion) {
             "3");
 }
 
-// The file that students get: its questions are read, and its answers are empty.
+// Reads the students' file: its questions are found, and its answers are empty.
 TEST(About, ReadsTheHandoutsQuestions) {
   std::string text = hair::bytes_of(HAIR_ABOUT_FILE);
   EXPECT_EQ(read_about(text), About());

@@ -1,5 +1,5 @@
-// STAFF ONLY. What a class's page says beside results: who should be there, which files were left over,
-// how the last run ended, who was late.
+// STAFF ONLY. The facts on a class's page beside results: people on the roster, files left over, the end of
+// the last run, late hand-ins.
 #pragma once
 
 #include <map>
@@ -19,8 +19,8 @@ struct ClassFacts {
   std::vector<Accounted> listed = {};
   std::optional<LastRun> run = {};
   std::string due = {};                       // "": there is no date
-  std::map<std::string, Lateness> late = {};  // of each hand-in, by name
-  bool is_public = false;  // anybody may read it: it leads to students' reports, and to nothing of the staff's
+  std::map<std::string, Lateness> late = {};  // by the hand-in's name
+  bool is_public = false;  // true: it links to students' reports alone, and shows nothing of the staff
 };
 
 }  // namespace grader::report

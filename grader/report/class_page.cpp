@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts the class on a page.
+// STAFF ONLY. Writes the class's page.
 #include <algorithm>
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Results = std::vector<SubmissionResult>;
 
-// The readers of a page, and the names and links that they get.
+// Holds the readers of a page, with their names and links.
 struct Readers {
   bool are_public;
   const NamesForPeople& people;
@@ -36,8 +36,7 @@ Html list_of(const Html& heading, std::size_t count, const Html& items, const ch
               {heading, count, look, items});
 }
 
-// An instructor looks here first: results that went wrong in the worst way come first. People are counted,
-// with all their exercises.
+// An instructor looks here first: the worst failures come first. It counts people with all their exercises.
 Html to_look_at(const Results& results, const Readers& readers) {
   Html groups, notes;
   std::size_t with_note = 0;
@@ -63,7 +62,7 @@ Html to_look_at(const Results& results, const Readers& readers) {
     Html items;
     std::size_t count = 0;
     for (const SubmissionResult& result : results) {
-      if (!result.note.empty()) continue;  // it stands above, whatever became of its exercises
+      if (!result.note.empty()) continue;  // a note stands above, whatever the exercises' status
       Html exercises;
       for (const ExerciseResult& exercise : result.exercises)
         if (exercise.status == status)

@@ -10,8 +10,8 @@
 namespace grader::inline report {
 namespace {
 
-constexpr std::size_t kFewest = 10;  // people, for strong and weak ones
-constexpr double kEnds = 0.27;       // of the class
+constexpr std::size_t kFewest = 10;  // fewer people have no strong and weak ones
+constexpr double kEnds = 0.27;       // is a share of the class
 constexpr std::size_t kFewestAlike = 3, kFewestLost = 2;
 
 using Results = std::vector<SubmissionResult>;
@@ -29,7 +29,7 @@ bool passes(const SubmissionResult& result, const std::string& exercise, std::si
   return found && i < found->cases.size() && found->cases[i].status == Status::passed;
 }
 
-// From the strongest to the weakest. Equal ones stay in the order of their names.
+// Sorts from the strongest to the weakest. Equal ones stay in the order of their names.
 std::vector<const SubmissionResult*> by_points(const Results& results) {
   std::vector<const SubmissionResult*> people;
   for (const SubmissionResult& result : results) people.push_back(&result);
@@ -143,7 +143,7 @@ std::vector<FailAlike> who_fail_alike(const Results& results) {
       std::vector<std::string> lost;
       for (std::size_t i = 0; i < exercise.cases.size(); ++i)
         if (exercise.cases[i].status != Status::passed) lost.push_back(number(exercise, i));
-      // Nothing works of somebody who loses all, and that says nothing of how it was written.
+      // A person who loses all categories shows no single misunderstanding.
       if (lost.size() >= kFewestLost && lost.size() < exercise.cases.size())
         found[{exercise.id, std::move(lost)}].push_back(result.name);
     }

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the class's results say, as parts of its page.
+// STAFF ONLY. Writes the class's statistics, as parts of its page.
 #include <algorithm>
 #include <utility>
 
@@ -19,7 +19,7 @@ Html share_bar(double share) {
               {percent(share)});
 }
 
-// Bars of counts, as high as their share of the largest one.
+// Draws bars of counts, as high as their share of the largest one.
 Html bars_of(const Tenths& tenths) {
   const std::size_t most = std::max<std::size_t>(1, *std::max_element(tenths.begin(), tenths.end()));
   Html bars;
@@ -33,7 +33,7 @@ Html bars_of(const Tenths& tenths) {
   return html("<ol class=\"bars\">\n{}</ol>\n", {bars});
 }
 
-// "3 0 0 1 0 0 2 0 4 20" as bars without words, and in words for a screen reader.
+// Draws "3 0 0 1 0 0 2 0 4 20" as bars without words, and in words for a screen reader.
 Html small_bars(const Tenths& tenths) {
   const std::size_t most = std::max<std::size_t>(1, *std::max_element(tenths.begin(), tenths.end()));
   Html bars;
@@ -101,7 +101,7 @@ Html sections_part(const std::vector<SubmissionResult>& results, const std::vect
               {rows});
 }
 
-// The categories in which most points are lost come first: a lecturer explains them again.
+// Puts the categories with most lost points first: a lecturer explains them again.
 Html categories_part(const std::vector<SubmissionResult>& results) {
   Html table = html(R"(<section id="categories">
 <h2>Categories, hardest first</h2>

@@ -1,4 +1,4 @@
-// STAFF ONLY. What a class's numbers say, on classes whose numbers are known beforehand.
+// STAFF ONLY. Tests statistics on classes with known numbers.
 #include "grader/report/class_statistics.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace grader::inline report {
 namespace {
 
-// One exercise of two points; each category that `passes` says gives one.
+// Makes one exercise of two points; each category that `passes` gives one.
 SubmissionResult person(const std::string& name, std::vector<bool> passes) {
   SubmissionResult result;
   result.name = name;
@@ -36,8 +36,8 @@ TEST(ClassStatistics, CategoriesTellStrongFromWeakPeople) {
   std::vector<SubmissionResult> results;
   for (int i = 0; i < 11; ++i) {
     const bool strong = i < 3, weak = i >= 8;
-    // The first: strong people alone. The second: all. The third: weak people alone. Three more make strong
-    // people strong.
+    // Strong people alone pass the first category, all people the second, weak ones alone the third. Weak
+    // people fail three more, which makes the others strong.
     results.push_back(person("p" + std::to_string(i), {strong, true, weak, !weak, !weak, !weak}));
   }
   for (const CategoryStatistics& category : category_statistics(results)) {
@@ -100,7 +100,7 @@ TEST(ClassStatistics, SectionsCountEachOfTheirPeopleOnce) {
   EXPECT_EQ(class_page(results, {}).find("id=\"sections\""), std::string::npos);
 }
 
-// Somebody who loses one category, or all, says nothing; two people are no group.
+// A person who loses one category, or all, is no sign; a group has at least three people.
 TEST(ClassStatistics, WhoFailAlikeIsNamed) {
   std::vector<SubmissionResult> results;
   for (const char* name : {"a", "b", "c"}) results.push_back(person(name, {true, false, false}));
@@ -113,7 +113,7 @@ TEST(ClassStatistics, WhoFailAlikeIsNamed) {
   EXPECT_EQ(groups[0].categories, (std::vector<std::string>{"S1.2", "S1.3"}));
 }
 
-// A broken archive is one person, who stands in no list of exercises.
+// A broken archive is one person, who is in no list of exercises.
 TEST(ClassStatistics, ThePageCountsPeopleAndNotCells) {
   SubmissionResult broken = person("broken", {});
   broken.note = "This is no archive.";

@@ -12,7 +12,7 @@ std::string word(Status status) {
   switch (status) {
     case Status::passed:
     case Status::partly:
-      return "0";  // of an exercise that is worth nothing
+      return "0";  // the exercise is worth nothing
     case Status::wrong:
       return "wrong";
     case Status::not_implemented:

@@ -18,8 +18,8 @@ std::vector<Column> columns_of(const std::vector<SubmissionResult>& results);  /
 const ExerciseResult* find_exercise(const SubmissionResult& result,
                                     const std::string& id);  // null if there is none
 
-// A result in at most five letters: the points, "stub", "crash". "!" after points means that a case crashed,
-// ran into a limit or broke the rules.
+// Writes a result in at most five letters: the points, "stub", "crash". "!" after points means that a case
+// crashed, ran into a limit or broke the rules.
 std::string in_short(const ExerciseResult& exercise);
 
 std::string in_a_row(const std::vector<std::string>& words);  // "S1, H4"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes the page of compared pictures.
 #include "grader/report/comparison_page.h"
 
 #include "grader/report/pictures.h"
@@ -7,7 +7,7 @@
 namespace grader::inline report {
 namespace {
 
-// Pressing a picture shows its neighbour in its place, as FLIP assumes it; F does so for all.
+// A click on a picture shows its neighbour in its place, as FLIP assumes it; F does so for all.
 constexpr std::string_view flip_script = R"js(<script>
 const flips = [];
 for (const row of document.querySelectorAll(".pictures")) {
@@ -25,7 +25,7 @@ onkeyup = event => { if (event.key === "f") for (const show of flips) show(false
 </script>
 )js";
 
-// A file's name as a part of a link: all but letters, digits and -._~ as %XX (RFC 3986).
+// Writes a file's name as a part of a link: all but letters, digits and -._~ as %XX (RFC 3986).
 std::string link_to(const std::string& file) {
   constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~";
   constexpr char digits[] = "0123456789ABCDEF";
@@ -75,7 +75,7 @@ Html missing(const std::string& folder, const std::vector<std::string>& names) {
   return html("<p class=\"note\">Only in {}: {}</p>\n", {folder, list});
 }
 
-// "a" of "a.png"; "a.PNG" stays, for "a.png" may stand beside it.
+// Returns "a" for "a.png"; "a.PNG" stays, since "a.png" may exist, too.
 std::string stem_of(const std::string& name) {
   return name.ends_with(".png") ? name.substr(0, name.size() - 4) : name;
 }

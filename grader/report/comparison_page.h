@@ -9,13 +9,13 @@
 
 namespace grader::inline report {
 
-// A shrunk pair, as the bytes of PNG files.
+// Holds a shrunk pair, as the bytes of PNG files.
 struct SmallPair {
   ComparedPair pair;
   std::string reference, test, heat;
 };
 
-// The names of a pair's full-size files beside the page: "frame-0003-heat.png".
+// Return the names of a pair's full-size files beside the page: "frame-0003-heat.png".
 std::string heat_file(const std::string& name);
 std::string side_file(const std::string& name);
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts the cost of grading on a page.
+// STAFF ONLY. Writes the page with the cost of grading.
 #include "grader/report/costs_page.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ double seconds_of(const Values& values, const std::vector<CostColumn>& columns) 
   return seconds;
 }
 
-// The most expensive first; of two that cost the same, the first by name.
+// Puts the most expensive first; equal ones are sorted by name.
 void sort_by_cost(std::vector<Named>& rows, const std::vector<CostColumn>& columns) {
   std::stable_sort(rows.begin(), rows.end(), [&](const Named& a, const Named& b) {
     return seconds_of(a.second, columns) > seconds_of(b.second, columns);
@@ -55,7 +55,7 @@ Html number(double value, CostKind kind, bool mean) {
               {std::to_string(value), shown_cost(value, kind, mean)});
 }
 
-// All together and each column by itself.
+// Writes the sum and each column.
 Html numbers(const Values& values, const std::vector<CostColumn>& columns, bool mean = false) {
   Html cells = number(seconds_of(values, columns), CostKind::wall_seconds, mean);
   for (std::size_t i = 0; i < columns.size(); ++i) cells += number(values[i], columns[i].kind, mean);
@@ -109,7 +109,7 @@ Html in_all(const Costs& costs, const Values& all) {
       {table_of(head_of("", costs.columns, {}), rows, ""), meanings});
 }
 
-// An average over those who have the part at all, and below it the reference's.
+// Writes an average over the submissions that have the part, and below it the reference's.
 Html by_part(const Costs& costs) {
   std::map<std::string, std::pair<Values, std::size_t>> sums;
   for (const auto& [name, parts] : costs.submissions)

@@ -1,5 +1,5 @@
-// STAFF ONLY. costs.html: where the time of grading went, the most expensive first, beside the reference. It
-// has times, so it differs from run to run. It knows no exercise and no kind of cost by name.
+// STAFF ONLY. costs.html: the time of grading, the most expensive first, compared with the reference. It has
+// times, so it differs from run to run. It knows no exercise and no kind of cost by name.
 #pragma once
 
 #include <string>

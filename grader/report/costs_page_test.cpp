@@ -1,4 +1,4 @@
-// STAFF ONLY. The page of costs: the most expensive first, beside the reference.
+// STAFF ONLY. Tests that the page of costs puts the most expensive first, compared with the reference.
 #include "grader/report/costs_page.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Costs three_submissions() {
   return costs;
 }
 
-// Where the words stand one after another in a page.
+// Tests that the words follow one another in a page.
 void expect_in_order(const std::string& page, const std::vector<std::string>& words) {
   std::size_t at = 0;
   for (const std::string& word : words) {
@@ -45,12 +45,12 @@ TEST(CostsPage, ShowsTheWholeClassBesideTheReference) {
   expect_in_order(page, {"<strong>13</strong> seconds for 3 submissions", "All submissions", ">13.00<",
                          ">4.00<", ">9.00<", ">905.00<", ">12<", "on average", ">4.33<", ">4.0<",
                          "The reference", ">1.25<", ">0.75<", ">4<", "id=\"parts\""});
-  // Of the two that were graded in H4.
+  // Two submissions were graded in H4.
   expect_in_order(
       page, {">H4<", ">4.50<", ">1.50<", ">3.00<", ">2.25<", ">4.0<", "69 %", "the reference", ">0.75<"});
 }
 
-// In the others a row belongs to the row above it.
+// In the other tables each row belongs to the row above it.
 TEST(CostsPage, LetsReadersSortTheSubmissionsAlone) {
   const std::string page = costs_page(three_submissions());
   const std::size_t submissions = page.find("id=\"submissions\"");

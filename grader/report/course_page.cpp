@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts a course with several hand-ins on a page.
+// STAFF ONLY. Writes the page of a course with several hand-ins.
 #include "grader/report/course_table.h"
 #include "grader/report/pages.h"
 #include "grader/report/text.h"
@@ -39,7 +39,7 @@ CourseTable::Cell CourseTable::total(const Row& row) const {
 
 std::string course_page(const CourseTable& course, const std::vector<ClassLine>& lines,
                         const NamesForPeople& people) {
-  std::vector<ClassLine> absent;  // who is on no roster stands on the pages of the hand-ins
+  std::vector<ClassLine> absent;  // people on no roster are on the pages of hand-ins
   for (const ClassLine& line : lines)
     if (line.hand_in.empty()) absent.push_back(line);
   Html body = html(

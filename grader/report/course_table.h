@@ -1,4 +1,4 @@
-// STAFF ONLY. A course with several hand-ins: what each person has in each of them.
+// STAFF ONLY. A course with several hand-ins: each person's points in each of them.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@ struct CourseTable {
     double points = 0, max_points = 0;
   };
   struct HandIn {
-    std::string name, folder;  // of its pages, beside the course's
-    double max_points = 0;     // the most that anybody can reach
+    std::string name, folder;  // are its pages' name and folder, below the course's
+    double max_points = 0;     // is the most that a person can reach
   };
   struct Row {
     std::string name;
-    std::vector<std::optional<Cell>> cells;  // one for each hand-in; nothing: nothing handed in
+    std::vector<std::optional<Cell>> cells;  // has one for each hand-in; empty: no hand-in
   };
   std::vector<HandIn> hand_ins;
   std::vector<Row> rows;
 
-  // A hand-in that is missing counts with no points of its most.
+  // A missing hand-in counts as no points of its maximum.
   Cell total(const Row& row) const;
 };
 

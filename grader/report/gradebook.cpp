@@ -1,4 +1,4 @@
-// STAFF ONLY. Writes the class's files of points.
+// STAFF ONLY. Writes the class's tables of points.
 #include "grader/report/gradebook.h"
 
 #include "grader/report/columns.h"
@@ -18,7 +18,7 @@ Cells with_person(Cells cells, const ClassLine& person) {
   return cells;
 }
 
-// A row for each person whose hand-in it is.
+// Writes a row for each person of a hand-in.
 std::string rows_of(const std::string& name, const Cells& own, const std::vector<ClassLine>& people) {
   std::string text;
   for (const ClassLine& line : people)

@@ -1,4 +1,4 @@
-// STAFF ONLY. Looks at results.json as Gradescope's documents describe it.
+// STAFF ONLY. Tests results.json against Gradescope's documents.
 #include "grader/report/gradescope_rules.h"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ std::string text_of(const json& object, const char* key) {
              : "";
 }
 
-// Elements that the platform's filter of HTML is likely to leave: paragraphs, and pictures that are inside.
+// Allows elements that the platform's filter of HTML is likely to leave: paragraphs, and embedded pictures.
 bool is_plain_html(const std::string& text) {
   const std::string picture = "<img width=\"240\" alt=\"", source = "\" src=\"data:image/png;base64,";
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {

@@ -1,5 +1,5 @@
 // STAFF ONLY. Gradescope's rules for results.json, for tests: the platform's own documents
-// (gradescope/autograder_samples, docs/, of 2025-01-15) and what we ask beyond them.
+// (gradescope/autograder_samples, docs/, of 2025-01-15) and our own rules.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace grader::inline report {
 
-// Each broken rule in a line, which begins with the document that states it: "specs.md: ...",
-// "troubleshooting.md: ...", or with "ours: ".
+// Returns each broken rule in a line, which begins with its document: "specs.md: ...", "troubleshooting.md:
+// ...", or with "ours: ".
 std::vector<std::string> broken_rules(const std::string& results_json);
 
 }  // namespace grader::report

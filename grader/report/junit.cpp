@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes results as JUnit's XML.
 #include "grader/report/gradebook.h"
 #include "hair/io/plot/readable.h"
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. The class's page says who was late, and what the course's rules took for it.
+// STAFF ONLY. Writes the class page's section of late hand-ins, with the course's deductions.
 #include <algorithm>
 #include <utility>
 

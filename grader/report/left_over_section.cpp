@@ -1,4 +1,4 @@
-// STAFF ONLY. The class's page says which files reached no hand-in that counts, and how the last run ended.
+// STAFF ONLY. Writes the class page's sections of files without a hand-in, and of the last run.
 #include <algorithm>
 
 #include "grader/report/pages.h"

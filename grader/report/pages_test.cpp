@@ -1,4 +1,4 @@
-// STAFF ONLY. Pages say what results say, and escape what strangers wrote.
+// STAFF ONLY. Tests that pages show the results, and escape texts of strangers.
 #include "grader/report/pages.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 namespace grader::inline report {
 namespace {
 
-// Markup, quotes, a NUL, invalid UTF-8, a terminal's colours, the end of a CDATA section, a formula.
+// Has markup, quotes, a NUL, invalid UTF-8, a terminal's colours, the end of a CDATA section, a formula.
 using namespace std::string_literals;
 const std::string hostile =
     "=1+1 <script>alert(1)</script> \"quoted' &amp; ]]>\0\x01\xff\xc3\x28 \x1b[31mred\n--><img src=x "
@@ -59,7 +59,7 @@ TEST(Pages, OfTheClassListWhatTheClockEnded) {
   EXPECT_EQ(count(page, results[1].name + "</a>: S1, H4</li>"), 1U);
 }
 
-// Every element is closed, in order: a browser would repair a page without a word.
+// Every element must be closed, in order: a browser would repair a page silently.
 TEST(Pages, AStrictParserReadsThem) {
   std::vector<SubmissionResult> results = class_of_ten_exercises(30);
   results.push_back(submission_full_of(hostile));
@@ -208,7 +208,7 @@ TEST(Pages, TheClassIsSortedByItsWorstPictures) {
   EXPECT_EQ(count(rows, "<img"), 6u);
 }
 
-// One that stays where it starts and ends at once is as the reference's in its first picture.
+// A run that stays at its start and ends at once looks like the reference's in its first picture.
 TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   std::vector<SubmissionResult> results = sample_class(3);
   for (SubmissionResult& result : results)
@@ -229,7 +229,7 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   EXPECT_LT(rows.find("bob.html"), rows.find("alice.html"));
   EXPECT_LT(rows.find("carol.html"), rows.find("alice.html"));
 
-  // One that has a picture that differs, too, breaks off all the same, and a stub has no run.
+  // A run breaks off even if a picture differs, too, and a stub has no run.
   results[1].exercises[1].pictures[0].flip = 0.001;
   EXPECT_TRUE(run_breaks_off(results[1].exercises[1]));
   const std::string again = class_page(results);
@@ -237,7 +237,7 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   EXPECT_LT(again.rfind("bob.html"), again.rfind("alice.html"));
   results[2].exercises[2].cases.back().status = Status::not_implemented;
   EXPECT_FALSE(run_breaks_off(results[2].exercises[2]));
-  // One with all of its pictures does not, however far they are; unless the last one says so.
+  // A run with all pictures does not break off, however far they are, unless the last one says so.
   results[1].exercises[1].pictures.assign(kRunPictures, sample_picture("1.00 s", 40));
   EXPECT_FALSE(run_breaks_off(results[1].exercises[1]));
   results[1].exercises[1].pictures.back().breaks_off = true;
@@ -245,7 +245,7 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   EXPECT_NE(student_page(results[1]).find("1.00 s, the last moment that can be drawn"), std::string::npos);
 }
 
-// The pictures before it ends may be like the reference's: their distance says nothing.
+// Pictures before the break may be like the reference's: their distance means nothing.
 TEST(Pages, ARunThatBreaksOffIsOpenAndHasNoDistance) {
   SubmissionResult result = sample_class(1).front();
   for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
@@ -265,7 +265,7 @@ TEST(Pages, ARunThatBreaksOffIsOpenAndHasNoDistance) {
   }
 }
 
-// A class page of a thousand would load 60 MB of them.
+// A class page of a thousand pictures would load 60 MB.
 TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
   std::vector<SubmissionResult> results = sample_class(30);
   const PictureResult far = sample_picture("1.00 s", 40);
@@ -315,7 +315,7 @@ TEST(StudentJson, FollowsGradescopesSchema) {
       const std::string id = test.at("tags").at(0), number = test.at("number");
       EXPECT_TRUE(number == id || number.starts_with(id + ".")) << number << " " << id;
     }
-    // 18 tests at most, each rounded to four decimals.
+    // There are 18 tests at most, each rounded to four decimals.
     EXPECT_NEAR(sum, points(result), 18 * 0.5e-4);
     EXPECT_NEAR(max_sum, 55, 18 * 0.5e-4);
   }

@@ -1,4 +1,4 @@
-// STAFF ONLY. The class's page says who is missing, and who is on no roster.
+// STAFF ONLY. Writes the class page's section of people who are missing, or on no roster.
 #include "grader/report/pages.h"
 
 namespace grader::inline report {

@@ -55,7 +55,7 @@ void remove_unshown_pictures(const fs::path& dir) {
   for (const auto& page : fs::directory_iterator(dir / "staff", none)) {
     if (page.path().extension() != ".html") continue;
     const std::string text = hair::bytes_of(page.path());
-    if (text.empty()) return;  // nobody knows what it shows
+    if (text.empty()) return;  // an unreadable page may show any picture
     for (std::size_t at = text.find(link); at != text.npos; at = text.find(link, at)) {
       at += link.size();
       shown.insert(text.substr(at, text.find('"', at) - at));

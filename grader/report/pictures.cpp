@@ -1,4 +1,4 @@
-// STAFF ONLY. Shows pictures of graded runs beside the reference's.
+// STAFF ONLY. Shows pictures of graded runs next to the reference's.
 #include "grader/report/pictures.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace grader::inline report {
 namespace {
 
-constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures
+constexpr std::size_t kMostSmallPictures = 20;  // bounds the rows of the class's page with pictures
 
 std::string name_of(const PictureResult& picture) {
   return picture.name + (picture.breaks_off ? ", the last moment that can be drawn" : "");
@@ -41,12 +41,12 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
               html("Where they differ {}", {heat_scale()}))});
 }
 
-// The run of a submission that is furthest from the reference's: one that breaks off, or else the one of its
-// worst picture.
+// Holds the run of a submission that is furthest from the reference's: one that breaks off, or else that of
+// the worst picture.
 struct Worst {
   const SubmissionResult* result = nullptr;
   const ExerciseResult* exercise = nullptr;
-  const PictureResult* picture = nullptr;  // null: there is none of a run that breaks off
+  const PictureResult* picture = nullptr;  // null: the run breaks off without one
   bool breaks_off = false;
 
   double flip() const { return picture ? picture->flip : 0; }

@@ -13,36 +13,35 @@ namespace grader::inline report {
 
 using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
-// Where a page's pictures are: inside the page, or in a folder of files (picture_files.h) at this relative
-// path. Inside lie a student's: those that are far off are coarse there (student_view.h).
+// Says where a page's pictures are: inside the page, or as files in this folder (picture_files.h). A
+// student's are inside; pictures that are far off are coarse there (student_view.h).
 struct PicturePlace {
   std::string folder = "";  // "pictures"; empty: inside the page
 };
 
-// An image element for a PNG file's bytes. `look` is a class of the style sheet, or "".
+// Writes an image element for a PNG file's bytes. `look` is a class of the style sheet, or "".
 Html image(const std::string& png, const std::string& alt, const PicturePlace& place = {},
            const char* look = "");
 
-// A picture with its caption below.
+// Writes a picture with its caption below.
 Html figure(const Html& picture, const Html& caption);
 
 enum class Ending { whole, breaks_off };
 
-// A row with its distances for each moment, under a heading that opens and closes. It starts open if a
+// Writes a row with its distances for each moment, under a heading that opens and closes. It starts open if a
 // picture differs, or if the run breaks off: the pictures before that may be like the reference's, and the
-// heading says nothing of their distance. Empty without pictures. `whose` captions the submission's pictures:
-// "Yours".
+// heading gives no distance. Empty without pictures. `whose` captions the submission's pictures: "Yours".
 Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, Ending ending,
              const std::string& whose, const PicturePlace& place);
 
-// A section of the class page: submissions sorted by the distance of their pictures from the reference's,
-// worst first, with small pictures of the worst.
+// Writes a section of the class page: submissions sorted by the distance of their pictures from the
+// reference's, worst first, with small pictures of the worst.
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,
                           const NamesForPeople& people = {});
 
-std::string shown_distance(double distance);  // three digits: "0.0123"
+std::string shown_distance(double distance);  // writes three digits: "0.0123"
 
-// The colour scale of a heat map, with labels at its ends.
+// Draws the colour scale of a heat map, with labels at its ends.
 Html heat_scale();
 
 }  // namespace grader::report

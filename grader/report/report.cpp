@@ -28,7 +28,7 @@ void check_name(const std::string& name) {
   }
 }
 
-// A file that is right keeps its time.
+// A file with the right content keeps its time.
 void put_file(const fs::path& file, const std::string& text) {
   if (hair::bytes_of(file) != text) write_file(file, text);
 }
@@ -45,7 +45,7 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
                               const NamesForPeople& people) {
   check_name(result.name);
   fs::create_directories(dir / "staff");
-  fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
+  fs::permissions(dir / "staff", fs::perms::owner_all);  // it has hidden inputs and expected values
   put_file(dir / result.name / "results.json", student_json(result));
   put_file(dir / result.name / "report.html", student_page(result, people));
   write_pictures(pictures_folder(dir), result);

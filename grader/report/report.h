@@ -27,8 +27,7 @@
 namespace grader::inline report {
 
 // Throws std::invalid_argument for a name that intake never gives: empty, with '/', with a leading dot, or
-// "staff".
-// People read `people` where a hand-in is in it, with the folder's name beside it for staff.
+// "staff". Reports show the names in `people`, and the folder's name, too, for staff.
 void write_submission_reports(const std::filesystem::path& dir, const SubmissionResult& result,
                               const NamesForPeople& people = {});
 // write_study writes the pages of a study, before the reports, which link to them if result.studied.
@@ -41,15 +40,15 @@ void remove_study(const std::filesystem::path& dir, const SubmissionResult& resu
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results,
                          const ClassFacts& facts = {}, const NamesForPeople& people = {});
 
-// The course's grades.csv and index.html, above the folders of its hand-ins.
+// Writes the course's grades.csv and index.html, above the folders of its hand-ins.
 void write_course_reports(const std::filesystem::path& dir, const CourseTable& course,
                           const std::vector<ClassLine>& lines, const NamesForPeople& people = {});
 
-// All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
+// Removes all files of a student in `dir`, except pictures: call remove_unshown_pictures next.
 void remove_reports(const std::filesystem::path& dir, const std::string& name);
 
-// The class as a table for a terminal: a line for each submission, a column for each exercise. No colours;
-// nothing but ASCII, but for letters of people's names. Long names are cut, so that rows stay apart; with
+// Prints the class as a table for a terminal: a line for each submission, a column for each exercise. There
+// are no colours, and only ASCII, except in people's names. Long names are cut, so that rows stay apart; with
 // `people` the folder's name ends the line.
 void print_table(std::ostream& out, const std::vector<SubmissionResult>& results,
                  const NamesForPeople& people = {});

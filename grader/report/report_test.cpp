@@ -1,4 +1,4 @@
-// STAFF ONLY. The folder of reports: which files there are, and what stands in them.
+// STAFF ONLY. Tests the files in the folder of reports and their contents.
 #include "grader/report/report.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST_F(Reports, TheSameResultsGiveTheSameBytes) {
   EXPECT_EQ(files_in(dir_ / "first"), files_in(dir_ / "second"));
 }
 
-// A picture's bytes, as a file and as a part of a page, in all files below a folder.
+// Counts a picture's bytes, as a file and as a part of a page, in all files below a folder.
 std::size_t times_stored(const Files& files, const std::string& png) {
   std::size_t times = 0;
   for (const auto& [name, bytes] : files)
@@ -75,7 +75,7 @@ std::size_t times_stored(const Files& files, const std::string& png) {
   return times;
 }
 
-// A submission whose pictures all differ from one another, but for the reference's, which are everybody's.
+// Makes a submission whose pictures all differ from one another; only the reference's are shared by all.
 SubmissionResult submission_with_all_pictures(const std::string& name) {
   SubmissionResult result = sample_class(1).front();
   result.name = name;
@@ -168,7 +168,7 @@ TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
   EXPECT_EQ(files_in(dir_), expected);
 }
 
-// Submissions are graded side by side, and share the reference's pictures.
+// Submissions are graded in parallel, and share the reference's pictures.
 TEST_F(Reports, PicturesThatSeveralWriteAtATimeAreWhole) {
   constexpr int kThreads = 8, kRounds = 5;
   std::vector<SubmissionResult> results;

@@ -18,13 +18,13 @@ namespace {
 using hair::Html, hair::html;
 using Json = nlohmann::ordered_json;
 
-// A test's text has so many bytes. ASCII takes three bytes for one at most (\u00e9 for two). Long texts are
-// compilers', one for each exercise: of the whole course's fourteen they take 0.7 MB at most.
+// Bounds a test's text. A byte takes at most three in ASCII (\u00e9 for two). Long texts are compilers'
+// messages, one for each exercise: the course's fourteen take 0.7 MB at most.
 constexpr std::size_t kMostText = 16 << 10;
 constexpr const char* kOfPublicChecks =
     "These are the public checks, compiled as for grading. They give no points: the hidden ones do, after "
     "the deadline.";
-constexpr int kPictureWidth = 240;  // half
+constexpr int kPictureWidth = 240;  // is half the size
 constexpr std::size_t kPictureColors = 128;
 
 std::string joined(const std::string& first, const std::string& second) {
@@ -60,7 +60,7 @@ Html moments(const std::vector<PictureResult>& pictures) {
   return all;
 }
 
-// A test's output: a text, or with pictures a page's part.
+// Writes a test's output: a text, or with pictures a page's part.
 void put_output(Json& test, const std::string& text, const std::vector<PictureResult>& pictures) {
   const Html shown = moments(pictures);
   test["output"] = shown.text.empty() ? text_of(text) : html("<p>{}</p>\n{}", {text_of(text), shown}).text;
@@ -82,7 +82,7 @@ Json test(const ExerciseResult& exercise, const std::string& number, const std::
   return test;
 }
 
-// The error of the whole submission, what changes its total, and remarks of the staff.
+// Returns the error of the whole submission, changes of its total, and remarks of the staff.
 std::string said_of_the_whole(const SubmissionResult& result) {
   std::string all = result.note;
   for (const Adjustment& adjustment : result.adjustments)

@@ -1,5 +1,5 @@
-// STAFF ONLY. results.json keeps Gradescope's rules, whatever is in it, and our checker of these rules sees
-// what breaks them.
+// STAFF ONLY. Tests that results.json keeps Gradescope's rules, whatever is in it, and that our test of the
+// rules finds broken ones.
 #include "grader/report/results_json.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(ResultsJson, KeepsThePlatformsRules) {
 TEST(ResultsJson, AnySlipIsSeen) {
   const std::string right = student_json(sample_class(1).front(), kAllOptions);
   struct Slip {
-    const char* rule;  // its beginning
+    const char* rule;  // begins the rule
     std::function<void(Json&)> make;
   };
   const Slip slips[] = {
@@ -75,7 +75,7 @@ TEST(ResultsJson, AnySlipIsSeen) {
             std::string::npos);
 }
 
-// Each exercise has one; a hundred of them don't fit.
+// Each exercise has one picture; a hundred of them don't fit.
 SubmissionResult with_pictures(int of_each) {
   const PictureResult picture = sample_picture("0.50 s", 5);
   SubmissionResult result = class_of_ten_exercises(1).front();

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes synthetic results of a class for tests.
 #include "grader/report/sample_results.h"
 
 #include <array>
@@ -11,8 +11,8 @@
 namespace grader::inline report {
 namespace {
 
-constexpr int kUnreadable = 14;  // the number of the submission that can't be read
-constexpr int kNotTaken = 15;    // of one whose second file is not taken
+constexpr int kUnreadable = 14;  // numbers the submission that can't be read
+constexpr int kNotTaken = 15;    // numbers one whose second file is not taken
 
 constexpr std::array<const char*, 6> categories{"The lecture's examples",  "Known matrices",
                                                 "Ill-conditioned systems", "Clustered eigenvalues",

@@ -1,4 +1,4 @@
-// STAFF ONLY. Synthetic results for tests.
+// STAFF ONLY. Makes synthetic results for tests.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
                                    Status::crashed,         Status::timed_out, Status::out_of_memory,
                                    Status::broke_rules,     Status::not_taken, Status::unreadable};
 
-// A moment with strands; the student's are moved to the right by `shift` pixels.
+// Makes a moment with strands; the student's are moved to the right by `shift` pixels.
 PictureResult sample_picture(const std::string& name, int shift);
 
-// A class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results that
-// run have pictures: the same if it passed, near if it passed partly, far if it is wrong.
+// Makes a class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results
+// that run have pictures: the same if it passed, near if it passed partly, far if it is wrong.
 std::vector<SubmissionResult> sample_class(int size);
 
-// The same with the course's ten exercises for each submission, two of them extra credit.
+// Makes the same with the course's ten exercises for each submission, two of them extra credit.
 std::vector<SubmissionResult> class_of_ten_exercises(int size);
 
-// A submission in which every text is `text`, including the staff's.
+// Makes a submission in which every text is `text`, including the staff's.
 SubmissionResult submission_full_of(const std::string& text);
 
 }  // namespace grader::report

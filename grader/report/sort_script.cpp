@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Holds the script that sorts the class's table.
 #include <string>
 #include <string_view>
 

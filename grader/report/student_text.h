@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's report as plain text: what its author sees, and nothing else.
+// STAFF ONLY. A student's report as plain text: it has only what its author may see.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace grader::inline report {
 
 std::string student_text(const SubmissionResult& result);
 
-// Its first lines as one: the points in all and of each exercise.
+// Joins its first lines: the points in all and of each exercise.
 std::string first_lines(const SubmissionResult& result);
 
 }  // namespace grader::report

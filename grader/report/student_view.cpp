@@ -1,4 +1,4 @@
-// STAFF ONLY. Leaves out of a result what students may not see.
+// STAFF ONLY. Removes from a result what students may not see.
 #include "grader/report/student_view.h"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ Status right_wrong_or_broke_off(Status status) {
   return status == Status::passed || status == Status::wrong ? status : Status::crashed;
 }
 
-// A stub implements nothing. What implements one category and says of another that it does not breaks off.
+// A stub implements nothing. Code that implements only some categories breaks off in the others.
 bool is_stub(const ExerciseResult& exercise) {
   return std::all_of(exercise.cases.begin(), exercise.cases.end(),
                      [](const CaseResult& one) { return one.status == Status::not_implemented; });
 }
 
-// In three bands. Of a few cases it would tell which.
+// Returns one of three bands. If there are few cases, it would show which ones hold.
 std::string how_many_hold(const CaseResult& one) {
   constexpr int kFew = 5;
   constexpr double kNearlyAll = 0.8, kHardlyAny = 0.2;
@@ -47,7 +47,7 @@ std::string sentence_of(const CaseResult& one) {
   }
 }
 
-// Once for an exercise: where to go on.
+// Says once for an exercise how to go on.
 std::string next_step(const ExerciseResult& exercise) {
   if (exercise.status != Status::partly && exercise.status != Status::wrong) return "";
   return " check-" + exercise.id +

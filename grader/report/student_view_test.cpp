@@ -1,4 +1,4 @@
-// STAFF ONLY. What a student sees of a result: how many different things, and nothing finer.
+// STAFF ONLY. Tests how many different things a student can see of a result, and that nothing is finer.
 #include "grader/report/student_view.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(StudentView, HasThreeKindsOfCategories) {
   EXPECT_EQ(seen.size(), 3u);
 }
 
-// Of each wrong category one of four sentences, and of a few cases one alone.
+// A wrong category has one of four sentences; one with few cases always has the same.
 TEST(StudentView, TellsInBandsHowManyCasesHold) {
   const auto said = [](int cases, int held) {
     SubmissionResult result;
@@ -63,7 +63,7 @@ TEST(StudentView, TellsInBandsHowManyCasesHold) {
       }
     }
   EXPECT_EQ(seen.size(), 4u);
-  // Each band at its ends: four fifths, a fifth.
+  // Tests each band at its ends: four fifths, a fifth.
   for (const int held : {16, 19}) EXPECT_NE(said(20, held).find("nearly all"), std::string::npos) << held;
   for (const int held : {4, 15}) EXPECT_NE(said(20, held).find("some"), std::string::npos) << held;
   for (const int held : {0, 3}) EXPECT_NE(said(20, held).find("hardly any"), std::string::npos) << held;
@@ -104,7 +104,7 @@ TEST(StudentView, TellsWhyItBrokeOff) {
       "within each other too deeply.");
 }
 
-// Sentences and details of the suite, and what compiler, linker and worker print, stay with the staff.
+// Sentences and details of the suite, and the output of compiler, linker and worker, stay with the staff.
 TEST(StudentView, IsWhatStudentsGet) {
   SubmissionResult result = sample_class(1).front();
   for (ExerciseResult& exercise : result.exercises)

@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts a study on a page.
+// STAFF ONLY. Writes the page of a study.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ std::string rounded(double value) {
   return text.data();
 }
 
-// "1/240 s"
+// Returns "1/240 s".
 std::string step_text(const PartStudy& part, int steps) {
   const double each_second = 1 / step_of(part, steps);
   return "1/" + (each_second < 1000 ? rounded(each_second) : std::to_string(std::lround(each_second))) + " s";
@@ -32,8 +32,8 @@ const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
   return nullptr;
 }
 
-// What a run took: the median of its rounds. One that failed stands where it would have been: by its steps
-// beside the nearest one that finished, or if there is none, where its first play was. 0: not known.
+// Returns the median of a run's rounds. A failed run gets the time of the nearest finished one, times the
+// ratio of their steps, or the time of its first run if none finished. 0: unknown.
 double seconds_of(const StudyPoint& point, const StudyCurve& curve) {
   if (point.end == StudyEnd::finished) return timing::median(point.seconds);
   const StudyPoint* nearest = nullptr;
@@ -45,14 +45,14 @@ double seconds_of(const StudyPoint& point, const StudyCurve& curve) {
                             : timing::median(nearest->seconds) * point.steps / nearest->steps;
 }
 
-// How many times the time of its first play a run's measured ones take; 0: not known.
+// Divides the median of a run's measured times by its first time; 0: unknown.
 double again(const StudyPoint* point) {
   if (point == nullptr || point->end != StudyEnd::finished || !(point->first_seconds > 0)) return 0;
   return timing::median(point->seconds) / point->first_seconds;
 }
 
-// The median of a curve's runs, of those that another has as well: short plays take longer at first, whosever
-// they are.
+// Returns the median over a curve's runs that another curve has, too: short runs take longer at first on both
+// sides.
 double again(const StudyCurve& curve, const StudyCurve& other) {
   std::vector<double> all;
   for (const StudyPoint& point : curve.points)
@@ -60,7 +60,7 @@ double again(const StudyCurve& curve, const StudyCurve& other) {
   return timing::median(all);
 }
 
-// Whether the student's code takes far less time for what it was asked before, the reference's beside it.
+// True if the student's code is far faster in repetitions, compared with the reference's.
 bool far_less_again(const PartStudy& part) {
   constexpr double kFarLess = 0.25;
   const double theirs = again(part.student, part.reference), ours = again(part.reference, part.student);
@@ -185,8 +185,8 @@ it may remember what it answered. First plays are in the numbers below.</p>
                      {times_of(part), part.truth, to_text(part.least_error)});
 }
 
-// How far the reference's ratios to itself are from 1, in single rounds: a ratio within that says nothing.
-// Medians of so few rounds would promise more than the next batch keeps.
+// Shows how far the reference's ratios to itself are from 1, in single rounds: a ratio within that means
+// nothing. Medians of so few rounds would promise too much for the next batch.
 Html noise_of(const SubmissionStudy& beside_itself) {
   double least = HUGE_VAL, most = 0;
   for (const SceneStudy& scene : beside_itself.scenes)

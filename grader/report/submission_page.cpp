@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts one submission on a page, for the student or for staff.
+// STAFF ONLY. Writes the page of a submission, for the student or for staff.
 #include "grader/report/pages.h"
 #include "grader/report/pictures.h"
 #include "grader/report/student_view.h"
@@ -9,7 +9,7 @@ namespace {
 
 enum class Reader { student, staff };
 
-// Long logs tell at their beginning what happened; the rest stays in staff/NAME.json.
+// Long logs begin with the cause; the rest stays in staff/NAME.json.
 constexpr std::size_t most_log = 20000;
 
 const char* whose(Reader reader) {
@@ -31,7 +31,7 @@ Html block(const std::string& heading, const std::string& text) {
               {heading, text.substr(0, most_log), cut ? "\n... (cut here)" : ""});
 }
 
-// Students read of a category that it broke off, whatever it was: their exercise says how.
+// Students read only that a category broke off; their exercise says how.
 Html badge_of(const CaseResult& one, Reader reader) {
   if (reader == Reader::staff || one.status != Status::crashed) return badge(one.status);
   return html("<span class=\"badge bad\">broke off</span>");
@@ -59,7 +59,7 @@ Html cases_table(const Html& rows) {
               {rows});
 }
 
-// Categories without a loss are folded: what is to be mended stands open.
+// Categories without a loss are folded; the others stand open.
 Html cases_of(const ExerciseResult& exercise, Reader reader) {
   Html lost, passed;
   std::size_t count = 0;
@@ -99,7 +99,7 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
   return section += html("</section>\n");
 }
 
-// All exercises at a glance.
+// Shows all exercises at a glance.
 Html overview(const SubmissionResult& result) {
   if (result.exercises.size() < 2) return {};
   Html table = html("<div class=\"wide\"><table class=\"overview\">\n<tbody>\n");
@@ -142,7 +142,7 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
   if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
   for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
   body += overview(result);
-  // The overview has the course's order; below it what lost points comes first.
+  // The overview has the course's order; below it exercises that lost points come first.
   for (const bool passed : {false, true})
     for (const ExerciseResult& exercise : result.exercises)
       if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader);

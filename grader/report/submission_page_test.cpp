@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's report leads to what is to be mended.
+// STAFF ONLY. Tests that a student's report leads to the lost points.
 #include <gtest/gtest.h>
 
 #include "grader/report/pages.h"

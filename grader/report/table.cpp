@@ -24,7 +24,7 @@ std::string cut(const std::string& name, std::size_t longest) {
   return first_columns(name, longest - kCut.size()) + std::string(kCut);
 }
 
-// Long names are cut, but never so that two people have the same who had not.
+// Cuts long names, but never so that two different names become equal.
 std::vector<std::string> names_of(const std::vector<SubmissionResult>& results,
                                   const NamesForPeople& people) {
   constexpr std::size_t kMostBytes = 1000;
@@ -93,7 +93,7 @@ void print_row(std::ostream& out, const Cells& row, const std::vector<std::size_
   std::string line = row[0] + std::string(widths[0] - terminal_columns(row[0]), ' ');
   for (std::size_t i = 1; i < widths.size(); ++i)
     line += std::string(2 + widths[i] - row[i].size(), ' ') + row[i];
-  if (row.size() > widths.size()) line += "  " + row.back();  // a folder's name, as long as it is
+  if (row.size() > widths.size()) line += "  " + row.back();  // adds a folder's name, however long
   out << line << '\n';
 }
 

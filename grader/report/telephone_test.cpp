@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's page on a telephone: headless Chromium, where there is one.
+// STAFF ONLY. Tests a student's page on a telephone: headless Chromium, if there is one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,7 @@ namespace {
 
 constexpr int kWidth = 390;  // CSS pixels
 
-// A page of ours runs no script, so the one around it measures. It says which elements end right of the
-// screen.
+// Our page runs no script, so the page around it measures. It lists elements that end right of the screen.
 std::string measuring_page(const std::string& page) {
   return "<!DOCTYPE html><html><body><iframe style=\"border:0;width:" + std::to_string(kWidth) +
          "px;height:900px\" srcdoc=\"" + hair::escaped(page) +

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes points as text.
 #include "grader/report/text.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace grader::inline report {
 namespace {
 
-// At most so many, and no trailing zeros.
+// Keeps at most `most` decimals, and no trailing zeros.
 std::string with_decimals(double value, int most) {
   std::array<char, 400> digits;
   const int length = std::snprintf(digits.data(), digits.size(), "%.*f", most, value);

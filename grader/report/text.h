@@ -1,20 +1,20 @@
-// STAFF ONLY. Points as text.
+// STAFF ONLY. Writes points as text.
 #pragma once
 
 #include <string>
 
 namespace grader::inline report {
 
-// Points for readers: at most two decimals, no trailing zeros.
+// Writes points for readers: at most two decimals, no trailing zeros.
 std::string shown_points(double points);
 
-// The same with one decimal at most, for tables.
+// Does the same with one decimal at most, for tables.
 std::string short_points(double points);
 
-// "20 of 200 points"; where all is extra credit: "15 points of extra credit".
+// Writes "20 of 200 points"; if all is extra credit: "15 points of extra credit".
 std::string shown_total(double points, double max_points);
 
-// Points for files that programs read: without the rounding noise of sums of fractions.
+// Rounds points for files that programs read: it removes the rounding noise of sums of fractions.
 double rounded_points(double points);
 
 }  // namespace grader::report

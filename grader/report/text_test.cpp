@@ -1,4 +1,4 @@
-// STAFF ONLY. Points in words.
+// STAFF ONLY. Tests points in words.
 #include "grader/report/text.h"
 
 #include <gtest/gtest.h>

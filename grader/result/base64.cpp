@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Encodes bytes with libsodium.
 #include "grader/result/base64.h"
 
 #include <sodium.h>
@@ -11,7 +11,7 @@ std::string base64(std::string_view bytes) {
   std::string text(sodium_base64_encoded_len(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
   sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
                     bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-  text.pop_back();  // the NUL at its end
+  text.pop_back();  // drops the NUL at its end
   return text;
 }
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Bytes as text, for pages and JSON: base64 with padding (RFC 4648, section 4).
+// STAFF ONLY. Writes bytes as text, for pages and JSON: base64 with padding (RFC 4648, section 4).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// STAFF ONLY. For tests: every place of a struct's JSON is changed in every way, and its reader must say so
-// in one line.
+// STAFF ONLY. For tests: changes every place of a struct's JSON in every way, and expects its reader to
+// report it in one line.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,8 +32,8 @@ inline void expect_one_line(const std::string& complaint, const std::string& abo
   EXPECT_LT(complaint.size(), 600U) << change;
 }
 
-// `whole` is the JSON of a struct whose members all differ from their defaults. `may_be_missing` says of a
-// place, such as "/scenes/0/parts/0/points/0/note", whether a text without it is right, too.
+// `whole` is the JSON of a struct whose members all differ from their defaults. `may_be_missing` returns true
+// for a place, such as "/scenes/0/parts/0/points/0/note", that a right text may lack.
 inline void expect_each_field_checked(const nlohmann::json& whole, const ReadText& read,
                                       const std::function<bool(const std::string& place)>& may_be_missing) {
   using Json = nlohmann::json;
@@ -43,7 +43,7 @@ inline void expect_each_field_checked(const nlohmann::json& whole, const ReadTex
     const std::string name = place.to_string();
     if (!place.empty()) {
       const std::string key = place.back();
-      // Text is a number, and all else is text.
+      // A text becomes a number, and any other value a text.
       Json other = whole;
       other[place] = here.is_string() ? Json(17) : Json("17");
       // An element of a list is named by its number.

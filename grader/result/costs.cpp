@@ -8,7 +8,7 @@
 namespace grader::inline result {
 namespace {
 
-// A measured quantity: its field in timing.json, and its column on the page.
+// Is a measured quantity: its field in timing.json, and its column on the page.
 struct Measured {
   Field<ExerciseTiming> field;
   CostColumn column;
@@ -98,7 +98,7 @@ const Rows<ClassCosts>& Fields<ClassCosts>::rows() {
 }
 
 std::string to_json(const ClassCosts& costs) {
-  // Keys by their alphabet, so that columns on the page may have another order.
+  // Keys are sorted by their alphabet, so that columns on the page may have another order.
   const nlohmann::json sorted = to_json_value(costs, {});
   return sorted.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

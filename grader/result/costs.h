@@ -1,4 +1,4 @@
-// STAFF ONLY. What grading cost: of each exercise, of a class, and as a table for people.
+// STAFF ONLY. The costs of grading: of each exercise, of a class, and as a table for people.
 #pragma once
 
 #include <map>
@@ -10,17 +10,17 @@
 
 namespace grader::inline result {
 
-// The cost of an exercise; the only part of a result that differs from run to run. A row in costs.cpp is all
-// that timing.json and the page need for a new member.
+// Is the cost of an exercise; the only part of a result that differs from run to run. timing.json and the
+// page need only a row in costs.cpp for a new member.
 struct ExerciseTiming {
   double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
-  double suite_seconds = 0;    // wall time
+  double suite_seconds = 0;    // is wall time
   double worker_cpu_seconds = 0;
   int worker_starts = 0;
-  double sanitised_cpu_seconds = 0;  // of the worker with sanitizers
+  double sanitised_cpu_seconds = 0;  // is the worker's with sanitizers
   Budget spent = nothing_spent();
-  double run_cpu_seconds = 0;      // of the worker that plays the whole run
-  double picture_cpu_seconds = 0;  // for drawing and comparing its pictures
+  double run_cpu_seconds = 0;      // is the worker's in the whole run
+  double picture_cpu_seconds = 0;  // is for drawing and comparing its pictures
 
   bool operator==(const ExerciseTiming&) const = default;
 };
@@ -32,7 +32,7 @@ struct LastRun {
   double wall_seconds = 0;
   int graded = 0, jobs = 0;
   std::string began = {}, ended = {};  // "2025-03-04 10:15:22" (UTC); ended "": it is at work, or was killed
-  int asked = 0, done = 0;             // hand-ins; done: graded, or found done
+  int asked = 0, done = 0;             // count hand-ins; done: graded, or already done
 
   bool is_whole() const { return done >= asked && (began.empty() || !ended.empty()); }
 
@@ -42,17 +42,17 @@ struct LastRun {
 struct ClassCosts {
   TimingByExercise reference;
   std::map<std::string, TimingByExercise> submissions;  // by name
-  // By submission: exercises that the clock on the wall ended. A person looks at them.
+  // Lists by submission the exercises that ended by wall time. A person looks at them.
   std::map<std::string, std::vector<std::string>> ended_by_the_clock = {};
   std::optional<LastRun> last_run;
 
   bool operator==(const ClassCosts&) const = default;
 };
 
-// timing.json.
+// Writes timing.json.
 std::string to_json(const ClassCosts& costs);
 
-// What a submission costs is the sum of its wall_seconds; the other columns are parts of these.
+// The cost of a submission is the sum of its wall_seconds; the other columns are parts of it.
 enum class CostKind { wall_seconds, cpu_seconds, count };
 
 struct CostColumn {
@@ -60,7 +60,7 @@ struct CostColumn {
   CostKind kind = CostKind::cpu_seconds;
 };
 
-// By exercise, or another part: a value for each column.
+// Has a value for each column, by exercise, or another part.
 using CostsByPart = std::map<std::string, std::vector<double>>;
 
 struct Costs {

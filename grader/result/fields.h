@@ -1,15 +1,15 @@
-// STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and gives
+// STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and makes
 // the writer and the reader.
 //
 //   const Rows<CaseResult>& Fields<CaseResult>::rows() {
-//     static const Rows<CaseResult> all = {field("name", &CaseResult::name), field("status", &CaseResult::status), ...};
+//     static const Rows<CaseResult> all = {field("name", &CaseResult::name), ...};
 //     return all;
 //   }
 //
 // The rows' order is the order in the JSON. A member may be a number, text, a path, an enum, a struct with
-// fields of its own, and a list, a map or an optional of these. A reader takes what the writer writes, and
-// nothing else: for a field that is missing, unknown or of another kind it throws BadInput with one line that
-// names the place, "NAME: cases[2].status: ...".
+// fields of its own, and a list, a map or an optional of these. A reader takes only texts of the writer: for
+// a field that is missing, unknown or of another kind it throws BadInput with one line that names the place,
+// "NAME: cases[2].status: ...".
 #pragma once
 
 #include <concepts>
@@ -32,7 +32,7 @@ namespace grader::inline result {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// How a picture's bytes stand in JSON: as base64, or as the name of a file. `read` throws BadInput or
+// Is a picture's text in JSON: base64, or the name of a file. `read` throws BadInput or
 // std::invalid_argument.
 struct PictureText {
   std::function<std::string(const std::string& png)> write;
@@ -45,14 +45,13 @@ struct Field {
   std::string key;
   std::function<OrderedJson(const T&, const PictureText&)> write;
   std::function<void(T&, const JsonValue&, const PictureText&)> read;
-  std::function<bool(const T&)> there =
-      {};  // whether it is written; empty: always, and then a reader needs it
+  std::function<bool(const T&)> there = {};  // true: it is written; empty: always, and then a reader needs it
 };
 
 template <class T>
 using Rows = std::vector<Field<T>>;
 
-// For each struct with fields: static const Rows<T>& rows(). See result_fields.h.
+// Each struct with fields has static const Rows<T>& rows(). See result_fields.h.
 template <class T>
 struct Fields;
 
@@ -61,7 +60,7 @@ concept Declared = requires {
   Fields<T>::rows();
 };
 
-// The last value of an enum. Its values count from 0, and to_string names them.
+// Is the last value of an enum. Its values count from 0, and to_string names them.
 template <class Enum>
 inline constexpr Enum kLast = Enum{};
 
@@ -169,7 +168,7 @@ Field<T> field(std::string key, Value T::*member, std::function<bool(const T&)> 
       std::move(there)};
 }
 
-// A member of a member.
+// Declares a member of a member.
 template <class T, class Outer, class Value>
 Field<T> field(std::string key, Outer T::*outer, Value Outer::*inner) {
   return {
@@ -180,7 +179,7 @@ Field<T> field(std::string key, Outer T::*outer, Value Outer::*inner) {
       }};
 }
 
-// A number that follows from the others: written, and checked to be one.
+// Declares a number that follows from the others: it is written, and compared when it is read.
 template <class T>
 Field<T> computed(std::string key, double (*get)(const T&)) {
   return {std::move(key), [get](const T& one, const PictureText&) { return get(one); },
@@ -190,14 +189,14 @@ Field<T> computed(std::string key, double (*get)(const T&)) {
           }};
 }
 
-// A field that records of earlier versions have. It is read over and not written.
+// Declares a field that records of earlier versions have. It is skipped and not written.
 template <class T>
 Field<T> of_earlier_versions(std::string key) {
   return {
       std::move(key), {}, [](T&, const JsonValue&, const PictureText&) {}, [](const T&) { return false; }};
 }
 
-// A PNG file's bytes.
+// Declares a PNG file's bytes.
 template <class T>
 Field<T> picture(std::string key, std::string T::*member) {
   return {std::move(key),
@@ -211,7 +210,7 @@ Field<T> picture(std::string key, std::string T::*member) {
           }};
 }
 
-// A line each for values, indented by so many spaces; -1: all in one line. Ends with a newline.
+// Writes a line for each value, indented by `indent` spaces; -1: all in one line. Ends with a newline.
 template <class T>
 std::string json_text(const T& value, int indent, const PictureText& pictures = pictures_in_base64()) {
   return to_json_value(value, pictures).dump(indent, ' ', false, OrderedJson::error_handler_t::replace) +

@@ -1,4 +1,4 @@
-// STAFF ONLY. Every struct of results, studies and costs through its declared fields, and back.
+// STAFF ONLY. Tests that every struct of results, studies and costs survives its declared fields.
 #include "grader/result/fields.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ SubmissionStudy study() {
   point.end = StudyEnd::finished;
   point.note = "a note";
   point.error = 1e-9;
-  point.solver_steps = -1;  // as the worker says
+  point.solver_steps = -1;  // as the worker reports
   point.correction_steps = std::numeric_limits<std::int64_t>::max();
   point.first_seconds = 0.5;
   point.seconds = {0.25, 1.0 / 7};
@@ -140,7 +140,7 @@ void read_as(const std::string& text) {
   from_json_text<T>(text, "a.json");
 }
 
-// Fields that are written only where they say something.
+// These fields are written only if they differ from their defaults.
 bool may_be_missing(const std::string& place) {
   const std::string key = place.substr(place.rfind('/') + 1);
   if (place.find("/points/") != place.npos)
@@ -241,7 +241,7 @@ struct Slip {
   const char *part, *replacement, *sentence;
 };
 
-// In the JSON of suite_result().
+// These places are in the JSON of suite_result().
 constexpr Slip kSlips[] = {
     {R"("status":"broke the rules")", R"("status":"fine")",
      "a.json: cases[0].status: \"fine\" is not right; write one of: passed, partly, wrong, not implemented, "

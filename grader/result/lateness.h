@@ -1,4 +1,4 @@
-// STAFF ONLY. How late a hand-in is, and what the rules of the course took for it.
+// STAFF ONLY. The lateness of a hand-in, and the points that the course's rules took for it.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 namespace grader::inline result {
 
 struct Lateness {
-  std::string handed_in;  // as the download says it; "": it has no time
-  int days = 0;           // begun ones of the calendar; 0: not late, or nobody knows
-  double free_days = 0;   // of these
-  double taken = 0;       // points
-  bool marked = false;    // as late, by the learning system
+  std::string handed_in;  // as in the download; "": it has no time
+  int days = 0;           // begun days of the calendar; 0: not late, or unknown
+  double free_days = 0;   // are a part of these
+  double taken = 0;       // are points
+  bool marked = false;    // by the learning system
 
   bool operator==(const Lateness&) const = default;
 };

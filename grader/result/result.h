@@ -1,5 +1,5 @@
-// STAFF ONLY. The results of grading, as plain data: the suite and the build make them, the reports
-// read them.
+// STAFF ONLY. The results of grading, as plain data: the suite and the build make them, the reports read
+// them.
 #pragma once
 
 #include <cstddef>
@@ -22,46 +22,46 @@ enum class Status {
   timed_out,
   out_of_memory,
   broke_rules,
-  not_taken,   // a person must say what of the hand-in counts
+  not_taken,   // a person must say which part of the hand-in counts
   unreadable,  // the whole submission, such as a .rar
 };
 
-// The name of the category that judges the whole run and its pictures.
+// Is the title of the category that judges the whole run and its pictures.
 inline constexpr const char* kRunTitle = "The whole run";
 
 std::string to_string(Status status);     // "does not compile"
 std::string sentence_for(Status status);  // helps the student without revealing hidden cases
 
-// The moments of a whole run that are drawn. Of one that ends early fewer are drawn, and the last one before
-// its end.
+// Counts the moments of a whole run that are drawn. A run that ends early has fewer, and its last one before
+// the end.
 inline constexpr std::size_t kRunPictures = 3;
 
-// One category of an exercise's hidden cases.
+// Is one category of an exercise's hidden cases.
 struct CaseResult {
   std::string name;  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;
   double points = 0, max_points = 0;
   std::string feedback;  // for students: the category and the error in bands, never a value or an input
   std::string detail;    // for staff: inputs, expected and actual values
-  // For students, too: what its numbers look like, or where its run breaks off. A sentence of ours, one of a
-  // few. Empty: nothing is clear.
+  // For students, too: a likely mistake in its numbers, or the end of its run, in one of our few sentences.
+  // Empty: nothing is clear.
   std::string hint = {};
   // For students, too: a memory error, as a sentence of ours with a line of their file. Empty: none was
   // found.
   std::string memory_error = {};
-  // Of a wrong category, how many of its cases hold; 0 of 0 where they could not be counted.
+  // Count the cases of a wrong category, and those that hold; 0 of 0 if they could not be counted.
   int cases = 0, held = 0;
 
   bool operator==(const CaseResult&) const = default;
 };
 
-// A moment of a run. We draw it from the states of the submission's code and of the reference. It contains no
-// text and no name from a student.
+// Is a moment of a run. We draw it from the states of the submission's code and of the reference. It contains
+// no text and no name from a student.
 struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
   std::string student, reference, heat;  // PNG files' bytes; heat is empty if both pictures are the same
-  // Its particles are far from the reference's: students see it coarsely (student_view.h).
+  // True if its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
   bool breaks_off = false;  // the run has no later moment that can be drawn
 
@@ -76,15 +76,15 @@ struct ExerciseResult {
   std::string feedback;           // for students
   std::string compiler_messages;  // for students: the compiler's messages about their own lines
   std::vector<CaseResult> cases;
-  std::vector<PictureResult> pictures;  // of the whole run
+  std::vector<PictureResult> pictures;  // show the whole run
   std::string staff_log;                // the whole output of compiler, linker and worker
 
   bool operator==(const ExerciseResult&) const = default;
 };
 
-// A change of the total that no exercise makes, such as lateness: a line of its own.
+// Is a change of the total that no exercise makes, such as lateness: a line of its own.
 struct Adjustment {
-  std::string reason;  // for the student: "Late by 2 days: 10 per cent of the points a day"
+  std::string reason;  // is for the student: "Late by 2 days: 10 per cent of the points a day"
   double points = 0;   // below 0: taken off
 
   bool operator==(const Adjustment&) const = default;
@@ -92,28 +92,26 @@ struct Adjustment {
 
 struct SubmissionResult {
   std::string name;
-  std::string origin;  // what it came in, see grader/intake/origin.h; for staff
+  std::string origin;  // see grader/intake/origin.h; for staff
   std::vector<ExerciseResult> exercises;
   std::string note;         // not empty: an error of the whole submission, for the student
-  std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
-  Isolation isolation = Isolation::namespaces;  // every page says if it is another
+  std::string fingerprint;  // hashes the submission's bytes and the suite, in hexadecimal
+  Isolation isolation = Isolation::namespaces;  // every page names any other kind
   bool images = true;                           // false: graded without pictures; every page says so
-  // Exercises that the clock on the wall ended: their points are not final, and a person looks.
+  // Lists exercises that ended by wall time: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};
   bool studied = false;  // there is a study.html, to which pages link
   std::vector<Adjustment> adjustments = {};
-  std::vector<std::string> remarks =
-      {};                  // for the student: of the staff, and which of several files was taken
-  std::string about = {};  // the student's about.txt (report/about.h), for staff; readable text
+  std::vector<std::string> remarks = {};  // for the student: the staff's, and the choice among several files
+  std::string about = {};  // is the student's about.txt (report/about.h), for staff; readable text
 
   bool operator==(const SubmissionResult&) const = default;
 };
 
-// Whether its whole run was played and ended before its last picture: then its pictures, if there are any,
-// say too little.
+// True if its whole run ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
 
-double points(const SubmissionResult&);      // with adjustments
-double max_points(const SubmissionResult&);  // without extra credit
+double points(const SubmissionResult&);      // includes adjustments
+double max_points(const SubmissionResult&);  // leaves out extra credit
 
 }  // namespace grader::result

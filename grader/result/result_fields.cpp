@@ -1,4 +1,4 @@
-// STAFF ONLY. The fields of results.
+// STAFF ONLY. Declares the fields of results.
 #include "grader/result/result_fields.h"
 
 #include "grader/result/base64.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. Base64, and the names of statuses and outcomes.
+// STAFF ONLY. Tests base64, and the names of statuses and outcomes.
 #include "grader/result/result.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace grader::inline result {
 namespace {
 
-// RFC 4648, section 10.
+// These are from RFC 4648, section 10.
 TEST(Base64, IsTheRfcs) {
   const std::map<std::string, std::string> vectors{{"", ""},
                                                    {"f", "Zg=="},

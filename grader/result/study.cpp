@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Names the ends of a study's runs.
 #include "grader/result/study.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // STAFF ONLY. The results of a study of a submission, as plain data: error against time for each scene,
-// compared with the reference in an identical worker. Shown, but not scored: only study.html and study.json
-// contain it.
+// compared with the reference in an identical worker. They are shown, but not scored: only study.html and
+// study.json contain them.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,19 @@ enum class StudyEnd {
 
 std::string to_string(StudyEnd end);  // "ran away"
 
-// A motion with a given number of steps.
+// Is a motion with a given number of steps.
 struct StudyPoint {
   int steps = 0;  // from the start to the end
   StudyEnd end = StudyEnd::broke;
-  std::string note = {};  // why it did not finish
+  std::string note = {};  // says why it did not finish
 
-  // Only if it finished.
+  // The following holds only for a motion that finished.
   double error = 0;  // m, the root mean square of the particles' distances from the true positions
-  std::int64_t solver_steps = 0;      // of ConjGrad; the worker reports this and the next number
-  std::int64_t correction_steps = 0;  // of the length correction
-  // CPU time, s. If no round was measured, `seconds` has only the time of the first play.
-  double first_seconds = 0;          // of its first play; 0: unknown
-  std::vector<double> seconds = {};  // of each measured round
+  std::int64_t solver_steps = 0;      // ConjGrad's; the worker reports this and the next number
+  std::int64_t correction_steps = 0;  // the length correction's
+  // These are CPU times, s. If no round was measured, `seconds` has only the time of the first run.
+  double first_seconds = 0;          // is that of its first run; 0: unknown
+  std::vector<double> seconds = {};  // has one for each measured round
 
   bool operator==(const StudyPoint&) const = default;
 };
@@ -38,31 +38,31 @@ struct StudyPoint {
 struct StudyCurve {
   std::vector<StudyPoint> points;  // by their steps, coarsest first
 
-  // The smallest number of steps such that the motion runs away neither with it nor with any larger number
-  // that was played; 0: there is none. Points that broke don't count.
+  // Is the smallest number of steps from which on all measured motions are stable; 0: there is none. Points
+  // that broke don't count.
   int stable_steps = 0;
-  bool stable_everywhere = false;  // true: stable with the smallest number that was played
+  bool stable_everywhere = false;  // stable with the smallest number that was run
 
   bool operator==(const StudyCurve&) const = default;
 };
 
-// The student's time over the reference's for the same error: the median, and the smallest and largest of all
-// rounds.
+// Is the student's time over the reference's for the same error: the median, and the smallest and largest of
+// all rounds.
 struct TimeRatio {
   double median = 1, least = 1, most = 1;
 
   bool operator==(const TimeRatio&) const = default;
 };
 
-// The subject of a pair of curves: a scene, or one toy of it.
+// Is the subject of a pair of curves: a scene, or one toy of it.
 struct PartStudy {
   std::string name;        // "pendulums, forward Euler"
   double duration = 0;     // s
-  int own_steps = 0;       // the scene's own number
-  int order = 1;           // of the method, for smooth motions
-  std::string truth;       // the source of the true motion: "CVODE 6.4.1 ..."
+  int own_steps = 0;       // is the scene's own number
+  int order = 1;           // is the method's, for smooth motions
+  std::string truth;       // names the source of the reference solution: "CVODE 6.4.1 ..."
   double least_error = 0;  // m: smaller errors are meaningless
-  int rounds = 0;          // number of complete rounds; 0: times are of first plays
+  int rounds = 0;          // counts complete rounds; 0: times are of first runs
   StudyCurve student, reference;
 
   std::optional<TimeRatio> ratio;  // nothing if the two have no common error

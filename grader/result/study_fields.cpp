@@ -1,4 +1,4 @@
-// STAFF ONLY. The fields of studies.
+// STAFF ONLY. Declares the fields of studies.
 #include "grader/result/result_fields.h"
 
 namespace grader::inline result {

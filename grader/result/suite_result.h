@@ -1,5 +1,5 @@
-// STAFF ONLY. What a hidden suite found of a job (grader/judge/job.h), as hairsuite writes it to standard
-// output.
+// STAFF ONLY. The results of a hidden suite for a job (grader/judge/job.h), as hairsuite writes them to
+// standard output.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace grader::inline result {
 
-// The look for memory errors, see grader/judge/memory_errors.h.
+// Is the result of the search for memory errors, see grader/judge/memory_errors.h.
 struct MemoryLook {
-  // A memory error, as a sentence for the student, and the number of the function that was called, in the
+  // Hold a memory error, as a sentence for the student, and the number of the called function, in the
   // order of exercises.json. Empty: none was found.
   std::string message;
   int call = -1;
-  double cpu_seconds = 0;  // of the worker with sanitizers
+  double cpu_seconds = 0;  // is the worker's with sanitizers
 
   bool operator==(const MemoryLook&) const = default;
 };
 
 struct SuiteResult {
-  std::vector<CaseResult> cases;         // of an exercise; points are weights, not yet scaled to its points
-  std::vector<PictureResult> pictures;   // of its whole run
-  std::optional<SubmissionStudy> study;  // of "study"
-  std::optional<MemoryLook> memory;      // nothing: not looked for
-  double cpu_seconds = 0;                // of the worker
-  double run_cpu_seconds = 0;            // of the worker that played the whole run
+  std::vector<CaseResult> cases;         // belong to an exercise; points are weights, not yet its points
+  std::vector<PictureResult> pictures;   // show its whole run
+  std::optional<SubmissionStudy> study;  // is set for "study"
+  std::optional<MemoryLook> memory;      // nothing: there was no search
+  double cpu_seconds = 0;                // is the worker's
+  double run_cpu_seconds = 0;            // is the worker's in the whole run
   double picture_cpu_seconds = 0;        // on our side: drawing and comparing
-  int starts = 0;                        // of the worker
+  int starts = 0;                        // counts the worker's
   Budget spent = nothing_spent();
 
   bool operator==(const SuiteResult&) const = default;

@@ -1,4 +1,4 @@
-// STAFF ONLY. Hand-ins find their people.
+// STAFF ONLY. Finds the people of hand-ins.
 #include "grader/roster/class_list.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
                                   " and " + theirs[1]);
     }
   }
-  // Somebody who is missing may be who handed in.
+  // A missing person may be the one who handed in.
   std::vector<std::string> missing;
   for (const Person* person : list.absent())
     missing.push_back(person->name +
@@ -67,7 +67,7 @@ std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std:
   if (!list) {
     for (const HandIn& hand_in : hand_ins) {
       const Owner& owner = hand_in.owner;
-      if (hand_in.system == "folders") continue;  // its name says it all
+      if (hand_in.system == "folders") continue;  // the name is all that it has
       for (const Owner& member : owner.members) lines.push_back(line_of(hand_in.name, member, ""));
       if (owner.members.empty() && !(owner.name.empty() && owner.id.empty() && owner.email.empty()))
         lines.push_back(line_of(hand_in.name, owner, ""));
@@ -104,7 +104,7 @@ NamesForPeople names_for_people(const std::optional<ClassList>& list, const std:
     name += (name.empty() ? "" : "; ") + line.name;  // "Doe, Jane; Roe, Richard"
   }
   for (const HandIn& hand_in : hand_ins) {
-    std::string joined;  // where a group has no name of its own
+    std::string joined;  // is set if a group has no name of its own
     for (const Owner& member : hand_in.owner.members) joined += (joined.empty() ? "" : ", ") + member.name;
     if (const auto found = names.find(hand_in.name); found != names.end() && !joined.empty() &&
                                                      !hand_in.owner.name.empty() &&

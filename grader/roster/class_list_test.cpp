@@ -1,4 +1,4 @@
-// STAFF ONLY. Everybody on the roster has a row, and every hand-in is somebody's or a stranger's.
+// STAFF ONLY. Tests that each person on the roster has a row, and each hand-in a person or a stranger.
 #include "grader/roster/class_list.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(ClassList, NamesakesAreFoundByANumberOrAPersonMustLook) {
   EXPECT_EQ(handed_in("id,name\n4714,Bo Ek\n4711,Ana Adams\n"), "c=4711 2 o") << "the names differ";
 }
 
-// A group that hands in under one member's number, and the roster knows no groups.
+// A group hands in under one member's number, and the roster has no groups.
 TEST(ClassList, AnotherNameIsLookedAtWhileSomebodyIsMissing) {
   const HandIn team{"team7_1", {.name = "team7", .id = "1"}, "canvas"};
   const auto list = [&](const char* roster) {

@@ -39,7 +39,7 @@ const Titles& titles(IdKind kind) {
   return all[static_cast<std::size_t>(kind)];
 }
 
-// The first title that the table has; two of them at once are two columns for one thing.
+// Returns the first title that the table has; two of them would be two columns for one value.
 std::size_t first_of(const Csv& table, const Titles& titles) {
   for (const char* title : titles)
     if (const std::size_t column = column_of(table, title); column != kNoColumn) return column;
@@ -50,7 +50,7 @@ bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// "1.23457E+11", as a spreadsheet shows a long number.
+// True for "1.23457E+11", as a spreadsheet shows a long number.
 bool is_shortened(const std::string& id) {
   const std::size_t e = id.find_first_of("eE");
   return e != id.npos && e > 0 && e + 2 < id.size() && id[e + 1] == '+' && is_digit(id[0]) &&
@@ -70,7 +70,7 @@ std::string cell_of(const Csv::Row& row, std::size_t column) {
   return cell == "-" ? "" : cell;  // Moodle's empty cell
 }
 
-// "Participant 4711", in any language.
+// Returns the number of "Participant 4711", in any language.
 std::string trailing_number(const std::string& text) {
   std::size_t begin = text.size();
   while (begin > 0 && is_digit(text[begin - 1])) --begin;

@@ -1,4 +1,4 @@
-// STAFF ONLY. The columns of a roster, by the titles that learning systems give them.
+// STAFF ONLY. The columns of a roster, by learning systems' titles.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ class RosterColumns {
   // Throws BadInput if no title is known.
   explicit RosterColumns(const Csv& table);
 
-  // Nobody for a row that is about the table: Canvas's points, and rows without id and name. `said` gets a
-  // line for each id that a spreadsheet has changed; such an id is left out.
+  // Returns nobody for rows that are not about a person: Canvas's points, and rows without id and name.
+  // `said` gets a line for each id that a spreadsheet has changed; such an id is left out.
   std::optional<Person> person(const Csv& table, const Csv::Row& row, std::vector<std::string>& said) const;
 
  private:

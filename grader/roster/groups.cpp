@@ -13,11 +13,11 @@ namespace {
 struct Group {
   std::string name;  // as the roster writes it
   std::vector<std::size_t> members;
-  std::string other = {};  // another one that a download would call the same: "Team 1-1" beside "Team 11"
+  std::string other = {};  // is another name that a download may write the same: "Team 1-1" beside "Team 11"
 };
 using Groups = std::map<std::string, Group>;  // by the letters of the name
 
-// "Team 7" or "Team 7, Tutorial 2": a comma may also be part of a name.
+// Reads "Team 7" or "Team 7, Tutorial 2": a comma may also be part of a name.
 Groups groups_of(const Roster& roster) {
   Groups groups;
   for (std::size_t i = 0; i < roster.people().size(); ++i) {
@@ -50,13 +50,13 @@ Owner owner_of(const Person& person, const std::string& system) {
   return {.name = person.name, .id = has_ids ? person.id(kind) : "", .email = person.email()};
 }
 
-// Why the hand-in is not the group's; "": it is.
+// Returns why the hand-in is not the group's; "": it is.
 std::string doubt(const HandIn& hand_in, const std::string& key, const Group& group, const Roster& roster) {
   if (!group.other.empty()) return "the group " + group.other + " would be called so, too";
   if (is_a_person(key, roster)) return "a person of the roster has this name, too";
   Owner one = hand_in.owner;
   one.group = false;
-  // Moodle's number is a group's: a participant may have the same.
+  // Moodle's number is a group's: a participant may have the same one.
   const Roster::Match match = hand_in.system == "moodle" ? Roster::Match{} : roster.find(one, hand_in.system);
   if (!match.person || std::ranges::count(group.members, *match.person) > 0) return "";
   return roster.people()[*match.person].name +
@@ -95,7 +95,7 @@ Membership find_members(std::vector<HandIn>& hand_ins, const Roster& roster) {
     const auto found = groups.find(key);
     if (found == groups.end()) continue;
     const Group& group = found->second;
-    const bool each_alone = called_so.at(key) > 1;  // as Canvas has them where it grades each member alone
+    const bool each_alone = called_so.at(key) > 1;  // Canvas does so if it grades each member alone
     const std::string why =
         each_alone ? "other hand-ins have its name, too" : doubt(hand_in, key, group, roster);
     if (!why.empty()) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. A group that a download names alone gets its members from the roster, and nobody gets a grade
-// by a name that is also something else's.
+// STAFF ONLY. Tests that a group without members in the download gets them from the roster, and that no
+// ambiguous name gives anybody a grade.
 #include "grader/roster/groups.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace grader::inline roster {
 namespace {
 
-// As Canvas exports a group set: with the people who are in no group.
+// Canvas exports a group set so, with people who are in no group.
 const char* kCanvas =
     "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n"
     "\"Doe, Jane\",4713,900,jd,Lab A,Team 7,55,\n"
@@ -69,7 +69,7 @@ TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
     for (const HandIn& one : all) EXPECT_EQ(members(one), "") << one.name;
     return found.doubts.empty() ? found.said.empty() ? "" : found.said[0] : "look at " + found.doubts[0];
   };
-  // A section of this name is not who handed in.
+  // A section of this name is not the owner.
   EXPECT_EQ(
       said_of("id,name,group\n1,Jane Doe,Lab A\n2,Sam Lee,Lab B\n",
               {{"laba_2", {.name = "laba", .id = "2"}, "canvas"}}),
@@ -86,7 +86,7 @@ TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
                       {{"x", {.name = "team11", .id = "1"}, system}})
                   .find("the group Team 1-1 would be called so, too"),
               std::string::npos);
-  // Canvas, where each member is graded alone.
+  // Canvas grades each member alone here.
   EXPECT_NE(said_of(kCanvas, {{"team7_4713", {.name = "team7", .id = "4713"}, "canvas"},
                               {"team7_4714", {.name = "team7", .id = "4714"}, "canvas"}})
                 .find("other hand-ins have its name, too"),
@@ -95,7 +95,7 @@ TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
   EXPECT_EQ(said_of("id,name\n1,Jane Doe\n", {{"team7", {.name = ""}, "folders"}}), "");
 }
 
-// Of the readings of a name in Canvas's download the roster proves one, or none: then a person must look.
+// The roster proves one reading of a name in Canvas's download, or none: then a person must look.
 TEST(Groups, WhoseNamesEndInNumbersAreProvenByTheRoster) {
   const Roster with_groups = roster_with(
       "name,canvas_user_id,group_name\nAda Ada,1001,Group_1\nBob Bob,1002,Group_1\nCarl Carl,1003,Lab 2_3\n"
@@ -105,7 +105,7 @@ TEST(Groups, WhoseNamesEndInNumbersAreProvenByTheRoster) {
   struct Case {
     const char* name;
     const Roster* roster;
-    std::string owner;  // name, number, "?" for a doubt
+    std::string owner;  // has name, number, "?" for a doubt
     std::string inside;
   };
   const std::vector<Case> cases = {
@@ -117,7 +117,7 @@ TEST(Groups, WhoseNamesEndInNumbersAreProvenByTheRoster) {
       {"group_1_1001_9001_conj_grad.cpp", nullptr, "group 1?", "9001_conj_grad.cpp"},
       {"group_1_2001_9001_conj_grad.cpp", &with_groups, "group_1 2001?", "conj_grad.cpp"},
       {"crew_1_2001_9001_conj_grad.cpp", &with_groups, "crew 1?", "9001_conj_grad.cpp"},
-      // What a student calls a file gives it to nobody else.
+      // A student's name of a file gives it to nobody else.
       {"mallory_4712_9001_1001_conj_grad.cpp", &with_groups, "mallory 4712", "1001_conj_grad.cpp"},
       {"mallory_4712_1001_9001_conj_grad.cpp", &with_groups, "mallory 4712", "9001_conj_grad.cpp"},
       {"mallory_4712_1001_9001_conj_grad.cpp", &named, "mallory 4712", "9001_conj_grad.cpp"},

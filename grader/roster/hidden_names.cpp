@@ -8,7 +8,7 @@
 namespace grader::inline roster {
 namespace {
 
-constexpr std::size_t kShortest = 3;  // bytes: less says nothing
+constexpr std::size_t kShortest = 3;  // bytes; shorter names are not hidden
 
 bool in_a_word(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -16,7 +16,7 @@ bool in_a_word(char c) {
          (byte >= 'A' && byte <= 'Z');
 }
 
-// Lower case of ASCII alone: places stay the same.
+// Changes ASCII alone, so that places stay the same.
 std::string in_lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower)
@@ -24,7 +24,7 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
-// The longest word at each place that begins and ends where words do.
+// Replaces the longest word at each place that begins and ends at a word's limits.
 std::string replaced(std::string_view text, const std::map<std::string, std::string>& words) {
   if (words.empty()) return std::string(text);
   const std::string lower = in_lower_case(text);
@@ -70,7 +70,7 @@ void HiddenNames::add_parts(const std::string& name, const std::string& code) {
 
 void HiddenNames::add(const Owner& owner, const std::string& code) {
   const std::string name = composed(owner.name);
-  std::string turned = name;  // "Jane Doe" of "Doe, Jane"
+  std::string turned = name;  // is "Jane Doe" for "Doe, Jane"
   if (const std::size_t comma = name.find(", "); comma != name.npos)
     turned = name.substr(comma + 2) + " " + name.substr(0, comma);
   for (const std::string& word : {name, turned, owner.id, owner.email}) {

@@ -1,7 +1,7 @@
-// STAFF ONLY. Words that name people, and what stands in their place where grading is blind.
+// STAFF ONLY. Names of people, and their replacements in blind grading.
 //
-// It hides what the class's tables and the download say of a person: names, ids, addresses, the folder's
-// name. It can't know what else students write of themselves, such as a nickname in a comment.
+// It hides people's data in the class's tables and the download: names, ids, addresses, the folder's name. It
+// can't know other names that students write, such as a nickname in a comment.
 #pragma once
 
 #include <map>
@@ -14,16 +14,16 @@ namespace grader::inline roster {
 
 class HiddenNames {
  public:
-  // Whoever is on the list without a hand-in becomes "somebody".
+  // A person on the list without a hand-in becomes "somebody".
   HiddenNames(const std::vector<HandIn>& hand_ins, const std::optional<ClassList>& list);
 
-  // In every line that staff reads: whole names and ids, and each single name of those whom it is about.
+  // Changes a line that staff read: whole names and ids, and each single name of the people in the line.
   std::string in(std::string_view text) const;
-  // In what belongs to this hand-in.
+  // Changes a text of this hand-in.
   std::string in_own(std::string_view text, const std::string& hand_in) const;
 
  private:
-  using Words = std::map<std::string, std::string>;  // in lower case; what stands in its place
+  using Words = std::map<std::string, std::string>;  // map words in lower case to replacements
   void add(const std::string& word, const std::string& code, Words& words);
   void add(const Owner& owner, const std::string& code);
   void add_parts(const std::string& name, const std::string& code);

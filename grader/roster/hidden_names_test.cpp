@@ -1,4 +1,4 @@
-// STAFF ONLY. Names are hidden in whatever spelling downloads and tables have, and nothing else is.
+// STAFF ONLY. Tests that names are hidden in each spelling of downloads and tables, and that nothing else is.
 #include "grader/roster/hidden_names.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Ids and names of a person.
+// STAFF ONLY. Reads ids and names of a person.
 #include "grader/roster/person.h"
 
 #include <algorithm>

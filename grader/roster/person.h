@@ -1,4 +1,4 @@
-// STAFF ONLY. Somebody who is on a roster.
+// STAFF ONLY. A person on a roster.
 #pragma once
 
 #include <array>
@@ -15,32 +15,32 @@ inline constexpr std::size_t kIdKinds = 8;
 
 const char* title_of(IdKind kind);  // for messages: "SIS user id"
 
-// An id as it is compared, in its one form: without letters that nobody sees, and as it was before a
+// Returns an id in its one form for comparisons: without invisible letters, and as it was before a
 // spreadsheet wrote 1001.0 or ="1001".
 std::string plain_id(std::string_view cell);
 
-// Names as they are compared: letters and digits in lower case. Canvas names files by "Doe, Jane", other
-// systems by "Jane Doe".
+// Names are compared as letters and digits in lower case. Canvas names files by "Doe, Jane", other systems by
+// "Jane Doe".
 struct NameKeys {
   std::string as_spoken, as_sorted;  // "janedoe", "doejane"
   bool operator==(const NameKeys&) const = default;
 };
 
-// "Doe, Jane" or "Jane Doe"; without a comma the last word is the family name.
+// Reads "Doe, Jane" or "Jane Doe"; without a comma the last word is the family name.
 NameKeys keys_of(const std::string& name);
 
 struct Person {
-  std::string name;        // for people, NFC; as the table writes it, or "First Last" of two columns
+  std::string name;        // is for people, NFC; as in the table, or "First Last" of two columns
   std::string section;     // "" or several, as the table writes them
-  std::string group = {};  // likewise: those who hand in together
-  std::array<std::string, kIdKinds> ids{};  // "" where the table has none
-  NameKeys keys{};                          // of the name
-  std::size_t line = 0;                     // of the table
+  std::string group = {};  // likewise: people who hand in together
+  std::array<std::string, kIdKinds> ids{};  // "" if the table has none
+  NameKeys keys{};                          // compare the name
+  std::size_t line = 0;                     // is the table's
 
   const std::string& id(IdKind kind) const { return ids[static_cast<std::size_t>(kind)]; }
   std::string& id(IdKind kind) { return ids[static_cast<std::size_t>(kind)]; }
   const std::string& email() const { return id(IdKind::email); }
-  // A word that stands for the person where ids are shown: the first that there is.
+  // Returns a word for the person in lists of ids: the first id that exists, or else the name.
   const std::string& shown_id() const;
 };
 

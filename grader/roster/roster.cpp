@@ -17,8 +17,7 @@ std::string without_zeros(const std::string& id) {
   return number && begin != id.npos ? id.substr(begin) : id;
 }
 
-// The ids that hand-ins of a system carry, in the order in which they are believed. A folder is named by
-// anything.
+// Lists the ids in a system's hand-ins, the most reliable first. The name of a folder may be anything.
 std::vector<IdKind> kinds_of(const std::string& system) {
   using enum IdKind;
   if (system == "canvas") return {id};
@@ -67,7 +66,7 @@ void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
     by = static_cast<IdKind>(i);
   }
   by_line_[row.line] = known.value_or(people_.size());
-  if (known) {  // the same person in another section
+  if (known) {  // this is the same person in another section
     Person& before = people_[*known];
     for (std::size_t i = 0; i < kIdKinds; ++i)
       if (person.ids[i] != before.ids[i])
@@ -152,7 +151,7 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   if (owner.anonymous) return {{}, "its code is on no roster"};
   if (owner.name.empty())
     return {{}, "its id" + (owner.id.empty() ? "" : " " + legible(owner.id)) + " is on no roster"};
-  if (owner.id.empty())  // a folder of this name, perhaps
+  if (owner.id.empty())  // perhaps a folder with this name
     for (const IdKind kind : kinds_of(system)) {
       look(kind, owner.name);
       if (found.size() == 1) return {*found.begin(), told};
@@ -163,7 +162,7 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   const Places& places = system == "canvas" ? by_sorted_ : by_spoken_;
   if (const auto at = places.find(keys.as_spoken); at != places.end())
     found.insert(at->second.begin(), at->second.end());
-  // Namesakes differ by an id, of whatever kind the roster calls it.
+  // People with the same name differ by an id, of whatever kind in the roster.
   std::vector<std::size_t> with_its_id;
   for (const std::size_t place : found)
     if (!owner.id.empty() && std::ranges::count(people_[place].ids, owner.id) > 0)
@@ -171,7 +170,7 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   if (with_its_id.size() == 1) return {with_its_id.front()};
   if (found.size() > 1) return {{}, count_of(found.size()) + " bear its name"};
   if (found.empty()) return {{}, "its name is on no roster"};
-  // An id that the roster has for somebody of the name, and another one, is another person.
+  // If the roster has another id for the person of this name, it is another person.
   const Person& person = people_[*found.begin()];
   for (const IdKind kind : kinds_of(system)) {
     if (owner.id.empty() || person.id(kind).empty()) continue;

@@ -2,7 +2,7 @@
 // (worksheet, participants), Gradescope, GitHub Classroom and Brightspace export them, or a plain one: id,
 // name, e-mail, section, further ids. A spreadsheet may have written it again.
 //
-// People are found by ids, then by e-mail, then by a name that nobody else bears.
+// People are found by ids, then by e-mail, then by a name that only one person has.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ class Roster {
   // people have, two ids of one row that name different people.
   explicit Roster(const Csv& table);
 
-  // People of an earlier roster.
+  // Takes people of an earlier roster.
   explicit Roster(std::vector<Person> people);
 
   const std::vector<Person>& people() const { return people_; }
@@ -31,20 +31,20 @@ class Roster {
     return said_;
   }  // for staff, a line each: guesses, and ids that a spreadsheet changed
 
-  // Whose row stands in this line of the table; several may be one person's.
+  // Returns the person of this line of the table; several lines may be one person's.
   std::optional<std::size_t> at_line(std::size_t line) const;
 
   struct Match {
-    std::optional<std::size_t> person;  // of people()
-    std::string told = {};              // for staff: how it was found if that is not plain, or why nobody was
-    bool has_other_name = false;        // by an id, and on the roster it is somebody of another name
+    std::optional<std::size_t> person;  // is a place in people()
+    std::string told = {};              // for staff: an unusual way to find the person, or why not
+    bool has_other_name = false;        // the id's person has another name on the roster
   };
-  // `system` is the layout of the download, as --from takes it: it says which ids its hand-ins carry. A group
-  // is nobody; its members may be.
+  // `system` is the layout of the download, as --from takes it: it determines the ids of its hand-ins. A
+  // group is nobody; its members may be somebody.
   Match find(const Owner& owner, const std::string& system) const;
-  // The title of a column that finds the hand-ins of a download.
+  // Returns the title of a column that finds the hand-ins of a download.
   static const char* column_for(const std::string& system);
-  // Somebody of another table, by the ids that both have.
+  // Finds a person of another table, by the ids that both have.
   Match find(const Person& person) const;
 
  private:

@@ -1,5 +1,5 @@
-// STAFF ONLY. Rosters are read as systems export them and as spreadsheets write them again, and nobody is
-// taken for somebody else.
+// STAFF ONLY. Tests that rosters are read as systems export them and as spreadsheets write them again, and
+// that nobody is taken for somebody else.
 #include "grader/roster/roster.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ string error_of(const string& text) {
   return "";
 }
 
-// The person's name, or why there is none.
+// Returns the person's name, or why there is none.
 string found(const Roster& roster, const Owner& owner, const string& system) {
   const Roster::Match match = roster.find(owner, system);
   return match.person ? roster.people()[*match.person].name : "nobody: " + match.told;
@@ -95,7 +95,7 @@ TEST(Roster, ZerosInFrontComeBackAndAreSaid) {
   EXPECT_EQ(found(roster_of("id,name\n07,A\n007,B\n"), {"", "007", ""}, "canvas"), "B");
 }
 
-// Either side may have been through a spreadsheet or a page, from which letters come that nobody sees.
+// A spreadsheet or a page may have added invisible letters on either side.
 TEST(Roster, AnIdHasOneForm) {
   for (const char* form :
        {"1001", "1001.0", "1001.00", "1001,0", "=\"1001\"", "\u200b1001", "10\u00ad01", "1001\ufeff",

@@ -12,8 +12,8 @@
 namespace grader::inline roster {
 namespace {
 
-// Moodle: Last modified (submission). Gradescope: Submission Time. Classroom: submission_timestamp. Canvas's
-// API: submitted_at.
+// These are: Moodle: Last modified (submission). Gradescope: Submission Time. Classroom:
+// submission_timestamp. Canvas's API: submitted_at.
 constexpr std::array<const char*, 9> kTitles{"Time",
                                              "Handed in",
                                              "Submitted",
@@ -35,7 +35,7 @@ std::string not_read_as_time(const Csv& table, const Csv::Row& row, std::size_t 
          "\" is no time that is read; write one such as 2025-03-04 10:15, or export the table in English";
 }
 
-// Moodle's worksheet in another language: times of hand-ins stand behind "Grade can be changed".
+// In Moodle's worksheet of any language, times of hand-ins follow the column "Grade can be changed".
 std::optional<std::size_t> column_by_place(const Csv& table) {
   const std::optional<Worksheet> sheet = worksheet_by_form(table);
   if (!sheet || sheet->may_change == kNoColumn) return {};

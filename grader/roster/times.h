@@ -13,17 +13,17 @@ namespace grader::inline roster {
 
 class Times {
  public:
-  // Throws BadInput as Roster does, and for a table without a column of times or without one that is read.
+  // Throws BadInput as Roster does, and for a table without a column of times or without a readable time.
   explicit Times(Csv table);
 
-  // The time as the table has it; "-" for somebody in it without one, and "" for somebody who is not in it or
-  // has one that can't be read. Of a group the latest of its members'. People are found as on a roster; with
+  // Returns the time as the table has it; "-" for a person without one, and "" for a person who is missing or
+  // whose time can't be read. For a group it is the members' latest. People are found as on a roster; with
   // one, also by the ids that both tables have.
   std::string find(const std::string& hand_in, const Owner& owner, const std::string& system,
                    const Roster* roster);
 
-  // For staff, a line each, once all hand-ins were looked for: what was guessed, hand-ins that are not found,
-  // times that are not read, and people with a time and no hand-in.
+  // Returns lines for staff, after the search for all hand-ins: guesses, hand-ins that were not found,
+  // unreadable times, and people with a time and no hand-in.
   std::vector<std::string> said() const;
 
  private:

@@ -1,5 +1,5 @@
-// STAFF ONLY. Times of hand-ins are found as people are on a roster, and what is not found or not read is
-// said.
+// STAFF ONLY. Tests that times of hand-ins are found as people on a roster are, and that missing or
+// unreadable ones are reported.
 #include "grader/roster/times.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(Times, OfMoodlesWorksheetAreRead) {
   EXPECT_TRUE(says(list, "times.csv, line 3: \"wtorek, 4 marca 2025, 10:15\" is no time that is read"));
 }
 
-// A worksheet's row: what is behind the grade, as it is in any language.
+// Writes a worksheet's row: the cells behind the grade, in any language.
 std::string worksheet(const std::string& titles, const std::string& word, const std::string& yes,
                       const std::string& first, const std::string& second) {
   const auto row = [&](const char* number, const char* name, const std::string& time) {
@@ -74,7 +74,7 @@ TEST(Times, OfAWorksheetInAnotherLanguageStandBehindWhetherItsGradeCanChange) {
   ASSERT_EQ(list.said().size(), 2U);
   EXPECT_TRUE(says(list, "times.csv: times are taken from the column \"Zuletzt geändert (Abgabe)\", by its"));
   EXPECT_TRUE(says(list, "times.csv, line 3: \"gestern\" is no time that is read"));
-  // No time in it is read: nobody would have one.
+  // If no time is read, nobody would have one.
   EXPECT_EQ(refusal_of(worksheet("ID,Imię,Status,Ocena,Maks,Można zmienić,Zmieniono,Oceniono,Komentarz",
                                  "Uczestnik", "Tak", "wtorek, 4 marca 2025, 10:15", "-")),
             "times.csv, line 2: \"wtorek, 4 marca 2025, 10:15\" is no time that is read; write one such as "

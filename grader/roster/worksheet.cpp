@@ -15,7 +15,7 @@ namespace {
 
 // Grades can be changed, and two dates: they follow the maximum.
 constexpr std::size_t kBehindMaximum = 3;
-// A blind worksheet without comments: identifier, status, grade, maximum, and these.
+// A blind worksheet without comments has identifier, status, grade, maximum, and these.
 constexpr std::size_t kFewest = 4 + kBehindMaximum;
 
 constexpr auto kNo = std::to_array<std::string_view>(
@@ -41,7 +41,7 @@ std::size_t different_in(const Csv& table, std::size_t column) {
   return seen.size();
 }
 
-// "Participant 4711": one word, and numbers that differ.
+// True for "Participant 4711": one word, and numbers that differ.
 bool counts_participants(const Csv& table, std::size_t column) {
   const auto word_of = [](const std::string& cell) {
     return cell.substr(0, cell.find_last_not_of("0123456789") + 1);
@@ -53,7 +53,7 @@ bool counts_participants(const Csv& table, std::size_t column) {
          });
 }
 
-// All are out of the same points.
+// Returns the maximum if all rows have the same.
 std::optional<double> maximum_in(const Csv& table, std::size_t column) {
   const std::optional<double> maximum =
       table.rows.size() > 1 ? number_in(table.rows[1].at(column)) : std::nullopt;
@@ -103,8 +103,7 @@ std::optional<Worksheet> worksheet_by_form(const Csv& table, const std::string& 
   for (std::size_t i = 1; i < end && sheet.email == kNoColumn; ++i)
     if (all_below(table, i, [](const std::string& cell) { return cell.find('@') != cell.npos; }))
       sheet.email = i;
-  // Names stand behind the identifier, and are nearly all different; a blind worksheet has states there,
-  // which are few.
+  // Names follow the identifier, and nearly all differ; a blind worksheet has a few states there.
   if (end > 2 && sheet.email != 1 && 2 * different_in(table, 1) >= table.rows.size()) sheet.name = 1;
   return sheet;
 }

@@ -20,7 +20,7 @@ using SampleCategories = std::map<std::string, std::vector<SampleCategory>>;  //
 // Reads the categories of all exercises of PROJECT/handout. Throws BadInput with the file and the JSON path.
 SampleCategories read_categories(const std::filesystem::path& project, const Course& course);
 
-// Of an exercise whose categories of these titles fail.
+// Returns the points of an exercise if the categories with these titles fail.
 double points_without(const std::vector<SampleCategory>& categories, const std::vector<std::string>& failed);
 
 }  // namespace grader::samples

@@ -9,7 +9,7 @@
 namespace grader::inline samples {
 namespace {
 
-// "a\nb\n" is three lines, the last of them empty: nothing is lost.
+// "a\nb\n" has three lines, the last of them empty: nothing is lost.
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0;;) {
@@ -24,7 +24,7 @@ std::vector<std::string> split_lines(const std::string& text) {
   throw BadInput(edit.where + ": " + edit.file + " " + problem);
 }
 
-// Where the edit's lines stand, which must be one place.
+// Finds the edit's lines, which must be in exactly one place.
 std::size_t find_once(const std::vector<std::string>& lines, const Edit& edit) {
   std::vector<std::string> wanted;
   for (const EditLine& line : edit.lines)
@@ -50,7 +50,7 @@ std::size_t find_once(const std::vector<std::string>& lines, const Edit& edit) {
 std::string edited(const std::string& text, const std::string& file, const std::vector<Edit>& edits) {
   const std::vector<std::string> lines = split_lines(text);
   std::vector<bool> goes(lines.size(), false);
-  std::vector<std::string> comes(lines.size() + 1);  // before each line
+  std::vector<std::string> comes(lines.size() + 1);  // come before each line
   for (const Edit& edit : edits) {
     if (edit.file != file) continue;
     std::size_t at = find_once(lines, edit);

@@ -1,9 +1,9 @@
-// STAFF ONLY. A change of a solution's file, by which a sample gets its bug: lines of the solution, which
-// stand there once, and what takes their place.
+// STAFF ONLY. A change of a solution's file, which gives a sample its bug: lines of the solution, which occur
+// once, and their replacement.
 //
-//   -  double k = strand.stretch_rigidity / l0;    this line goes
-//   =  double l0 = strand.rest_length(i);          this one stays: it says where
-//   +  double k = strand.stretch_rigidity;         this one comes
+//   -  double k = strand.stretch_rigidity / l0;    this line is removed
+//   =  double l0 = strand.rest_length(i);          this line stays: it shows the place
+//   +  double k = strand.stretch_rigidity;         this line is added
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct Edit {
   std::vector<EditLine> lines;
 };
 
-// The text with all edits that name the file. Each looks for its lines in the text as it was. Throws BadInput
-// if they are not there, or several times.
+// Returns the text with all edits that name the file. Each searches its lines in the original text. Throws
+// BadInput if they are missing, or occur several times.
 std::string edited(const std::string& text, const std::string& file, const std::vector<Edit>& edits);
 
 }  // namespace grader::samples

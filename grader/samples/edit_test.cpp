@@ -1,4 +1,4 @@
-// STAFF ONLY. Edits change one place, or none.
+// STAFF ONLY. Tests that an edit changes one place, or fails.
 #include "grader/samples/edit.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew.
-// CLASS gets an archive or a folder for each sample of PROJECT but most attacks, SHOWCASE a copy of those
-// that are marked for it, and ATTACKS a folder for each place, with its attacks and what is graded beside
+// CLASS gets an archive or a folder for each sample of PROJECT except most attacks, SHOWCASE a copy of those
+// that are marked for it, and ATTACKS a folder for each place, with its attacks and the right samples beside
 // them.
 #include <clocale>
 #include <cstdlib>
@@ -92,7 +92,7 @@ void write_sample(const Sample& sample, const fs::path& project, const fs::path&
   overwrite(path, sample.overwrite);
 }
 
-// A folder that is there as a whole or not at all: `fill` gets one of another name, which is then renamed.
+// Makes a folder completely or not at all: `fill` fills one with another name, which is then renamed.
 template <typename Fill>
 void make_folder(const fs::path& folder, const Fill& fill) {
   const fs::path unfinished = folder.string() + ".unfinished";
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE ATTACKS\n";
     return 2;
   }
-  // What archives hold of times and names depends on both.
+  // Times and names in archives depend on both.
   setenv("TZ", "UTC", 1);
   if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
   try {

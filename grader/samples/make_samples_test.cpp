@@ -1,4 +1,4 @@
-// STAFF ONLY. The samples are packed as their groups say, and the same way each time.
+// STAFF ONLY. Tests that samples are packed as their groups say, and equally each time.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

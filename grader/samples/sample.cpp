@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads samples and their groups.
 #include "grader/samples/sample.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace grader::inline samples {
 namespace {
 
-// The group's lines that the sample says nothing of, and then its own.
+// Joins the group's lines of kinds that the sample lacks, and its own.
 std::vector<GroupLine> all_lines(const GroupFile& group, const std::vector<GroupLine>& own) {
   std::map<std::string_view, const GroupLine*> first_of;  // by key
   std::set<std::string_view> kinds;
@@ -25,7 +25,7 @@ std::vector<GroupLine> all_lines(const GroupFile& group, const std::vector<Group
                              std::to_string(first_of[key->name]->number));
     }
   std::vector<GroupLine> lines;
-  bool taken = true;  // an edit's lines go with what they follow
+  bool taken = true;  // an edit's lines follow their edit
   for (const GroupLine& line : group.common) {
     if (const SampleKey* key = key_of(line)) taken = !kinds.contains(key->kind);
     if (taken) lines.push_back(line);
@@ -37,7 +37,7 @@ std::vector<GroupLine> all_lines(const GroupFile& group, const std::vector<Group
   return lines;
 }
 
-// All right programs of one name, reference/<ID>/right/NAME.cpp, are the sample right-NAME.
+// All right programs with one name, reference/<ID>/right/NAME.cpp, are the sample right-NAME.
 void add_right_programs(const std::filesystem::path& project, const Course& course, GroupFile& group) {
   std::map<std::string, std::vector<GroupLine>> files;  // by that name
   for (const Exercise& exercise : course.exercises)

@@ -1,4 +1,4 @@
-// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. A
+// STAFF ONLY. The sample class: submissions with known bugs and attacks, and their expected results. A
 // group of them is a file, GROUP.samples, or an exercise's wrong.samples, with a line for each fact. Lines
 // before the first sample hold for all samples that don't say otherwise:
 //
@@ -14,39 +14,39 @@
 //   -  bend.phi = std::atan2(s, dot);
 //   +  bend.phi = std::acos(dot);
 //
-//   title TEXT           of the group: once in a file, before its samples
-//   sample NAME          of the archive or folder, without its ending
-//   shows TEXT           the bug, or what is right, in a line
+//   title TEXT           names the group: once in a file, before its samples
+//   sample NAME          names the archive or folder, without its extension
+//   shows TEXT           the bug, or the right property, in a line
 //   form FORM            zip, tar.gz or folder
-//   file SOLUTION PATH   a file of the archive, named as an exercise's: "reference", "stub" or a right solution (solution_files.h)
+//   file SOLUTION PATH   an exercise file from "reference", "stub" or a right solution (solution_files.h)
 //   text TEXT PATH       a file that holds this text, a JSON string
 //   link TARGET PATH     a symbolic link
-//   zeros BYTES PATH     so many zero bytes. A PATH with odd letters is a JSON string, too
-//   others SOLUTION      reference or stub: the files of all exercises that have none so far, at the archive's top level; or none
+//   zeros BYTES PATH     as many zero bytes. A PATH with odd letters is a JSON string, too
+//   others SOLUTION      adds all other exercises' files at the top: reference or stub; or none
 //   edit [FILE]          changes a solution's file: edit.h. Without FILE: the sample's first "file"
-//   part NAME            before the samples: the lines + that follow; an edit's line *NAME stands for them
+//   part NAME            before the samples: names the next lines +; an edit's line *NAME inserts them
 //   windows              solution files begin with a byte order mark and have CR LF
-//   cut BYTES            the bytes of the archive that are left, as after a broken upload
-//   overwrite AT HEX     bytes of the packed archive that are changed; -6 is the sixth from the end
+//   cut BYTES            keeps these first bytes of the archive, as after a broken upload
+//   overwrite AT HEX     changes bytes of the packed archive; -6 is the sixth from the end
 //   showcase             one of the few that show every kind of sample
-//   beside-attacks       right, and graded beside the attacks of every place
-//   status ID STATUS     of an exercise, or of "all"
-//   fails ID NAMES       the categories that fail (categories.json): its status is "partly", if no other is given, and its points are
-//                        those of the other categories
-//   points ID POINTS     of a sample of the showcase, besides: an error in scoring can't confirm itself
-//   useless TEXT         why it loses more than three categories: nothing of what it writes can be used
+//   beside-attacks       right, and graded with the attacks of every place
+//   status ID STATUS     belongs to an exercise, or to "all"
+//   fails ID NAMES       the categories that fail (categories.json), which take their points; the
+//                        status is then "partly", unless one is given
+//   points ID POINTS     repeats the points in the showcase: an error in scoring can't confirm itself
+//   useless TEXT         why it loses more than three categories: no part of its answer can be used
 //
-// An exercise without such a line has passed if it has a file, and is missing if not. What "others" fills in
-// has passed ("reference") or is not implemented ("stub"), and takes no status.
+// An exercise without such a line has passed if it has a file, and is missing if not. A file of "others" has
+// passed ("reference") or is not implemented ("stub"), and takes no status.
 //
-// An attack is one of the corpus, which is graded place by place, apart from the class. Only attacks that the
-// showcase has are in the class, too.
+// An attack belongs to the corpus, which is graded place by place, apart from the class. Only the showcase's
+// attacks are in the class, too.
 //
 //   place PLACE          build, start, run, protocol, archive, report or time
 //   fence TEXT           what stops it
-//   most ID POINTS       the most that it may get; or of "all" exercises together
-//   seconds SECONDS      the most CPU time of ours that it may take
-//   also STATUS          right, too, for the exercises that "most" names: it depends on the machine which limit comes first
+//   most ID POINTS       bounds its points; or those of "all" exercises together
+//   seconds SECONDS      bounds its CPU time in the grader
+//   also STATUS          a second right status for "most" exercises: the first limit depends on the machine
 //   no-pictures          the student's report shows no picture of its run
 #pragma once
 
@@ -69,21 +69,20 @@ struct SampleFile {
 
   std::string path;  // in the archive
   Kind kind = Kind::solution;
-  std::string value;        // the solution's folder, the text or the link's target
-  std::uint64_t zeros = 0;  // bytes
+  std::string value;        // is the solution's folder, the text or the link's target
+  std::uint64_t zeros = 0;  // counts bytes
 };
 
 struct ExpectedResult {
-  std::string status;            // as to_string(Status) has it
-  std::optional<double> points;  // nothing: all if it passed, or else none
-  std::vector<std::string> failed =
-      {};  // the titles of the categories that fail; none: nothing is said of them
+  std::string status;                    // as in to_string(Status)
+  std::optional<double> points;          // empty: all if it passed, or else none
+  std::vector<std::string> failed = {};  // are the titles of the categories that fail; empty: any may
 };
 
 struct Attack {
   std::string place, fence;
   std::map<std::string, double> most_points_of;  // by exercise
-  std::optional<double> most_points;             // of all
+  std::optional<double> most_points;             // bounds the sum
   double most_cpu_seconds = 0;
   std::vector<std::string> also;
   bool no_pictures = false;
@@ -108,16 +107,16 @@ struct Sample {
   std::vector<Overwrite> overwrite;
   std::optional<Attack> attack;
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
-  std::vector<std::string> listed;  // of these, the ids that have a line, in the course's order
-  std::string useless;              // why it may lose many categories, or empty
+  std::vector<std::string> listed;                 // are the ids that have a line, in the course's order
+  std::string useless;                             // says why it may lose many categories, or is empty
 
   std::string file_name() const;  // "wrong-beta.zip"
   bool in_class() const { return !attack || showcase; }
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// The exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples, in the
-// order of their names. The group "right" also has the right programs of all exercises: the sample
+// Returns the exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples,
+// in the order of their names. The group "right" also has the right programs of all exercises: the sample
 // right-plain, of reference/<ID>/right/plain.cpp, and so on. Throws BadInput with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 

@@ -189,7 +189,7 @@ void SampleBuilder::read(const GroupLine& line) {
   key->read(*this, line);
 }
 
-// Fills in "others", and what each exercise of the course is expected to give.
+// Fills in "others", and the expected results of each exercise of the course.
 void SampleBuilder::complete(const GroupLine& first) {
   if (sample.attack) {
     const Attack& attack = *sample.attack;

@@ -1,4 +1,4 @@
-// STAFF ONLY. One sample, made line by line. What the lines say: sample.h.
+// STAFF ONLY. Makes a sample line by line. sample.h explains the lines.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace grader::inline samples {
 
-// One sample, line by line.
+// Is one sample, line by line.
 struct SampleBuilder {
   const GroupFile& group;
   const Course& course;
@@ -21,9 +21,9 @@ struct SampleBuilder {
   std::map<std::string, std::vector<EditLine>> parts = {};
   Sample sample = {};
   std::string others = {};
-  std::map<std::string, const GroupLine*> named = {};  // the exercises that have a line
+  std::map<std::string, const GroupLine*> named = {};  // are the exercises that have a line
   std::map<std::string, ExpectedResult> given = {};
-  std::vector<EditLine>* open = nullptr;  // where lines of an edit, or of a part, go
+  std::vector<EditLine>* open = nullptr;  // takes the lines of an edit or a part
 
   [[noreturn]] void fail(const GroupLine& line, const std::string& problem) const {
     group.fail(line, problem);
@@ -75,12 +75,12 @@ struct SampleBuilder {
 
 struct SampleKey {
   std::string_view name;
-  std::string_view kind;  // a sample's own lines take the place of the group's of the same kind
+  std::string_view kind;  // a sample's own lines replace the group's of the same kind
   bool repeated = false;
   void (*read)(SampleBuilder&, const GroupLine&) = nullptr;
 };
 
-// Null for an unknown word.
+// Returns null for an unknown word.
 const SampleKey* key_of(const GroupLine& line);
 
 struct SampleFormName {

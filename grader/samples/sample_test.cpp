@@ -1,4 +1,4 @@
-// STAFF ONLY. The groups of samples are read strictly.
+// STAFF ONLY. Tests that the groups of samples are read strictly.
 #include "grader/samples/sample.h"
 
 #include "grader/course/input.h"

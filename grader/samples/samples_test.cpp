@@ -1,4 +1,4 @@
-// STAFF ONLY. The sample class is packed as its groups say.
+// STAFF ONLY. Tests that the sample class is packed as its groups say.
 #include <archive.h>
 #include <archive_entry.h>
 #include <gtest/gtest.h>
@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT, kClass = HAIR_SAMPLE_CLASS, kAttacks = HAIR_ATTACKS;
-constexpr std::size_t kMostBytes = std::size_t{80} << 20;  // of a file, to compare
+constexpr std::size_t kMostBytes = std::size_t{80} << 20;  // bounds a file for comparisons
 
 struct Packed {
-  std::string bytes;  // the first kMostBytes of them
+  std::string bytes;  // has the first kMostBytes
   std::string link;
   std::uint64_t size = 0;
 };
@@ -149,7 +149,7 @@ TEST(SampleClass, HoldsTheFilesThatAreListed) {
   }
 }
 
-// A sample whose edits did nothing would be a right solution that is expected to be wrong.
+// If its edits did nothing, a sample would be a right solution that is expected to be wrong.
 TEST(SampleClass, EditsChangeAFileAndNothingElseDoes) {
   for (const Sample& sample : all_samples()) {
     SCOPED_TRACE(sample.name);
@@ -185,7 +185,7 @@ TEST(SampleClass, ExpectsAKnownStatusForEachExercise) {
   }
 }
 
-// They are written down, and so are the categories: either shows an error in the other.
+// Both the points and the categories are written down: either shows an error in the other.
 TEST(SampleClass, ShowcasesPointsAreThoseOfTheirCategories) {
   const SampleCategories categories =
       read_categories(kProject, read_course(kProject / "handout/exercises.json"));

@@ -1,5 +1,4 @@
-// STAFF ONLY. The showcase, which is graded where the whole class would take too long, has every kind of
-// sample.
+// STAFF ONLY. Tests that the showcase, which saves the time of the whole class, has every kind of sample.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +42,7 @@ std::set<std::string> groups(const std::vector<Sample>& samples) {
 }
 
 TEST(Showcase, IsGradedSoon) {
-  // A bug in every exercise, and the other kinds.
+  // These are a bug in every exercise, and the other kinds.
   const std::vector<Sample> samples = shown();
   ASSERT_FALSE(samples.empty());
   EXPECT_LE(samples.size(), samples.front().expected.size() + 16);

@@ -1,4 +1,4 @@
-// STAFF ONLY. A project of two exercises and one sample, in the running test's own folder.
+// STAFF ONLY. Makes a project of two exercises and one sample, in the running test's own folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace grader::inline samples {
 
 namespace fs = std::filesystem;
 
-// Of this test alone: others run at the same time.
+// Belongs to this test alone: others run at the same time.
 inline fs::path scratch(const std::string& name) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   return fs::path(testing::TempDir()) / ("make_samples_test_" + std::string(test->name()) + "_" + name);
@@ -21,7 +21,7 @@ inline constexpr const char* kExercises = R"json({"exercises": [
     {"id": "A", "title": "a", "file": "a.cpp", "functions": ["a()"], "header": "a.h", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"},
     {"id": "B", "title": "b", "file": "b.cpp", "functions": ["b()"], "header": "b.h", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"}]})json";
 
-// A project with two exercises and one sample, whose edit turns "one" to "two" in a file that reads `source`.
+// Makes a project with two exercises and one sample, whose edit turns "one" to "two" in text `source`.
 inline fs::path small_project(const std::string& source) {
   const fs::path project = scratch("project");
   const fs::path samples = project / "grader" / "samples";

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Copies a sample's solution files and edits them.
 #include "grader/samples/solution_files.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "reference", "stub" or a right solution; one that belongs to no exercise lies in grader/samples/solutions/.
+// A solution is "reference", "stub" or a right one; one of no exercise is in grader/samples/solutions/.
 fs::path file_of(const std::string& solution, const Exercise& exercise, const fs::path& project) {
   if (solution == "reference") return project / "reference" / exercise.id / exercise.file;
   if (solution == "stub") return project / "handout" / exercise.folder / exercise.file;
@@ -32,8 +32,8 @@ std::string as_on_windows(const std::string& text) {
   return windows;
 }
 
-// A hand-in is one file: #include "NAME" of a header that right solutions share becomes the header's text,
-// but for its first line.
+// A hand-in is one file: #include "NAME" of a header that right solutions share is replaced by the header's
+// text without its first line.
 std::string in_one_file(const fs::path& source, const fs::path& project) {
   std::string text = read_bytes(source);
   for (const auto& item : fs::directory_iterator(project / "reference/right")) {

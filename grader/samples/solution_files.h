@@ -1,5 +1,5 @@
 // STAFF ONLY. A sample's exercise files: copies of the reference, the stubs or a whole solution, with the
-// headers beside them put in, and the sample's edits.
+// headers beside them inserted, and the sample's edits.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace grader::inline samples {
 
-// By path in the archive. `project` is the project's root. Throws BadInput if a file is not there, or an
-// edit's lines are not.
+// Returns files by path in the archive. `project` is the project's root. Throws BadInput if a file or an
+// edit's lines are missing.
 std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project);
 
 // Throws std::runtime_error with the path.

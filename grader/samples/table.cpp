@@ -7,7 +7,7 @@
 namespace grader::inline samples {
 namespace {
 
-// "S1 partly 18, S2 missing"
+// Returns "S1 partly 18, S2 missing".
 std::string losses(const Sample& sample) {
   std::ostringstream text;
   for (const std::string& id : sample.listed) {
@@ -18,7 +18,7 @@ std::string losses(const Sample& sample) {
   return text.str().empty() ? "passed" : text.str();
 }
 
-// "S1 0": the most points that it may get.
+// Returns "S1 0": the most points that it may get.
 std::string most_points(const Attack& attack) {
   std::ostringstream text;
   if (attack.most_points) text << *attack.most_points;

@@ -8,8 +8,7 @@
 
 namespace grader::inline samples {
 
-// Markdown. "gets" says which exercises don't pass, of those that have a line, and the points that are left,
-// if any.
+// Writes Markdown. "gets" lists exercises with a line that don't pass, and their remaining points, if any.
 std::string table_of(const std::vector<Sample>& samples);
 
 }  // namespace grader::samples

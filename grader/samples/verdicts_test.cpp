@@ -1,4 +1,4 @@
-// STAFF ONLY. A cause costs points once: as the samples say, and the class is graded to.
+// STAFF ONLY. Tests that a cause costs points once, in the samples' expected results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace grader::inline samples {
 namespace {
 
-// A bug's own category, and at most two besides.
+// Counts a bug's own category, and at most two more.
 constexpr int kMostCauses = 3;
 
 TEST(BugSamples, LoseTheirCategoryAndAtMostTwoBesides) {

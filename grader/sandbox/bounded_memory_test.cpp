@@ -1,5 +1,5 @@
-// STAFF ONLY. A container's memory runs out below a run that may take more, where no group of its own bounds
-// it: the run ends, is said to be out of memory, and the grader lives.
+// STAFF ONLY. Tests a container whose memory is smaller than a run's limit, where no control group of its own
+// bounds the run: the run ends as out of memory, and the grader lives.
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/mount.h>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 
-// Its groups are there to read, and none can be made below them, as in a container.
+// The groups can be read, but none can be made below them, as in a container.
 bool shut_groups() {
   if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
     return false;
@@ -40,7 +40,7 @@ struct Found {
   long ended_by_kernel = 0;
 };
 
-// The end of a run that takes this much in a group of 400 MB and may take a gigabyte.
+// Runs a process that takes this much in a group of 400 MB. Its own limit is a gigabyte.
 Found run_in_a_small_container(std::size_t takes, const CagedProcess::LeaveOut& leave_out) {
   const StagingFolder folder;
   fs::copy_file(HAIR_PROBE, folder.path() / "probe");

@@ -1,4 +1,4 @@
-// STAFF ONLY. The words of bubblewrap's command.
+// STAFF ONLY. Writes bubblewrap's command.
 #include "grader/sandbox/bubblewrap.h"
 
 #include <system_error>
@@ -36,7 +36,7 @@ std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<
     else
       append({mount.writable ? "--bind" : "--ro-bind", mount.source.string(), mount.target});
   }
-  // The same bytes whenever it is compiled: __DATE__ and __TIME__ are those of this second.
+  // A compilation gives the same bytes at any time: __DATE__ and __TIME__ are fixed.
   append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "SOURCE_DATE_EPOCH", "1"});
   append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
   all.insert(all.end(), command.begin(), command.end());

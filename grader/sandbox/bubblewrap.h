@@ -8,7 +8,7 @@
 
 namespace grader::inline sandbox {
 
-// `filtered`: a filter of system calls is on Launch::kFilter.
+// `filtered` says that a filter of system calls is on descriptor Launch::kFilter.
 std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
                                             bool filtered);
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Starts a command in a cage of either kind, and reads from the kernel what the command does.
+// STAFF ONLY. Starts a command in a sandbox of either kind, and reads from the kernel what the command does.
 #include "grader/sandbox/cage.h"
 
 #include <fcntl.h>
@@ -26,8 +26,8 @@
 namespace grader::inline sandbox {
 namespace {
 
-// A word of a command with the path in it that some mount puts there replaced by the path out here; the
-// longest such path counts.
+// Replaces a path inside the sandbox, in a word of a command, by the path outside. If several mounts match,
+// the longest path counts.
 std::string outside(const Cage& cage, const std::string& word) {
   const Mount* found = nullptr;
   std::size_t place = std::string::npos;
@@ -50,8 +50,8 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
   return argv;
 }
 
-// Of each thread of a process: what it has computed and waited for a processor, the first two numbers of
-// its `schedstat`, in nanoseconds.
+// Adds the time that each thread of a process has computed and waited for a processor: the first two
+// numbers of its `schedstat`, in nanoseconds.
 void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy) {
   std::error_code error;
   const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
@@ -60,7 +60,7 @@ void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy
     std::ifstream file(task->path() / "schedstat"), status(task->path() / "stat");
     double computed = 0, queued = 0;
     if (!(file >> computed >> queued)) continue;
-    // "THREAD (NAME) STATE ...", and a name may hold parentheses.
+    // The line is "THREAD (NAME) STATE ...", and a name may hold parentheses.
     std::string state;
     std::getline(status, state);
     const std::size_t name_end = state.rfind(") ");
@@ -70,7 +70,7 @@ void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy
   }
 }
 
-// We and the suite hold the rest: the kernel shall end no run that the warden could have ended.
+// The grader and the suite hold the rest. So the supervisor ends a run before the kernel does.
 std::size_t most_memory_of_a_run() {
   constexpr std::size_t kOurs = std::size_t{128} << 20;
   static const std::size_t usable = usable_memory_bytes();
@@ -181,16 +181,16 @@ Ending CagedProcess::wait(double seconds) {
   if (WIFSIGNALED(report.status)) {
     ending.signal = WTERMSIG(report.status);
   } else if (WEXITSTATUS(report.status) > 128 && isolation_ == Isolation::namespaces) {
-    ending.signal = WEXITSTATUS(report.status) - 128;  // as bwrap and shells report it
+    ending.signal = WEXITSTATUS(report.status) - 128;  // bwrap and shells report a signal so
   } else {
     ending.code = WEXITSTATUS(report.status);
   }
   ending.out_of_memory = report.over_memory || (group_ && group_->ran_out_of_memory());
-  // The kernel ends runs first where a container's memory runs out.
+  // If a container's memory runs out, the kernel ends the runs first.
   if (!ending.well() && ended_for_memory_before_ && ended_for_memory() > *ended_for_memory_before_)
     ending.out_of_memory = true;
-  // The soft limit on CPU time. SIGKILL may be the hard one, a second later, for a process that ignores the
-  // first; or anybody's.
+  // SIGXCPU is the soft limit on CPU time. SIGKILL has several causes; one is the hard limit, a second later,
+  // for a process that ignores SIGXCPU.
   ending.timed_out |= report.over_cpu || ending.signal == SIGXCPU;
   ending_ = ending;
   group_.reset();

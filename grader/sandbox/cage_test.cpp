@@ -1,4 +1,4 @@
-// STAFF ONLY. What a cage keeps from the process inside, tried from inside with a shell.
+// STAFF ONLY. Tries from inside, with a shell, that a sandbox keeps the process in.
 #include "grader/sandbox/cage.h"
 
 #include <fcntl.h>
@@ -80,7 +80,7 @@ TEST_P(CageTest, IsNeverRoot) {
 }
 
 TEST_P(CageTest, IsAloneAmongProcesses) {
-  // Our own process, by its number out here.
+  // This is our own process, by its number outside.
   const Said run = shell("kill -0 " + std::to_string(getpid()) + " && echo reached");
   EXPECT_EQ(run.output.find("reached"), std::string::npos) << run.output;
 }
@@ -103,7 +103,7 @@ std::string connecting_to(const Listener& listener) {
   return "exec 9<>/dev/tcp/127.0.0.1/" + std::to_string(listener.port()) + " && echo connected";
 }
 
-// Two fences keep the network away. Each is tried without the other.
+// Two layers keep the network away. Each is tried without the other.
 TEST_P(CageTest, ItsCallFilterAllowsNoSockets) {
   const Said run = shell(connecting_to(Listener()));
   EXPECT_EQ(run.output.find("connected"), std::string::npos) << run.output;
@@ -123,7 +123,7 @@ TEST_F(NamespacesTest, SharesNoNamespaceWithUs) {
   CagedProcess process(cage_, {"/usr/bin/bash", "-c", "echo inside; sleep 1000"}, -1, -1,
                        output.write_end.get());
   char letter;
-  ASSERT_EQ(read(output.read_end.get(), &letter, 1), 1);  // it is inside by now
+  ASSERT_EQ(read(output.read_end.get(), &letter, 1), 1);  // it runs inside now
   const fs::path theirs = "/proc/" + std::to_string(descendants(getpid()).back()) + "/ns";
   for (const char* space : {"user", "pid", "net", "mnt", "ipc", "uts", "cgroup"}) {
     const std::string inside = fs::read_symlink(theirs / space);
@@ -133,14 +133,14 @@ TEST_F(NamespacesTest, SharesNoNamespaceWithUs) {
 }
 
 TEST_P(CageTest, InheritsNoDescriptors) {
-  const Descriptor secret(open("/dev/null", O_RDONLY));  // without close-on-exec
+  const Descriptor secret(open("/dev/null", O_RDONLY));  // has no close-on-exec
   const Said run =
       shell("for i in $(seq 3 9) $(seq 11 250); do { true <&$i; } 2>/dev/null && echo $i; done; true");
   EXPECT_EQ(run.output, "");  // bash itself uses 10
 }
 
 TEST_P(CageTest, SeesSleepAndWorkFromOutside) {
-  // A machine that is slow and busy needs more looks.
+  // A slow and busy machine needs more looks.
   const auto is_seen = [](const std::function<bool()>& look) {
     for (int i = 0; i < 200; ++i)
       if (look()) return true;
@@ -163,8 +163,8 @@ TEST_P(CageTest, SeesSleepAndWorkFromOutside) {
     usleep(100000);
     return worker.activity().cpu_seconds > 0.05;
   })) << "it computes";
-  // A program that does not compute waits for a processor, however many others want one. The kernel counts a
-  // wait when it is over.
+  // A program that does not compute waits for a processor if others compute. The kernel counts a wait only at
+  // its end.
   const double before = busy(worker);
   const timing::Stopwatch since;
   EXPECT_TRUE(is_seen([&] {
@@ -182,7 +182,7 @@ TEST_P(CageTest, LimitsMemory) {
   EXPECT_EQ(shell(takes).output.find("104857600"), std::string::npos);
 }
 
-// Two fences bound processes, its own limit and a control group. Each is tried without the other, and none.
+// Two layers bound processes: a limit and a control group. Each is tried without the other, and then neither.
 TEST_P(CageTest, LimitsProcesses) {
   fs::copy_file(HAIR_PROBE, folder_ / "probe");
   fs::permissions(folder_ / "probe", fs::perms(0755));
@@ -224,7 +224,7 @@ TEST_P(CageTest, MakesNoNamespacesInside) {
   EXPECT_EQ(run.output.find("made"), std::string::npos) << run.output;
 }
 
-// A child becomes such a root as `unshare -Ur` makes it.
+// A child becomes root of a user namespace, as `unshare -Ur` makes it.
 TEST(SandboxIdentity, ARootThatCanDropNoRightsIsToldSo) {
   Pipe said = make_pipe();
   const pid_t child = fork();

@@ -1,4 +1,4 @@
-// STAFF ONLY. A shell in a cage, for tests of either kind.
+// STAFF ONLY. A shell in a sandbox, for tests of either kind.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace grader::inline sandbox {
 class Caged {
  protected:
   explicit Caged(Isolation kind) {
-    static const StagingFolder all;  // root folders last from one test to the next
+    static const StagingFolder all;  // keeps root folders for all tests
     static int number = 0;
     folder_ = all.path() / std::to_string(number++);
     std::filesystem::create_directory(folder_);
@@ -78,7 +78,7 @@ class ContainerTest : public Caged, public testing::Test {
   ContainerTest() : Caged(Isolation::container) {}
 };
 
-// All processes below one, itself left out, parents first.
+// Lists all processes below one, without itself, parents first.
 inline std::vector<pid_t> descendants(pid_t process) {
   std::vector<pid_t> all;
   const std::string number = std::to_string(process);

@@ -29,7 +29,7 @@ Descriptor locked(const fs::path& file, int how) {
   return lock;
 }
 
-// Readable for everybody, whatever the mask for new files.
+// Makes a folder that everybody can read, whatever the umask is.
 void make_folder(const fs::path& folder) {
   if (mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST) fail("can't make the folder", folder);
   if (chmod(folder.c_str(), 0755) != 0) fail("can't change the mode of", folder);
@@ -40,7 +40,7 @@ void copy_for_all(const fs::path& source, const fs::path& target) {
   fs::permissions(target, fs::perms(0755));
 }
 
-// `put` gets each regular file with its new place.
+// Calls `put` with each regular file and its new place.
 void put_tree(const fs::path& source, const fs::path& target,
               const std::function<void(const fs::path&, const fs::path&)>& put) {
   if (fs::is_symlink(source)) return fs::copy_symlink(source, target);
@@ -59,7 +59,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return end == folder.end();
 }
 
-// The copy of a file or folder of the system's.
+// Returns the copy of a file or folder of the system.
 fs::path system_copy(const fs::path& roots, const fs::path& source) {
   const fs::path system = roots / "system", copy = system / source.relative_path();
   const Descriptor lock = locked(roots / "system.lock", LOCK_EX);
@@ -67,14 +67,14 @@ fs::path system_copy(const fs::path& roots, const fs::path& source) {
   make_folder(system);
   fs::path folder = system;
   for (const fs::path& part : source.relative_path().parent_path()) make_folder(folder /= part);
-  const fs::path unfinished = roots / "unfinished";  // of one that was ended
+  const fs::path unfinished = roots / "unfinished";  // another process left it unfinished
   fs::remove_all(unfinished);
   put_tree(source, unfinished, copy_for_all);
   fs::rename(unfinished, copy);
   return copy;
 }
 
-// Makes what a run has written root's: regular files that have one name, and folders. All else goes.
+// Gives a run's files to root: folders, and regular files with one name. It removes everything else.
 void take_over(const fs::path& path) {
   struct stat status = {};
   if (lstat(path.c_str(), &status) != 0) return;
@@ -92,7 +92,7 @@ void take_over(const fs::path& path) {
 }  // namespace
 
 ContainerRoot::ContainerRoot(const Cage& cage, const Identity& user) : roots_(cage.roots) {
-  // All beside the roots is the grader's own, and its files may be linked to.
+  // The other files beside the roots are the grader's own; links may lead to them.
   const fs::path own = roots_.parent_path();
   std::vector<Mount> lasting;
   for (const Mount& mount : cage.mounts)
@@ -106,7 +106,7 @@ ContainerRoot::ContainerRoot(const Cage& cage, const Identity& user) : roots_(ca
     const fs::path tmp = path_ / "tmp";
     add_folder(tmp, false);
     if (chown(tmp.c_str(), user.user, user.group) != 0) fail("can't give away", tmp);
-    // No program here needs it, where it can't be made.
+    // If /dev/null can't be made, no program of ours needs it.
     const fs::path null = path_ / "dev" / "null";
     add_folder(null.parent_path(), true);
     if (mknod(null.c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) chmod(null.c_str(), 0666);
@@ -120,7 +120,7 @@ ContainerRoot::~ContainerRoot() {
     try {
       take_over(folder);
     } catch (const fs::filesystem_error&) {
-      fs::remove_all(folder, ignored);  // what can't be trusted is not read
+      fs::remove_all(folder, ignored);  // its contents can't be trusted
     }
     fs::rename(folder, mount.source, ignored);
   }

@@ -1,8 +1,8 @@
-// STAFF ONLY. The root folder of a cage where nothing can be mounted. Files are links, or copies where links
-// can't be made; writable folders are moved in, and come back.
+// STAFF ONLY. The root folder of a sandbox where nothing can be mounted. Files are links, or copies where
+// links can't be made; writable folders are moved in, and come back.
 //
-//   ROOTS/system/   copies of what cages need of the system, made once: links to the system's own files would share owner and mode
-//   ROOTS/KEY-0     a root folder with the system's part of some cage; others with the same part use it after that cage, KEY-1 beside it
+// ROOTS/system/ holds copies of system files: links would share their owner and mode.
+// ROOTS/KEY-0 is a root folder with system files; sandboxes that need the same ones use it in turn, or KEY-1.
 #pragma once
 
 #include <filesystem>
@@ -16,11 +16,11 @@ namespace grader::inline sandbox {
 
 class ContainerRoot {
  public:
-  // For a run as `user`, who gets the writable folders and /tmp. Throws std::filesystem::filesystem_error.
+  // Prepares a run as `user`, who gets writable folders and /tmp. Throws std::filesystem::filesystem_error.
   ContainerRoot(const Cage& cage, const Identity& user);
   ContainerRoot(const ContainerRoot&) = delete;
   ContainerRoot& operator=(const ContainerRoot&) = delete;
-  // Takes all back that is not the system's. Nobody may run there any more.
+  // Takes back everything but the system files. No process may run there any more.
   ~ContainerRoot();
 
   const std::filesystem::path& path() const { return path_; }
@@ -33,7 +33,7 @@ class ContainerRoot {
 
   std::filesystem::path roots_, path_;
   Descriptor lock_;                          // held while the root is in use
-  std::vector<std::filesystem::path> made_;  // what goes with this run, folders before what they hold
+  std::vector<std::filesystem::path> made_;  // goes with this run; folders stand before their contents
   std::vector<Mount> lent_;
 };
 

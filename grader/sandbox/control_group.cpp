@@ -1,4 +1,4 @@
-// STAFF ONLY. Makes groups below our own and removes them, and what killed graders left.
+// STAFF ONLY. Makes control groups below our own, and removes them, also those of killed graders.
 #include "grader/sandbox/control_group.h"
 
 #include <signal.h>
@@ -24,12 +24,11 @@ bool write_value(const fs::path& file, const std::string& value) {
   return static_cast<bool>(out);
 }
 
-constexpr const char* kPrefix =
-    "hairgrade-";  // then the number of the process that made it, and a random one
+constexpr const char* kPrefix = "hairgrade-";  // precedes the maker's process number and a random number
 
-// Groups of graders that were killed. One that is in use can't be removed, and one that is a minute old is
-// not about to be used. (Its maker's number says nothing: a container may share our control groups, and not
-// our processes.)
+// Removes groups of killed graders. A group in use can't be removed, and nobody uses a new one after a
+// minute. (The maker's process number does not help: a container may share our control groups, but not our
+// processes.)
 void remove_stale(const fs::path& parent) {
   std::error_code error;
   const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(1);
@@ -41,7 +40,7 @@ void remove_stale(const fs::path& parent) {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-// A new group with these settings, below our own group or else at the top of the hierarchy.
+// Makes a group with these settings, below our own group or else at the top of the hierarchy.
 std::optional<fs::path> make_group(const std::string& controller, const std::string& name,
                                    const Settings& settings) {
   const std::vector<fs::path> groups = own_groups(controller);
@@ -88,7 +87,7 @@ bool memory_can_be_bounded() {
 ControlGroup::~ControlGroup() {
   for (const fs::path& folder : folders_) {
     std::error_code error;
-    // A process that was killed leaves its group a moment later.
+    // A killed process leaves its group a moment later.
     for (int i = 0; i < 200 && !fs::remove(folder, error) && fs::exists(folder, error); ++i) {
       std::ifstream processes(folder / "cgroup.procs");
       for (pid_t process; processes >> process;)

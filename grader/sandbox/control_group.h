@@ -1,5 +1,5 @@
-// STAFF ONLY. Limits on memory and processes for a whole cage, if the kernel's control groups (v1 or v2) are
-// writable. Otherwise only the limits inside the cage apply.
+// STAFF ONLY. Limits on memory and processes for a whole sandbox, if the kernel's control groups (v1 or v2)
+// are writable. Otherwise only the limits inside the sandbox apply.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@ namespace grader::inline sandbox {
 
 class ControlGroup {
  public:
-  // Nothing if no control group can be made here.
+  // Returns nothing if no control group can be made here.
   static std::optional<ControlGroup> create(std::size_t memory_bytes, int processes);
 
   ControlGroup(ControlGroup&&) noexcept = default;
   ControlGroup& operator=(ControlGroup&&) = delete;
   ~ControlGroup();  // kills the remaining processes in it
 
-  // False: it bounds the number of processes alone.
+  // Returns false if it bounds the number of processes alone.
   bool bounds_memory() const { return bounds_memory_; }
 
-  // Files that a process joins by writing "0" to each.
+  // Returns the files to which a process writes "0" to join.
   std::vector<std::filesystem::path> join_files() const;
   bool ran_out_of_memory() const;
 
@@ -32,7 +32,7 @@ class ControlGroup {
   bool bounds_memory_;
 };
 
-// Can a control group bound memory here? Tried once, by making one.
+// Tries once, by making a control group, whether one can bound memory here.
 bool memory_can_be_bounded();
 
 }  // namespace grader::sandbox

@@ -26,7 +26,7 @@ Pipe make_pipe() {
 
 namespace {
 
-// Until the other side closes, the time is up, or `take` has enough.
+// Reads until the other side closes, the time is up, or `take` has enough.
 template <class Take>
 void read_pieces(const Descriptor& from, double seconds, const Take& take) {
   using Clock = std::chrono::steady_clock;
@@ -73,7 +73,7 @@ std::string read_both_ends(const Descriptor& from, std::size_t most, double seco
     left_out += end.size() - most / 2;
     end.erase(0, end.size() - most / 2);
   }
-  // Lines that are cut belong to what is left out.
+  // The middle that is left out takes the cut lines with it.
   const std::size_t whole = beginning.rfind('\n') + 1, next = std::min(end.find('\n'), end.size() - 1) + 1;
   left_out += beginning.size() - whole + next;
   return beginning.substr(0, whole) + "(" + std::to_string(left_out) + " bytes are left out here)\n" +

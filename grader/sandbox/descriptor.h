@@ -34,8 +34,8 @@ Pipe make_pipe();  // throws std::system_error
 // Reads until the other side closes or the time is up, at most `limit` bytes.
 std::string read_all(const Descriptor& from, std::size_t limit, double seconds);
 
-// Reads as long, and all of it. Of more than `most` bytes the middle is left out, in whole lines, and a line
-// says so.
+// Reads until then, too, but takes all bytes. If there are more than `most`, it leaves out whole lines in the
+// middle, and a line says so.
 std::string read_both_ends(const Descriptor& from, std::size_t most, double seconds);
 
 }  // namespace grader::sandbox

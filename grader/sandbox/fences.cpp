@@ -1,4 +1,4 @@
-// STAFF ONLY. Runs hairprobe in cages.
+// STAFF ONLY. Runs hairprobe in sandboxes, to test their layers.
 #include "grader/sandbox/fences.h"
 
 #include <signal.h>
@@ -33,7 +33,7 @@ Tried tries(const Cage& cage, const std::vector<std::string>& arguments,
   return {process.wait(kMostSeconds), said};
 }
 
-// A process that the probe has left behind, by the number that it has out here, if it has one.
+// True if a process that the probe has left behind still lives. `number` is its number outside, or empty.
 bool lives(const std::string& number) {
   pid_t process = 0;
   std::from_chars(number.data(), number.data() + number.size(), process);
@@ -47,7 +47,7 @@ std::string open_fence(const Cage& cage) {
 }
 
 std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out) {
-  // The probe exits with 0 if what it tries is stopped, and says why if it is not.
+  // The probe exits with 0 if its attempt is stopped; otherwise it prints the attempt.
   const Tried starts = tries(cage, {"start"}, leave_out);
   if (!starts.ending.well())
     return "no program starts in it: " + (starts.said.empty() ? "no reason is given\n" : starts.said);
@@ -56,7 +56,7 @@ std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out
   const std::vector<std::string> attempts[] = {
       {"processes", std::to_string(getpid())}, {"files", staff.path()}, {"rights"}};
   Cage open = cage;
-  open.syscalls.reset();  // each fence alone
+  open.syscalls.reset();  // tests each layer alone
   for (const auto& arguments : attempts)
     if (const Tried tried = tries(open, arguments, leave_out); !tried.ending.well())
       return "student code " + tried.said;
@@ -66,14 +66,14 @@ std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out
   if (const Tried tried = tries(filtered, {"network"}, leave_out); !tried.ending.well())
     return "student code " + tried.said;
 
-  if (cage.isolation == Isolation::namespaces) {  // a container's cages have the filter alone
+  if (cage.isolation == Isolation::namespaces) {  // containers have the filter alone
     const Listener listener;
     if (const Tried tried = tries(open, {"reach", std::to_string(listener.port())}, leave_out);
         !tried.ending.well())
       return "student code " + tried.said;
   }
 
-  if (cage.isolation == Isolation::container) {  // elsewhere a process has another number inside
+  if (cage.isolation == Isolation::container) {  // only here a process has the same number inside
     if (const Tried tried = tries(open, {"stay"}, leave_out); lives(tried.said))
       return "a process of student code outlives its run";
     Cage small = open;

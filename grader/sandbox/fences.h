@@ -1,4 +1,4 @@
-// STAFF ONLY. Tries the fences of a cage, from inside, before anybody's code is in it.
+// STAFF ONLY. Tries the layers of a sandbox from inside, before student code runs in it.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace grader::inline sandbox {
 
-// Empty if each fence holds; otherwise a phrase for the first one that does not: "student code can reach the
-// network". `probe` is the program hairprobe, and `cage` holds it as /probe, with the libraries that it
-// needs. Throws std::system_error if no cage can be made.
+// Returns an empty text if each layer holds; otherwise a phrase for the first one that does not: "student
+// code can reach the network". `probe` is the program hairprobe, and `cage` holds it as /probe, with its
+// libraries. Throws std::system_error if no sandbox can be made.
 std::string open_fence(const Cage& cage);
-// For tests: with a fence left out.
+// Tests call it with a layer left out.
 std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out);
 
 }  // namespace grader::sandbox

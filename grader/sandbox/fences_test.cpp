@@ -1,4 +1,4 @@
-// STAFF ONLY. Each fence is left out once: what it keeps away then succeeds, and is named.
+// STAFF ONLY. Leaves out each layer once: then the attempt that it stops succeeds, and is reported.
 #include "grader/sandbox/fences.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// They are words of bwrap's command.
+// Removes words of bwrap's command.
 void leave_out_words(Launch& launch, std::string_view first, int count = 1) {
   const auto at =
       std::ranges::find_if(launch.argv, [&](const char* word) { return word != nullptr && word == first; });
@@ -39,7 +39,7 @@ void add_words(Launch& launch, std::initializer_list<const char*> words) {
   launch.argv.insert(end, added.begin(), added.end());
 }
 
-// Takes the probe at its place outside.
+// Moves the probe to its place outside.
 void leave_out_root(Launch& launch, RunLimits& /*limits*/) {
   static std::string probe = HAIR_PROBE;
   launch.root = nullptr;
@@ -57,7 +57,7 @@ const LeftOut kFences[] = {
     {"Nothing", Isolation::namespaces, [](Launch&, RunLimits&) {}, ""},
     {"User", Isolation::namespaces, [](Launch& launch, RunLimits&) { launch.identity = {}; },
      "student code can do all that root may: it is root\n"},
-    // A grader that is not root has the same user as its cages.
+    // A grader that is not root has the same user as its sandboxes.
     {"Processes", Isolation::namespaces,
      [](Launch& launch, RunLimits&) {
        launch.identity = {};

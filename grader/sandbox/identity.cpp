@@ -1,4 +1,4 @@
-// STAFF ONLY. Users that run student code, and what they may read.
+// STAFF ONLY. Chooses the users that run student code, and shares folders with them.
 #include "grader/sandbox/identity.h"
 
 #include <grp.h>
@@ -25,10 +25,10 @@ struct Range {
   bool holds(std::uint64_t number) const { return first <= number && number < end; }
 };
 
-// The ranges of the list /proc/self/uid_map or gid_map: lines of "first, first outside, count".
+// Reads /proc/self/uid_map or gid_map: lines of "first, first outside, count".
 std::vector<Range> ranges_of(const char* map) {
   std::ifstream in(map);
-  if (!in) return {{0, UINT32_MAX}};  // no namespaces
+  if (!in) return {{0, UINT32_MAX}};  // there are no namespaces
   std::vector<Range> ranges;
   for (std::uint64_t first = 0, outside = 0, count = 0; in >> first >> outside >> count;)
     ranges.push_back({first, first + count});
@@ -54,16 +54,16 @@ Identity sandbox_identity() {
 
 Identity identity_of_a_run() {
   if (geteuid() != 0) throw hair::BadInput("only root can give each run a user of its own");
-  // Accounts have lower numbers, and those above are negative for some programs.
+  // Accounts have lower numbers, and some programs read higher ones as negative.
   constexpr std::uint64_t kFirst = 1U << 30, kEnd = (1U << 31) - 2;
-  // A container may have few numbers: these are above those that Debian gives to accounts and services.
+  // A container may have few numbers: these are above Debian's for accounts and services.
   constexpr std::uint64_t kFirstOfFew = 60'000, kEndOfFew = 65'500;
   for (const Range wanted : {Range{kFirst, kEnd}, Range{kFirstOfFew, kEndOfFew}}) {
     std::random_device device;
     const auto number = static_cast<uid_t>(
         std::uniform_int_distribution<std::uint64_t>(wanted.first, wanted.end - 1)(device) &
         ~std::uint64_t{1});
-    // Its neighbour ends what it leaves: see warden.cpp.
+    // The user with the next number ends this one's processes: see warden.cpp.
     if (has_number("/proc/self/uid_map", number) && has_number("/proc/self/uid_map", number + 1) &&
         has_number("/proc/self/gid_map", number))
       return {number, number, true};

@@ -1,4 +1,4 @@
-// STAFF ONLY. The user that runs a cage. A cage started by root could write host kernel settings through
+// STAFF ONLY. The user that runs a sandbox. A sandbox of root could write the host's kernel settings through
 // /proc, so root first becomes a separate unprivileged user.
 #pragma once
 
@@ -17,19 +17,19 @@ struct Identity {
 // Root becomes this user and group, which no account should have; other users stay themselves.
 inline constexpr uid_t kSandboxUser = 64123;
 
-// Throws BadInput for root of a user namespace that has no such user, as `unshare -Ur` makes it: it can drop
-// no rights.
+// Throws BadInput for root of a user namespace without this user, as `unshare -Ur` makes it: it can't drop
+// its rights.
 Identity sandbox_identity();
 
-// For root, where nothing else keeps runs apart: a user and a group, drawn anew for each run. They are high
-// numbers, for the kernel counts a user's processes in all containers of a host together. Throws BadInput
-// where there are none.
+// For root, where only the user keeps runs apart: draws a new user and group for each run. Their numbers are
+// high, since the kernel counts a user's processes in all containers of a host together. Throws BadInput if
+// this namespace has no such numbers.
 Identity identity_of_a_run();
 
 // Drops root permanently. Async-signal-safe, for use between fork and exec. False if the kernel refuses.
 bool become(const Identity& identity);
 
-// Makes a folder readable only for the sandbox user and us; `writable`: also writable.
+// Makes a folder readable for the sandbox user and us alone; `writable`: also writable.
 void share_with_sandbox(const std::filesystem::path& folder, bool writable);
 
 }  // namespace grader::sandbox

@@ -1,6 +1,6 @@
-// STAFF ONLY. A process that idles in a way of its own, for the watchdog's test. `idler vfork`: its main
-// thread waits for a child that shares its memory. `idler naps`: it sleeps a hundredth of a second again and
-// again. `idler chatters`: it writes a letter to descriptor 4 after each of its short naps.
+// STAFF ONLY. A process that idles, for the watchdog's test. `idler vfork`: its main thread waits for a child
+// that shares its memory. `idler naps`: it sleeps for a hundredth of a second, again and again. `idler
+// chatters`: it writes a letter to descriptor 4 after each of its short naps.
 #include <unistd.h>
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Sets what is inherited, and asks whether hard limits leave enough.
+// STAFF ONLY. Sets what a process inherits, and tests that hard limits leave enough.
 #include "grader/sandbox/inherited.h"
 
 #include <signal.h>
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr rlim_t kStack = 8 << 20;
 constexpr int kMostJobs = 256;
 
-// A hairgrade has three pipes and a few files open for each submission that it grades.
+// A hairgrade has three pipes and a few open files for each submission in work.
 constexpr rlim_t descriptors(int jobs) {
   return 256 + 16 * static_cast<rlim_t>(jobs);
 }
@@ -53,7 +53,7 @@ constexpr SoftLimit kSoftLimits[] = {{RLIMIT_AS, RLIM_INFINITY},
                                      {RLIMIT_CORE, 0},
                                      {RLIMIT_NOFILE, descriptors(kMostJobs)}};
 
-// As far as the hard limit goes, which root may raise. True: a process that starts now has another stack.
+// Raises soft limits as far as the hard ones. True if a process that starts now gets another stack.
 bool set_limits() {
   bool other_stack = false;
   for (const auto& [resource, wanted] : kSoftLimits) {
@@ -71,13 +71,13 @@ bool set_limits() {
   return other_stack;
 }
 
-// A folder in which cages find what lies there, and where programs may run.
+// True if sandboxes see this folder's files and programs may run there.
 bool serves_for_temporary_files(const fs::path& folder) {
   struct statvfs system = {};
   if (!folder.is_absolute() || access(folder.c_str(), W_OK | X_OK) != 0 ||
       statvfs(folder.c_str(), &system) != 0 || (system.f_flag & ST_NOEXEC) != 0)
     return false;
-  // Root is somebody else in a cage.
+  // Root has another user in a sandbox.
   std::error_code error;
   for (fs::path part = folder; geteuid() == 0; part = part.parent_path()) {
     if ((fs::status(part, error).permissions() & fs::perms::others_exec) == fs::perms::none) return false;
@@ -109,24 +109,24 @@ void set_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-// True: a process that starts now has another one. Where asking is denied, nobody has changed it, or nobody
-// can.
+// Returns true if a process that starts now gets another personality. Where the question is denied, the
+// personality can't be changed either.
 bool set_personality() {
   constexpr unsigned long kAsk = 0xffffffff;
   return personality(kAsk) > 0 && personality(PER_LINUX) >= 0;
 }
 
-// The shadow is an eighth of 2^48 bytes or less, and AddressSanitizer's heap 2^42.
+// The shadow takes 2^45 bytes at most, and AddressSanitizer's heap 2^42.
 constexpr rlim_t kAddressesOfSanitizers = rlim_t{1} << 46;
-// hairsuite with OpenGL; a compiler in its cage has 2 GiB.
+// hairsuite needs this with OpenGL; a compiler has 2 GiB in its sandbox.
 constexpr rlim_t kAddresses = rlim_t{4} << 30;
-// A precompiled header, at most.
+// A precompiled header is the largest file.
 constexpr rlim_t kFile = rlim_t{512} << 20;
 
 struct HardLimit {
   __rlimit_resource resource;
   const char* what;
-  char option;  // of the shell's ulimit
+  char option;  // names it in the shell's ulimit
   rlim_t unit;
   rlim_t needed;
 };

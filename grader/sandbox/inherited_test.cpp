@@ -1,5 +1,5 @@
-// STAFF ONLY. A program that sets what it inherits has the same from whoever starts it; and where a hard
-// limit is below the need, it says both numbers.
+// STAFF ONLY. Tests that a program sets what it inherits to the same values, whoever starts it, and that it
+// names both numbers where a hard limit is below the need.
 #include "grader/sandbox/inherited.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using std::string;
 
 class Inherited : public testing::Test {
  protected:
-  // What the program writes that a shell starts after this script.
+  // Returns the output of the program when a shell starts it after this script.
   string after(const string& script, const std::vector<string>& arguments = {},
                std::vector<string> words = {}) const {
     const string file = folder_.path() / "written";
@@ -46,7 +46,7 @@ TEST_F(Inherited, IsTheSameWhoeverStartsIt) {
   for (const char* script : {
            "ulimit -S -v 8000000 -d 500000 -s 512 -m 1000",
            "ulimit -S -s unlimited -c unlimited",
-           // Nothing else asks for another start.
+           // Only the soft limit on the stack asks for another start here.
            "ulimit -S -s 512; exec env -i ${HOME:+HOME=\"$HOME\"} TMPDIR=/tmp \"$0\" \"$@\"",
            "ulimit -S -t 1000 -f 1000 -n 20 -u 200 -l 0 -i 5 -q 0 -x 7",
            "umask 777",
@@ -58,7 +58,7 @@ TEST_F(Inherited, IsTheSameWhoeverStartsIt) {
            "LIBGL_ALWAYS_SOFTWARE=1",
        })
     EXPECT_EQ(after(script), usual) << script;
-  // A wish of a person's, as nohup's.
+  // A person wishes so, as with nohup.
   EXPECT_NE(after("trap '' HUP").find("ignored: 1\n"), string::npos);
 
   sigset_t all, before;
@@ -94,7 +94,7 @@ TEST_F(Inherited, KeepsAFolderForTemporaryFilesIfCagesCanUseIt) {
   }
 }
 
-// Root raises hard limits, too, outside of most containers: here it may not.
+// Outside of most containers root raises hard limits, too; this root may not.
 TEST_F(Inherited, SaysWhichHardLimitIsBelowTheNeed) {
   struct Case {
     const char* limit;

@@ -1,6 +1,5 @@
-// STAFF ONLY. For the test of what a process inherits: `inheritor FILE` sets it, and writes into FILE what
-// this process has then, a line for each; `inheritor FILE needs` writes whether hard limits leave what
-// grading needs.
+// STAFF ONLY. For the test of inheritance: `inheritor FILE` sets what it inherits, and writes its state into
+// FILE, one line each; `inheritor FILE needs` writes whether hard limits leave enough for grading.
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -21,7 +20,7 @@ void write_state(std::ostream& out) {
   for (int resource = 0; resource < RLIM_NLIMITS; ++resource) {
     rlimit limit{};
     getrlimit(static_cast<__rlimit_resource>(resource), &limit);
-    // These two say what a process may ask for, and nobody does.
+    // These two only say what a process may ask for, and no process asks.
     if (resource != RLIMIT_NICE && resource != RLIMIT_RTPRIO)
       out << "limit " << resource << ": " << limit.rlim_cur << "\n";
   }
@@ -49,7 +48,7 @@ int main(int argc, char* argv[]) {
   grader::set_what_is_inherited(argv);
   if (argc < 2) return 2;
   std::ostringstream state;
-  write_state(state);  // before a file takes the number of a descriptor that is closed
+  write_state(state);  // comes before the file takes a closed descriptor's number
   std::ofstream out(argv[1]);
   if (argc == 2) {
     out << state.str();

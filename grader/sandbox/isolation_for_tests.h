@@ -1,4 +1,4 @@
-// STAFF ONLY. Which kinds of isolation tests can use: in most containers nobody can make namespaces.
+// STAFF ONLY. Finds the kinds of isolation that tests can use: most containers allow no namespaces.
 #pragma once
 
 #include <sched.h>
@@ -12,8 +12,8 @@
 
 namespace grader::inline sandbox {
 
-// Empty, or the sentence with which a test of this kind skips. The kernel is asked, not the grader: what
-// breaks ours skips nothing.
+// Returns the sentence with which a test of this kind skips, or an empty one. It asks the kernel, not the
+// grader: a broken grader skips no test.
 inline std::string why_not(Isolation kind) {
   static const bool makes_namespaces = [] {
     const pid_t child = fork();
@@ -28,7 +28,7 @@ inline std::string why_not(Isolation kind) {
   return "";
 }
 
-// Namespaces where they can be made. For tests that are not about isolation.
+// Returns namespaces where they can be made. For tests that are not about isolation.
 inline Isolation isolation_for_tests() {
   return why_not(Isolation::namespaces).empty() ? Isolation::namespaces : Isolation::container;
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. The system calls between fork and exec.
+// STAFF ONLY. Makes the system calls between fork and exec.
 #include "grader/sandbox/launch.h"
 
 #include <fcntl.h>
@@ -13,9 +13,9 @@
 namespace grader::inline sandbox {
 namespace {
 
-constexpr int kNotReady = 126, kNotFound = 127;  // as shells say it
+constexpr int kNotReady = 126, kNotFound = 127;  // shells use these exit codes
 
-// Where memory runs out the kernel ends this process before ours. Anybody may volunteer.
+// Lets the kernel end this process before ours when memory runs out. Any user may do this.
 void volunteer() {
   const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
   if (file >= 0) (void)!write(file, "1000", 4);
@@ -30,7 +30,7 @@ void Launch::exec() const {
   const int targets[] = {1, 2, kRequests, kReplies, kInfo, kFilter};
   for (int& source : sources)
     if (source >= 0 && (source = fcntl(source, F_DUPFD_CLOEXEC, 32)) < 0)
-      _exit(kNotReady);  // out of the targets' way
+      _exit(kNotReady);  // moves it above the targets' numbers
   if (syscall(SYS_close_range, 3, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */) != 0) _exit(kNotReady);
   for (int i = 0; i < 6; ++i)
     if (sources[i] >= 0 && dup2(sources[i], targets[i]) < 0) _exit(kNotReady);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Binds before it tells its port.
+// STAFF ONLY. Binds a socket before it reports the port.
 #include "grader/sandbox/listener.h"
 
 #include <arpa/inet.h>

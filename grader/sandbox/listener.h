@@ -1,4 +1,4 @@
-// STAFF ONLY. A server on the loopback that says nothing: who gets through to it is not alone on the network.
+// STAFF ONLY. A silent server on the loopback. A process that reaches it is not cut off from the network.
 #pragma once
 
 #include "grader/sandbox/descriptor.h"

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A compiler with sanitizers takes 600 MB, and hairgrade and its suite the rest.
+// A compiler with sanitizers takes 600 MB; hairgrade and its suite take the rest.
 constexpr std::size_t kMemoryOfAJob = 750'000'000;
 
 bool lists(const std::string& words, const std::string& word) {
@@ -36,7 +36,7 @@ std::optional<fs::path> mount_point(const std::string& controller, const fs::pat
   return {};
 }
 
-// This process's own group, relative to the mount point.
+// Returns this process's own group, relative to the mount point.
 fs::path own_group(const std::string& controller, const fs::path& root) {
   std::ifstream groups(root / "proc/self/cgroup");
   std::string line;
@@ -52,7 +52,7 @@ fs::path own_group(const std::string& controller, const fs::path& root) {
   return {};
 }
 
-// Nothing if there is no such file, or if it says "max" or -1: no limit.
+// Returns nothing if there is no such file, or if it says "max" or -1: no limit.
 std::optional<double> number_in(const fs::path& file) {
   double number = -1;
   if (!(std::ifstream(file) >> number) || number < 0) return {};
@@ -65,7 +65,7 @@ std::vector<fs::path> own_groups(const std::string& controller, const fs::path& 
   const std::optional<fs::path> top = mount_point(controller, root);
   std::vector<fs::path> groups;
   if (!top) return groups;
-  // Inside a container a path may be the host's, and nothing is there but the mounted folder.
+  // Inside a container the path may be the host's, and only the mounted folder exists.
   for (fs::path group = own_group(controller, root); !group.empty(); group = group.parent_path())
     if (fs::exists(*top / group)) groups.push_back(*top / group);
   groups.push_back(*top);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Limits of control groups as containers show them, in trees of files.
+// STAFF ONLY. Tests the limits of control groups on trees of files, as containers show them.
 #include "grader/sandbox/own_groups.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST_F(OwnGroups, AContainersTopIsItsOwnGroup) {
   EXPECT_EQ(usable_jobs(root_), 1);
 }
 
-// Version 1 names the host's folders, of which a container sees its own alone.
+// Version 1 names the host's folders. A container sees only its own ones.
 TEST_F(OwnGroups, PathsOfTheHostLeadNowhere) {
   write("proc/self/mounts", kVersion1);
   write("proc/self/cgroup", "4:memory:/docker/1f2e\n1:cpu,cpuacct:/docker/1f2e\n0::/docker/1f2e\n");
@@ -68,7 +68,7 @@ TEST_F(OwnGroups, TheLeastOfAGroupAndThoseAboveItCounts) {
 }
 
 TEST_F(OwnGroups, WithoutALimitAllOfTheMachineCounts) {
-  const double processors = usable_processors(root_);  // it has no /proc
+  const double processors = usable_processors(root_);  // this root has no /proc
   const std::size_t memory = usable_memory_bytes(root_);
   cpu_set_t allowed;
   CPU_ZERO(&allowed);

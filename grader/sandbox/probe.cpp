@@ -1,7 +1,7 @@
-// STAFF ONLY. Tries from inside of a cage what student code could try. Exit code 0: it was stopped. 1: it
-// succeeded, and standard output says with what, as "can ...".
-//
-//   hairprobe start | files STAFF_FOLDER | processes STAFF_PROCESS | rights | network | reach PORT | fork COUNT | memory BYTES | stay
+// STAFF ONLY. Tries from inside of a sandbox what student code could try. Exit code 0: it was stopped. 1: it
+// succeeded, and standard output says "can ...".
+// hairprobe start | files STAFF_FOLDER | processes STAFF_PROCESS | rights | network | reach PORT
+//   | fork COUNT | memory BYTES | stay
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -21,7 +21,7 @@
 
 namespace {
 
-// True if it succeeded, and is told.
+// Prints a success, and returns `succeeded`.
 bool did(bool succeeded, const std::string& what) {
   if (succeeded) std::cout << "can " << what << "\n";
   return succeeded;
@@ -72,7 +72,7 @@ bool reach(int port) {
              "reach servers of this machine");
 }
 
-// They last until the cage ends, or a minute.
+// The processes last until the sandbox ends, or a minute.
 bool start_processes(int count) {
   constexpr unsigned kSeconds = 60;
   for (int i = 0; i < count; ++i) {
@@ -95,7 +95,7 @@ bool memory(std::size_t bytes) {
   return did(taken != nullptr, "take memory");
 }
 
-// Leaves a process behind, in a session of its own, and says its number.
+// Leaves a process behind, in a session of its own, and prints its number.
 bool stay() {
   const pid_t child = fork();
   if (child == 0) {

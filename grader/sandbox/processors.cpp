@@ -1,4 +1,4 @@
-// STAFF ONLY. Counts who holds which processor.
+// STAFF ONLY. Counts the holders of each processor.
 #include "grader/sandbox/processors.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ Processors::Processors() {
 Processors::Lease::Lease(Processors& processors) : processors_(processors), holders_(nullptr) {
   if (processors.processors_.empty()) return;
   const std::lock_guard lock(processors.mutex_);
-  // Where it is already, if no other has fewer: the kernel put it there, and knows of other programs' load.
+  // Stays on this processor if no other has fewer holders: the kernel knows the load of other programs.
   const int here = sched_getcpu();
   Processor& chosen = *std::ranges::min_element(processors.processors_, {}, [here](const Processor& one) {
     return std::pair(one.holders, one.number != here);

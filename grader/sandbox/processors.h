@@ -1,6 +1,6 @@
-// STAFF ONLY. Processors for pairs of programs that talk in turns, as a suite does with its worker. One of
-// the pair always waits for the other. On two processors each message wakes one that sleeps; on a virtual
-// machine that takes longer than the answer. On one processor it is a switch between two programs.
+// STAFF ONLY. Gives one processor to a pair of programs that talk in turns, as the suite and its worker do.
+// One of the pair always waits. On two processors each message wakes a sleeping program; on a virtual machine
+// that takes longer than the answer. One processor switches between them faster.
 #pragma once
 
 #include <sched.h>
@@ -12,12 +12,11 @@ namespace grader::inline sandbox {
 
 class Processors {
  public:
-  // Those that the calling thread may run on. If the kernel does not tell, nobody is bound.
+  // Takes those on which the calling thread may run. If the kernel does not report them, no thread is bound.
   Processors();
 
-  // Binds the calling thread, and the programs that it starts, to the processor that fewest leases hold, the
-  // present one among these, as long as it lives. To be destroyed in the same thread, and before
-  // `processors`.
+  // Binds the calling thread, and the programs that it starts, to a processor with the fewest leases, if
+  // possible the present one. The lease must end in the same thread, and before `processors`.
   class Lease {
    public:
     explicit Lease(Processors& processors);
@@ -27,13 +26,13 @@ class Processors {
 
    private:
     Processors& processors_;
-    int* holders_;  // of its processor; nothing if the thread is not bound
+    int* holders_;  // counts its processor's leases; null if the thread is not bound
   };
 
  private:
   struct Processor {
     int number;
-    int holders = 0;  // leases
+    int holders = 0;
   };
 
   cpu_set_t all_;

@@ -34,7 +34,7 @@ TEST(Processors, ThreadsHaveTheirOwnAsLongAsThereAreEnough) {
   Processors processors;
   const Processors::Lease lease(processors);
   const cpu_set_t mine = allowed();
-  for (int time = 0; time < 2; ++time)  // the second time what the first had is free again
+  for (int time = 0; time < 2; ++time)  // the first lease has ended by the second time
     std::jthread([&] {
       const Processors::Lease its(processors);
       const cpu_set_t other = allowed();

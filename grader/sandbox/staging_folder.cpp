@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* kBeginning = "hairgrade-";
 constexpr const char* kLockFile = "lock";
 
-// Folders of graders that were killed.
+// Removes folders of killed graders.
 void remove_stale() {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(), error)) {
@@ -35,7 +35,7 @@ void remove_stale() {
 
 StagingFolder::StagingFolder() {
   remove_stale();
-  // Another grader may take the new folder for a stale one and remove it, until we hold its lock.
+  // Until we hold the lock, another grader may take the new folder for a stale one and remove it.
   do {
     std::string pattern = (fs::temp_directory_path() / (std::string(kBeginning) + "XXXXXX")).string();
     if (mkdtemp(pattern.data()) == nullptr)

@@ -1,5 +1,5 @@
-// STAFF ONLY. A new folder in the system's folder for temporary files, which only we and the sandbox's user
-// can read. It goes with its object, or, after a SIGKILL, when the next one is made.
+// STAFF ONLY. A new folder in the system's temporary folder, which only we and the sandbox's user can read.
+// Its destructor removes it; after a SIGKILL the next such object does.
 #pragma once
 
 #include <filesystem>

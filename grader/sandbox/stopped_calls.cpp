@@ -1,4 +1,4 @@
-// STAFF ONLY. The handler of SIGSYS.
+// STAFF ONLY. Handles SIGSYS.
 #include "grader/sandbox/stopped_calls.h"
 
 #include <signal.h>
@@ -16,7 +16,7 @@ namespace {
 void (*tell_denied)(int) = nullptr;
 void (*tell_leaves)(int) = nullptr;
 
-using Mask = std::uint64_t;  // the kernel's
+using Mask = std::uint64_t;  // has the kernel's size
 
 #if defined(__x86_64__)
 long argument(const mcontext_t& registers, int i) {
@@ -37,8 +37,8 @@ void set_result(mcontext_t& registers, long result) {
 #error "the registers that hold a system call's arguments and its result are not known here"
 #endif
 
-// rt_sigprocmask(how, set, old): the mask that is set when the handler returns becomes what the call asks
-// for, without SIGSYS.
+// Does rt_sigprocmask(how, set, old): the mask after the handler's return is the requested one, without
+// SIGSYS.
 long change_mask(ucontext_t& context) {
   Mask mask = 0, set = 0;
   std::memcpy(&mask, &context.uc_sigmask, sizeof mask);

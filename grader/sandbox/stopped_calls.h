@@ -1,14 +1,14 @@
-// STAFF ONLY. How a process under Syscalls::worker hears of the system calls that its filter stops.
+// STAFF ONLY. Reports the system calls that the filter Syscalls::worker stops.
 //
-// A signal that is blocked when the filter raises it ends the process at once, and nobody knows what it
-// tried: the C library blocks all signals before it starts another process (system, popen, posix_spawn). So
-// the filter stops calls that block signals, too, and what is here does their work, but for SIGSYS.
+// A signal that is blocked when the filter raises it ends the process at once, and the attempt stays unknown:
+// the C library blocks all signals before it starts another process (system, popen, posix_spawn). So the
+// filter also stops calls that block signals; this handler does their work, but never blocks SIGSYS.
 #pragma once
 
 namespace grader::inline sandbox {
 
-// Both may be called at any point of the process's code. `denied`: a system call, which then fails with
-// EPERM. `leaves`: the process ends, with an exit code above 127; if this returns, it ends with 1.
+// Both may be called at any point of the process's code. After `denied` the call fails with EPERM. `leaves`
+// comes before an exit code above 127; if it returns, the process ends with 1.
 void hear_of_stopped_calls(void (*denied)(int number), void (*leaves)(int code));
 
 }  // namespace grader::sandbox

@@ -1,4 +1,4 @@
-// STAFF ONLY. The lists of system calls, and the filters that libseccomp makes of them.
+// STAFF ONLY. Lists system calls, and lets libseccomp make filters of the lists.
 #include "grader/sandbox/syscalls.h"
 
 #include <fcntl.h>
@@ -23,7 +23,7 @@
 namespace grader::inline sandbox {
 namespace {
 
-// Names that a machine's architecture does not have are left out by libseccomp.
+// libseccomp skips names that this architecture lacks.
 constexpr const char* kCompute[] = {
     "read", "write", "readv", "writev", "pread64", "lseek", "close", "fstat", "newfstatat", "stat", "lstat",
     "fcntl",
@@ -77,19 +77,19 @@ const std::initializer_list<Denied> kDenied = {
       "request_key", "init_module",     "finit_module", "kexec_load",     "reboot",  "setuid",
       "setgid",      "setresuid",       "setresgid",    "setgroups",      "capset"}}};
 
-// Denied for some arguments only, or to workers only.
+// These are denied for some arguments only, or to workers only.
 constexpr const char* kConditional[] = {"openat",       "open",   "clone", "prlimit64",
                                         "rt_sigaction", "tgkill", "pipe",  "pipe2"};
 
-// Among those, in Syscalls::worker.
+// Syscalls::worker stops these of them.
 constexpr const char* kHeard[] = {"rt_sigprocmask", "exit", "exit_group"};
 
 bool is_one_of(std::span<const char* const> names, const char* name) {
   return std::ranges::any_of(names, [&](const char* one) { return std::strcmp(name, one) == 0; });
 }
 
-// The flags with which the C library starts a thread. Any other may start more than that: with CLONE_VFORK
-// the starter waits in a state in which it seems to work.
+// The C library starts a thread with these flags. Others may do more: with CLONE_VFORK the starter waits in a
+// state that looks like work.
 constexpr std::uint64_t kThread = CLONE_VM | CLONE_FS | CLONE_FILES | CLONE_SIGHAND | CLONE_THREAD |
                                   CLONE_SYSVSEM | CLONE_SETTLS | CLONE_PARENT_SETTID | CLONE_CHILD_CLEARTID;
 
@@ -98,7 +98,7 @@ using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 void add(const Filter& filter, std::uint32_t action, const char* name,
          std::initializer_list<scmp_arg_cmp> conditions = {}) {
   const int number = seccomp_syscall_resolve_name(name);
-  if (number == __NR_SCMP_ERROR || number < 0) return;  // this architecture does not have it
+  if (number == __NR_SCMP_ERROR || number < 0) return;  // this architecture lacks it
   const int error = seccomp_rule_add_array(filter.get(), action, number,
                                            static_cast<unsigned>(conditions.size()), conditions.begin());
   if (error != 0)
@@ -110,7 +110,7 @@ scmp_arg_cmp bits_are(unsigned argument, std::uint64_t mask, std::uint64_t value
 }
 
 void add_compute_rules(const Filter& filter) {
-  // Files may be read, for the loader's sake, and not written.
+  // The loader needs to read files. Nothing may be written.
   const int flags_of_openat = 2, flags_of_open = 1;
   for (auto [name, flags] : {std::pair{"openat", flags_of_openat}, std::pair{"open", flags_of_open}}) {
     add(filter, SCMP_ACT_ALLOW, name, {bits_are(flags, O_ACCMODE | O_CREAT | O_TRUNC, O_RDONLY)});
@@ -119,13 +119,13 @@ void add_compute_rules(const Filter& filter) {
   }
   add(filter, SCMP_ACT_ALLOW, "clone", {{0, SCMP_CMP_EQ, kThread, 0}});
   add(filter, SCMP_ACT_TRAP, "clone", {{0, SCMP_CMP_NE, kThread, 0}});
-  add(filter, SCMP_ACT_ALLOW, "prlimit64", {{2, SCMP_CMP_EQ, 0, 0}});  // asking is fine
+  add(filter, SCMP_ACT_ALLOW, "prlimit64", {{2, SCMP_CMP_EQ, 0, 0}});  // reading limits is harmless
   add(filter, SCMP_ACT_TRAP, "prlimit64", {{2, SCMP_CMP_NE, 0, 0}});
   add(filter, SCMP_ACT_ALLOW, "rt_sigaction", {{0, SCMP_CMP_NE, SIGSYS, 0}});
   add(filter, SCMP_ACT_TRAP, "rt_sigaction", {{0, SCMP_CMP_EQ, SIGSYS, 0}});
-  add(filter, SCMP_ACT_ALLOW, "tgkill", {{2, SCMP_CMP_EQ, SIGABRT, 0}});  // abort
+  add(filter, SCMP_ACT_ALLOW, "tgkill", {{2, SCMP_CMP_EQ, SIGABRT, 0}});  // abort needs it
   add(filter, SCMP_ACT_TRAP, "tgkill", {{2, SCMP_CMP_NE, SIGABRT, 0}});
-  add(filter, SCMP_ACT_ALLOW, "ioctl", {{1, SCMP_CMP_EQ, TCGETS, 0}});  // isatty, which printf asks
+  add(filter, SCMP_ACT_ALLOW, "ioctl", {{1, SCMP_CMP_EQ, TCGETS, 0}});  // printf calls isatty
   for (const Denied& denied : kDenied)
     for (const char* name : denied.names)
       if (!is_one_of(kConditional, name)) add(filter, SCMP_ACT_TRAP, name);
@@ -145,7 +145,7 @@ void add_worker_rules(const Filter& filter) {
 Filter make_filter(Syscalls kept) {
   Filter filter(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
   if (!filter) throw std::runtime_error("seccomp: no memory for a filter");
-  // Calls in another architecture's numbers (int 0x80, x32) end the process, not the calling thread alone.
+  // A call with another architecture's number (int 0x80, x32) ends the process, not the calling thread alone.
   seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
   for (const char* name : kCompute)
     if (kept != Syscalls::worker || !is_one_of(kHeard, name)) add(filter, SCMP_ACT_ALLOW, name);

@@ -1,5 +1,5 @@
-// STAFF ONLY. The system calls that a caged process may use. All others fail with EPERM; clone3 fails with
-// ENOSYS, so that the C library falls back to clone, whose flags a filter can inspect.
+// STAFF ONLY. The system calls that a sandboxed process may use. All others fail with EPERM; clone3 fails
+// with ENOSYS, so that the C library falls back to clone, whose flags a filter can inspect.
 #pragma once
 
 #include <linux/filter.h>
@@ -13,23 +13,23 @@ enum class Syscalls {
   // files. System calls that honest student code never needs (see `denied_syscall`) raise SIGSYS, so that the
   // worker can report them.
   compute,
-  // The same for a process that hears of SIGSYS (stopped_calls.h). Nothing blocks that signal: calls that
-  // block signals raise it, too. So do exit codes above 127, which would read like the end by a signal.
+  // The same for a process that handles SIGSYS (stopped_calls.h). Nothing blocks that signal: calls that
+  // block signals raise it, too. So do exit codes above 127, which look like an end by a signal.
   worker,
-  // The additional needs of a compiler and a linker: processes and files.
+  // Also has what a compiler and a linker need: processes and files.
   toolchain,
 };
 
 // Puts this process and all its later children under the filter permanently. Throws std::runtime_error.
 void restrict_syscalls(Syscalls kept);
 
-// The filter program on a descriptor, for bwrap's --seccomp (close-on-exec; the caller closes it).
+// Returns the filter program on a descriptor, for bwrap's --seccomp (close-on-exec; the caller closes it).
 int syscall_filter_descriptor(Syscalls kept);
 
-// The same as instructions, for the system call `seccomp`.
+// Returns the filter as instructions for the system call `seccomp`.
 std::vector<sock_filter> syscall_filter(Syscalls kept);
 
-// A phrase for the intention of a system call, as in "to open a network connection".
+// Returns a phrase for the intention of a system call, as in "to open a network connection".
 const char* denied_syscall(int number);
 
 }  // namespace grader::sandbox

@@ -1,5 +1,5 @@
-// STAFF ONLY. The list of system calls, one by one: each that an attack uses goes through without the filter,
-// or fails for a reason of its own; the filter stops it. So a call that leaves the list fails a test here.
+// STAFF ONLY. Tests system calls one by one: each call that an attack uses works without the filter, or fails
+// for a reason of its own; the filter stops it. A call that leaves the list fails a test here.
 #include "grader/sandbox/syscalls.h"
 
 #include <errno.h>
@@ -35,11 +35,11 @@ namespace {
 
 using std::string;
 
-// What became of a call, in a process of its own.
+// Describes the result of a call, in a process of its own.
 struct Tried {
-  int signal = 0;        // that ended the process
+  int signal = 0;        // ended the process, if not 0
   bool trapped = false;  // it raised SIGSYS
-  int error = 0;         // errno; 0: it went through
+  int error = 0;         // is errno; 0: the call worked
 
   bool operator==(const Tried&) const = default;
 };
@@ -56,13 +56,13 @@ constexpr Tried failed(int error) {
 }
 
 volatile sig_atomic_t trapped = 0;
-constexpr int kHeardOfATrap = 127;  // no errno here is so large, and a worker's filter lets it pass
+constexpr int kHeardOfATrap = 127;  // no errno is so large, and a worker's filter allows it
 
 void on_trap(int /*signal*/, siginfo_t* /*info*/, void* /*context*/) {
   trapped = 1;
 }
 
-// A child makes the call, with the filter or without, and reports by its exit code.
+// Makes the call in a child, with the filter or without. The child reports by its exit code.
 Tried attempt(const std::function<long()>& call, std::optional<Syscalls> filter) {
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork");
@@ -86,8 +86,8 @@ Tried attempt(const std::function<long()>& call, std::optional<Syscalls> filter)
   return {0, was_trapped, was_trapped ? 0 : WEXITSTATUS(status)};
 }
 
-// A call with arguments that do nothing, or that the kernel refuses: nothing here changes the machine if
-// there is no filter.
+// A call has arguments that do nothing, or that the kernel refuses: it changes nothing on the machine even
+// without a filter.
 struct Call {
   string name;
   std::array<long, 6> arguments = {};
@@ -99,7 +99,7 @@ struct Call {
   }
 };
 
-// A process that a call may have started ends at once, and its starter waits for it.
+// A process that the call started ends at once, and its starter waits for it.
 long start(const std::function<long()>& call) {
   const long child = call();
   if (child == 0) _exit(0);
@@ -108,9 +108,9 @@ long start(const std::function<long()>& call) {
 }
 
 const auto kNowhere = reinterpret_cast<long>("/nowhere/at/all");
-constexpr long kBad = -1;  // a descriptor that is not open, or flags that nobody knows
+constexpr long kBad = -1;  // is a closed descriptor, or unknown flags
 
-// Raise SIGSYS under Syscalls::compute, whatever their arguments.
+// These raise SIGSYS under Syscalls::compute, whatever their arguments.
 const std::vector<Call>& trapping() {
   static const std::vector<Call> calls = {
       // connections
@@ -183,7 +183,7 @@ const std::vector<Call>& trapping() {
       {"init_module", {0, 0, 0}},
       {"finit_module", {kBad, 0, kBad}},
       {"kexec_load", {0, 1 << 20, 0, kBad}},
-      {"reboot", {0, 0, 0, 0}},  // none of its magic numbers
+      {"reboot", {0, 0, 0, 0}},  // has no magic number
       {"setuid", {kBad}},
       {"setgid", {kBad}},
       {"setresuid", {kBad, kBad, kBad}},
@@ -197,7 +197,7 @@ const std::vector<Call>& trapping() {
 TEST(ComputeFilter, TrapsEachCallThatHonestCodeNeverMakes) {
   for (const Call& call : trapping()) {
     SCOPED_TRACE(call.name);
-    if (call.number() < 0) continue;  // this architecture does not have it
+    if (call.number() < 0) continue;  // this architecture lacks it
     EXPECT_EQ(attempt(call, Syscalls::compute), kTrapped);
     const Tried free = attempt(call, {});
     EXPECT_FALSE(free.trapped) << "something else stops it: this test shows nothing";
@@ -205,7 +205,7 @@ TEST(ComputeFilter, TrapsEachCallThatHonestCodeNeverMakes) {
   }
 }
 
-// Those that are denied for some arguments, with these.
+// These are denied for some arguments, as listed here.
 const std::vector<std::pair<string, std::function<long()>>>& conditional() {
   constexpr long kThread = CLONE_VM | CLONE_FS | CLONE_FILES | CLONE_SIGHAND | CLONE_THREAD | CLONE_SYSVSEM |
                            CLONE_SETTLS | CLONE_PARENT_SETTID | CLONE_CHILD_CLEARTID;
@@ -216,13 +216,13 @@ const std::vector<std::pair<string, std::function<long()>>>& conditional() {
       {"fork", [] { return start([] { return syscall(SYS_fork); }); }},
       {"vfork",
        [] {
-         const pid_t child = vfork();  // NOLINT: the call itself is what is tried
+         const pid_t child = vfork();  // NOLINT: this call is under test
          if (child == 0) _exit(0);
          if (child > 0) waitpid(child, nullptr, 0);
          return static_cast<long>(child);
        }},
       {"clone, a process", [] { return start([] { return syscall(SYS_clone, SIGCHLD, 0, 0, 0, 0); }); }},
-      // Without CLONE_SIGHAND the kernel refuses threads.
+      // The kernel refuses threads without CLONE_SIGHAND.
       {"clone, CLONE_VFORK", raw(SYS_clone, (kThread | CLONE_VFORK) & ~CLONE_SIGHAND, 0, 0, 0, 0)},
       {"clone, CLONE_UNTRACED", raw(SYS_clone, (kThread | CLONE_UNTRACED) & ~CLONE_SIGHAND, 0, 0, 0, 0)},
       {"clone, a namespace", raw(SYS_clone, CLONE_NEWUSER | CLONE_FS, 0, 0, 0, 0)},
@@ -251,8 +251,8 @@ TEST(ComputeFilter, TrapsArgumentsThatHonestCodeNeverGives) {
   }
 }
 
-// What a worker's filter stops beside that: popen makes a pipe first, signals hide what is tried, and so do
-// some exit codes.
+// A worker's filter stops these, too: popen makes a pipe first, and signals and some exit codes hide an
+// attempt.
 const std::vector<Call>& trapping_in_workers() {
   static std::uint64_t mask = 0;
   static const auto set = reinterpret_cast<long>(&mask);
@@ -294,7 +294,7 @@ TEST(ComputeFilter, EveryCallThatIsReportedIsTried) {
     }
 }
 
-// Not on any list: they fail with EPERM, which they don't without the filter.
+// Calls on no list fail with EPERM under the filter, and not without it.
 TEST(ComputeFilter, RefusesWhatNobodyHasListed) {
   std::array<int, 2> two{};
   std::array<char, 512> room{};
@@ -395,15 +395,15 @@ TEST(ComputeFilter, KnowsNoClone3) {
 }
 
 #if defined(__x86_64__)
-// The kernel's other doors have other numbers: the same number would be another call.
+// The kernel's other interfaces have other numbers: the same number would be another call.
 TEST(ComputeFilter, EndsAProcessThatKnocksOnAnotherDoor) {
   const auto door_of_32_bits = [] {
-    long result = 20;  // getpid
+    long result = 20;  // is getpid
     asm volatile("int $0x80" : "+a"(result) : : "memory");
     return result < 0 ? 0L : result;
   };
   const auto door_of_x32 = [] { return syscall(0x40000000 + SYS_getpid); };
-  // A kernel without this door ends who knocks on it by itself.
+  // A kernel without this interface ends the process itself.
   const Tried of_32_bits = attempt(door_of_32_bits, {});
   const bool there = of_32_bits.signal != SIGSEGV;
   for (const Syscalls kept : {Syscalls::compute, Syscalls::toolchain}) {
@@ -415,7 +415,7 @@ TEST(ComputeFilter, EndsAProcessThatKnocksOnAnotherDoor) {
 }
 #endif
 
-// It is no use if honest code does not run.
+// The filter must let honest code run.
 TEST(ComputeFilter, LetsHonestCodeRun) {
   const auto honest = []() -> long {
     int sum = 0;
@@ -436,7 +436,7 @@ TEST(ComputeFilter, LetsHonestCodeRun) {
   EXPECT_EQ(attempt(aborts, Syscalls::compute).signal, SIGABRT);
 }
 
-// Compilers start processes and write files. The rest of the machine is none of their business.
+// Compilers start processes and write files. They need nothing else of the machine.
 TEST(ToolchainFilter, RefusesWhatACompilerNeverNeeds) {
   const std::set<string> kept = {"execve",    "unlink",   "unlinkat", "rename", "renameat",  "renameat2",
                                  "mkdir",     "mkdirat",  "rmdir",    "chmod",  "fchmod",    "fchmodat",

@@ -1,4 +1,4 @@
-// STAFF ONLY. Looks for what the system's compiler and programs consist of.
+// STAFF ONLY. Finds the files of the system's compiler and programs.
 #include "grader/sandbox/system_mounts.h"
 
 #include <dlfcn.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Folders of /usr/include that belong to the C and C++ libraries.
+// True for folders of /usr/include that belong to the C and C++ libraries.
 bool is_standard(const std::string& folder) {
   static const std::set<std::string> names = {
       "c++",     "linux",   "asm-generic", "asm",       "bits",      "sys",      "gnu",       "net",
@@ -37,7 +37,7 @@ std::vector<Mount> existing(std::initializer_list<const char*> folders) {
   return mounts;
 }
 
-// What a program of the system's says.
+// Returns the output of a program of the system.
 std::string answer_of(const std::vector<std::string>& words) {
   Pipe output = make_pipe();
   const pid_t process =
@@ -48,7 +48,7 @@ std::string answer_of(const std::vector<std::string>& words) {
   return said;
 }
 
-// Lines "NAME => PATH (ADDRESS)" or "PATH (ADDRESS)".
+// Reads lines "NAME => PATH (ADDRESS)" or "PATH (ADDRESS)".
 std::set<fs::path> libraries_of(const std::vector<fs::path>& programs) {
   std::vector<std::string> words = {"/usr/bin/ldd"};
   for (const fs::path& program : programs) words.push_back(program);
@@ -59,7 +59,7 @@ std::set<fs::path> libraries_of(const std::vector<fs::path>& programs) {
   return libraries;
 }
 
-// Files and folders, each where it is, with the links that lead there.
+// Collects files and folders, each in its place, with the links that lead there.
 class Files {
  public:
   Files() {
@@ -84,7 +84,7 @@ class Files {
   std::set<fs::path> added_;
 };
 
-// The folders of one kind where a compiler looks: a line "KIND: =FOLDER:FOLDER...".
+// Reads the folders of one kind where a compiler looks: a line "KIND: =FOLDER:FOLDER...".
 std::vector<fs::path> search_folders(const fs::path& compiler, const std::string& kind) {
   std::istringstream lines(answer_of({compiler.string(), "-print-search-dirs"}));
   std::vector<fs::path> folders;
@@ -97,7 +97,7 @@ std::vector<fs::path> search_folders(const fs::path& compiler, const std::string
   return folders;
 }
 
-// The compiler's own programs and objects, and what it links each library with.
+// Lists the compiler's own programs and objects, and those that it links each library with.
 std::vector<Mount> files_of_toolchain() {
   const fs::path compiler = system_compiler();
   std::vector<fs::path> programs = {compiler};

@@ -1,5 +1,5 @@
-// STAFF ONLY. What cages need of the system, as mounts. In namespaces whole folders are mounted; where each
-// file has to be copied or linked, the files alone that are used.
+// STAFF ONLY. Lists what sandboxes need of the system, as mounts. In namespaces whole folders are mounted; in
+// a container, which copies or links each file, only the necessary files.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,23 @@
 
 namespace grader::inline sandbox {
 
-// This program's own C++ library and libseccomp: all that a worker needs.
+// Holds this program's own C++ library and libseccomp: a worker needs no others.
 std::vector<Mount> runtime_library_mounts();
 
-// The libraries that programs are linked with, or all.
+// Holds the libraries of these programs, or all.
 std::vector<Mount> library_mounts(Isolation kind, const std::vector<std::filesystem::path>& programs);
 
-// The compiler and linker, without any headers.
+// Holds the compiler and linker, without any headers.
 std::vector<Mount> toolchain_mounts(Isolation kind = Isolation::namespaces);
 
-// The headers of the C and C++ libraries, and those in `folders` of /usr/include; no other installed headers.
+// Holds the headers of the C and C++ libraries, and `folders` of /usr/include; no other installed headers.
 std::vector<Mount> header_mounts(Isolation kind, const std::filesystem::path& empty_folder,
                                  const std::vector<std::string>& folders = {});
 
-// Programs, by their paths, with their libraries. All of their places, as links lead from one to the next.
+// Holds programs, by their paths, with their libraries, and all links on the way.
 std::vector<Mount> program_mounts(const std::vector<std::filesystem::path>& programs);
 
-// /usr/bin/g++, or the compiler that there is, without links. Throws BadInput.
+// Returns /usr/bin/g++, or else another compiler, without links. Throws BadInput.
 std::filesystem::path system_compiler();
 
 }  // namespace grader::sandbox

@@ -1,4 +1,4 @@
-// STAFF ONLY. A process of ours that is forked from one with threads: until it ends it makes system calls
+// STAFF ONLY. Runs in a process that is forked from one with threads: until its end it makes system calls
 // only, and allocates nothing.
 #include "grader/sandbox/warden.h"
 
@@ -28,7 +28,7 @@ struct Taken {
 
 using Text = std::array<char, 1024>;
 
-// The beginning of a file in /proc/PROCESS; empty if there is none.
+// Reads the beginning of a file in /proc/PROCESS; empty if there is none.
 const char* read_of(pid_t process, const char* name, Text& text) {
   std::snprintf(text.data(), text.size(), "/proc/%d/%s", process, name);
   const int file = open(text.data(), O_RDONLY | O_CLOEXEC);
@@ -45,7 +45,7 @@ const char* after_last(const char* text, char letter) {
   return found;
 }
 
-// Those of a process's first thread.
+// Visits the children of a process's first thread.
 template <class Do>
 void for_each_child(pid_t process, const Do& act) {
   std::array<char, 32> name;
@@ -59,13 +59,13 @@ void for_each_child(pid_t process, const Do& act) {
   }
 }
 
-// What a process and all below it have taken, with those that have ended.
+// Adds the CPU time and memory of a process and all below it, also of those that have ended.
 void add_taken(pid_t process, int deepest, Taken& sum) {
   Text text;
-  // "PROCESS (NAME) STATE ...", and a name may hold parentheses.
+  // The line is "PROCESS (NAME) STATE ...", and a name may hold parentheses.
   const char* fields = after_last(read_of(process, "stat", text), ')');
   if (fields == nullptr) return;
-  constexpr int kCpu = 14, kCpuEnd = 18, kResident = 24;  // numbers of fields, see proc(5)
+  constexpr int kCpu = 14, kCpuEnd = 18, kResident = 24;  // are numbers of fields, see proc(5)
   static const double kTick = 1.0 / static_cast<double>(sysconf(_SC_CLK_TCK));
   static const auto kPage = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   for (int field = 3; *fields != '\0'; ++field) {
@@ -82,8 +82,8 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// Ends all processes of a user, as that user, whose processes can't end the one that does it: its real user
-// is another.
+// Ends all processes of a user from a child with the same effective user. Its real user is another, so that
+// they can't end it.
 void end_all_of(uid_t user) {
   const pid_t ender = fork();
   if (ender == 0) {
@@ -95,7 +95,7 @@ void end_all_of(uid_t user) {
   }
 }
 
-// All that this process has got from others that ended.
+// Ends all children, also those that this process has adopted.
 void end_children() {
   for_each_child(getpid(), [](pid_t child) { kill(child, SIGKILL); });
 }
@@ -122,7 +122,7 @@ struct Watch {
     take_leave_of_all(limits.user);
     rusage used{};
     getrusage(RUSAGE_CHILDREN, &used);
-    // A killed namespace's kernel forgets what its last processes took: what was seen of them counts.
+    // A killed namespace may lose the times of its last processes: the times seen before count.
     found.cpu_seconds = std::max(found.cpu_seconds, seconds_of(used.ru_utime) + seconds_of(used.ru_stime));
     (void)!write(kReport, &found, sizeof found);
     _exit(0);
@@ -131,7 +131,7 @@ struct Watch {
  private:
   enum : int { kControl = 3, kReport = 4 };
 
-  // Pipes of the run and of others would not end while this process had them.
+  // Pipes of this and other runs would stay open while this process held them.
   void keep_only_ours() const {
     const int one = fcntl(control, F_DUPFD_CLOEXEC, 16), other = fcntl(report, F_DUPFD_CLOEXEC, 16);
     dup2(one, kControl);
@@ -194,7 +194,7 @@ RunReport Warden::wait() {
   ssize_t size;
   do size = read(report_.get(), &told, sizeof told);
   while (size < 0 && errno == EINTR);
-  if (size != sizeof told) {  // somebody has ended the warden
+  if (size != sizeof told) {  // the supervisor was killed
     told.status = SIGKILL;
     if (user_ != 0) end_all_of(user_);
   }

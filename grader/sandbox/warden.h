@@ -1,6 +1,6 @@
 // STAFF ONLY. The process between the grader and a run. It starts the run's first process, counts what all
-// processes of the run take, ends them all and takes leave of each: a grader may be a container's first
-// process, or below one that takes leave of nobody. If the grader is gone, it ends the run, too.
+// processes of the run take, ends them all and waits for each: the grader may be a container's first process,
+// or a child of one that waits for nobody. If the grader is gone, it ends the run, too.
 #pragma once
 
 #include <sys/types.h>
@@ -12,16 +12,16 @@
 
 namespace grader::inline sandbox {
 
-// Of all processes of a run together; 0: no limit.
+// Bounds all processes of a run together; 0: no limit.
 struct RunLimits {
   double cpu_seconds = 0;
   std::size_t resident_bytes = 0;
   uid_t user = 0;  // all processes of this user belong to the run; 0: it shares its user with others
 };
 
-// How a run ended.
+// Describes how a run ended.
 struct RunReport {
-  int status = 0;  // of the first process, as waitpid tells it
+  int status = 0;  // is the first process's, as from waitpid
   double cpu_seconds = 0;
   bool over_cpu = false, over_memory = false;
 };
@@ -34,11 +34,11 @@ class Warden {
   Warden(const Warden&) = delete;
   Warden& operator=(const Warden&) = delete;
 
-  pid_t process() const { return process_; }           // the run's first
+  pid_t process() const { return process_; }           // is the run's first
   const Descriptor& ended() const { return report_; }  // readable once nothing of the run is left
   void end() { control_.close(); }
 
-  RunReport wait();  // until it has ended
+  RunReport wait();  // returns at its end
 
  private:
   Descriptor control_, report_;

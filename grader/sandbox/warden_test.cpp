@@ -1,4 +1,4 @@
-// STAFF ONLY. Who is ended, when, and that nobody is left, tried with a shell and its children.
+// STAFF ONLY. Tests that the supervisor ends the right processes in time and leaves none.
 #include "grader/sandbox/warden.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, WardenTest, testing::Values(Isolation::namespace
 
 class ContainerWardenTest : public ContainerTest {};
 
-// A child of the run, in a session of its own, is not left behind, and nobody is found dead.
+// A child of the run with its own session is ended, too, and no dead process stays.
 TEST_F(ContainerWardenTest, EndsWhatItsRunsLeave) {
   cage_.syscalls.reset();
   const pid_t left = std::atoi(shell("setsid sleep 1000 > /dev/null & echo $!").output.c_str());
@@ -36,7 +36,7 @@ TEST_F(ContainerWardenTest, EndsWhatItsRunsLeave) {
   EXPECT_EQ(errno, ESRCH);
 }
 
-// Gone, or dead and not yet taken leave of by whoever got it.
+// True if the process is gone, or dead and its new parent has not waited for it yet.
 bool is_dead(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string number, name, state;
@@ -48,7 +48,7 @@ bool dies(pid_t process) {
   return is_dead(process);
 }
 
-// Without a control group, which would end all that is in it.
+// Runs without a control group, which would end all processes in it.
 TEST_P(WardenTest, EndsWhatAKilledWardenLeaves) {
   Pipe output = make_pipe();
   CagedProcess process(cage_, {"/usr/bin/bash", "-c", "sleep 1000 & echo inside; wait"}, -1, -1,

@@ -13,18 +13,18 @@ namespace {
 
 constexpr double kWindow = 0.25, kWindowAtTheEnd = 0.05;
 
-// What it takes at most, on each answer, until a process that sleeps runs again, its and ours. It is in no
-// clock of the kernel's.
+// Waking up a sleeping process takes this long at most: the worker's and ours together, for each answer. No
+// clock of the kernel counts it.
 constexpr double kWakeUp = 50e-6;
 
-// Whether a thread has waited for a processor all the time: the kernel counts that when the wait is over.
+// True if a thread has waited for a processor all the time: the kernel counts a wait only at its end.
 bool waits(const CagedProcess::Activity::Busy& since, const CagedProcess::Activity& now) {
   const bool runnable =
       std::ranges::any_of(now.busy, [](const auto& thread) { return thread.second.runnable; });
   return runnable && since.computed <= 0 && since.queued <= 0;
 }
 
-// How long this thread has been ready to run without a processor. 0 if the kernel does not tell.
+// Returns how long this thread has been ready without a processor, or 0 if the kernel does not report it.
 double own_delay_seconds() {
   std::ifstream file("/proc/thread-self/schedstat");
   double computed = 0, delayed = 0;
@@ -49,7 +49,7 @@ CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
 Watchdog::Watchdog(const CagedProcess& process, Patience patience)
     : process_(process), patience_(patience), own_delay_(own_delay_seconds()) {}
 
-// It says something, so its own code runs.
+// A message shows that the worker's own code runs.
 void Watchdog::greets() {
   if (!started_) waited_ = postponed_ = woken_ = 0;
   started_ = true;
@@ -57,7 +57,7 @@ void Watchdog::greets() {
 
 void Watchdog::look() {
   CagedProcess::Activity now = process_.activity();
-  // Once it has started, what is seen instead of it is one of those that made its cage: it has ended.
+  // A started worker that is no longer found has ended; the process found in its place made its sandbox.
   if (!now.alive || (started_ && !now.started)) return;
   const CagedProcess::Activity::Busy busy = busy_between(last_, now);
   if (waits(busy, now)) {
@@ -68,7 +68,7 @@ void Watchdog::look() {
   started_ = now.started;
   if (started_ && !now.busy.empty()) {
     const double idle = waited_ - woken_ - busy.computed - busy.queued - (own_delay - own_delay_);
-    // A wait for a processor that began before the last look is counted now, and was taken for idling then.
+    // A wait for a processor that began before the last look is counted now, but was taken for idling then.
     idle_ = std::max(0.0, idle_ + std::max(idle, -busy.queued));
   }
   own_delay_ = own_delay;

@@ -1,5 +1,5 @@
-// STAFF ONLY. What the watchdog ends, and what it leaves alone: processes of all kinds, on an idle and on a
-// busy machine.
+// STAFF ONLY. Tests that the watchdog ends idle processes of all kinds and leaves busy ones alone, on an idle
+// and on a busy machine.
 #include "grader/sandbox/watchdog.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@
 namespace grader::inline sandbox {
 namespace {
 
-// A process that never answers, and a watchdog that waits for it.
+// A process never answers, and a watchdog waits for it.
 class Waiting {
  public:
   explicit Waiting(const std::vector<std::string>& command, Watchdog::Patience patience,
                    Isolation isolation = isolation_for_tests())
       : process_(cage(isolation), command, -1, -1, -1), watchdog_(process_, patience) {}
 
-  // Until the patience is used up.
+  // Waits until the patience is used up.
   const Watchdog& wait() {
     EXPECT_FALSE(watchdog_.wait_for(silence_.read_end.get(), POLLIN));
     return watchdog_;
@@ -56,7 +56,7 @@ TEST(Watchdog, EndsWhatSleeps) {
   EXPECT_GT(watchdog.idle_seconds(), 0.6);
 }
 
-// The kernel calls this state D, as if it waited for a disk.
+// The kernel calls this state D, like a wait for a disk.
 TEST(Watchdog, EndsWhatWaitsForAChildThatSharesItsMemory) {
   Waiting waiting({HAIR_IDLER, "vfork"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 200},
                   Isolation::none);
@@ -77,7 +77,7 @@ TEST(Watchdog, EndsWhatComputesForever) {
   EXPECT_LT(watchdog.cpu_seconds(), 1);
 }
 
-// A machine on which everybody has to wait for a processor.
+// All processes of this machine wait for a processor.
 class BusyMachine {
  public:
   BusyMachine() {
@@ -92,7 +92,7 @@ class BusyMachine {
   std::vector<std::jthread> others_;
 };
 
-// To wait there is no idling.
+// A wait there is not idling.
 TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
   const BusyMachine busy;
   Waiting computing(kComputes, {.idle_seconds = 0.6, .cpu_seconds = 0.4, .wall_seconds = 600});
@@ -101,7 +101,7 @@ TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
   EXPECT_LT(watchdog.idle_seconds(), 0.3);
 }
 
-// Neither is it idle while its answer is there, and we have no processor to read it.
+// The time until we get a processor to read its answer is not idling either.
 TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   const BusyMachine busy;
   Cage cage;
@@ -112,7 +112,7 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
                     from.write_end.get(), -1);
   Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
   for (int i = 0; i < 100; ++i) {
-    // Who computes a lot is let wait when it has something to do again.
+    // The scheduler makes a process wait for new work after it has computed a lot.
     for (const double start = timing::cpu_seconds(); timing::cpu_seconds() < start + 0.004;) {
     }
     char letter = 'a';
@@ -147,7 +147,7 @@ TEST(Watchdog, TakesNoWakingUpForIdling) {
   EXPECT_LT(watchdog.idle_seconds(), 5e-6 * kAnswers);
 }
 
-// It says something that nobody asked for, after a nap of 50 us each.
+// The process writes unasked messages, with a nap of 50 us before each.
 TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
   Cage cage;
   cage.isolation = Isolation::none;
@@ -182,7 +182,7 @@ TEST(Watchdog, CountsWaitsOfThirtyThreadsOnce) {
     before.busy[thread] = {.computed = 1, .queued = 2};
     after.busy[thread] = {.computed = 1.001, .queued = 2 + 0.01 * thread};
   }
-  after.busy[31] = {.computed = 0.002, .queued = 0.1};  // it began in between
+  after.busy[31] = {.computed = 0.002, .queued = 0.1};  // this wait began in between
   const CagedProcess::Activity::Busy busy = busy_between(before, after);
   EXPECT_NEAR(busy.computed, 0.032, 1e-12) << "on several processors at once";
   EXPECT_NEAR(busy.queued, 0.3, 1e-12);
@@ -198,7 +198,7 @@ TEST(Watchdog, CountsWhatIdlesBeforeItsEnd) {
   EXPECT_GT(watchdog.idle_seconds(), 0.5);
 }
 
-// Whatever the kernel counts, at some time it is enough.
+// Any worker has waited enough at some time, whatever the kernel counts.
 TEST(Watchdog, EndsWhatTakesTooLong) {
   Waiting computing(kComputes, {.idle_seconds = 5, .cpu_seconds = 50, .wall_seconds = 0.5});
   EXPECT_STREQ(computing.wait().why(), "out of time");

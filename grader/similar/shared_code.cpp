@@ -1,4 +1,4 @@
-// STAFF ONLY. From runs of tokens to pairs, to groups and to what many share.
+// STAFF ONLY. Finds pairs, groups and common pieces in runs of tokens.
 #include "grader/similar/shared_code.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string readable(std::string text) {
   return text;
 }
 
-// Leaves what a file has of its own. Given runs of one file in several given texts may overlap: a line counts
+// Keeps only a file's own lines. Given runs of one file in several given texts may overlap: a line counts
 // once.
 void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vector<std::string>& given,
                  int least) {
@@ -44,14 +44,14 @@ void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vec
 }
 
 // sim's time grows with the square of a text that repeats itself, and of a quote that never ends, for each
-// other text. So each file is first compared with a text that nothing resembles: honest ones take
+// other text. So each file is first compared with a text that nothing resembles: honest files take
 // milliseconds. Ten copies of a file take up to a hundred times as long.
 constexpr std::size_t kAtOnce = 100, kCopies = 10;
 constexpr int kProbeSeconds = 1, kRepeatsSeconds = 4;
 constexpr const char* kProbe =
     "int f(int a) { return a + 1; }\nint g(int b) { while (b) b = b - 2; return 3 * b; }\n";
 
-// By text; -1 if sim does not read it in this time.
+// Returns counts by text; -1 if sim does not read it in this time.
 std::vector<int> tokens_of(const Sim& sim, const std::vector<std::string>& texts, int run_tokens) {
   std::vector<int> tokens;
   const auto count = [&](const std::vector<std::string>& some) {
@@ -74,8 +74,7 @@ std::vector<int> tokens_of(const Sim& sim, const std::vector<std::string>& texts
   return tokens;
 }
 
-// A text that repeats itself is slow with another one that repeats the same, such as itself with a token
-// more.
+// True if sim is slow with this text and a similar one, such as the same text with one more token.
 bool repeats_itself(const Sim& sim, const std::string& text, int run_tokens) {
   try {
     sim.matches({text, text + "\nint\n"}, {}, run_tokens, kRepeatsSeconds);
@@ -101,7 +100,7 @@ bool is_of_many(const OwnersByLine& owners, Lines lines, std::size_t many) {
   return true;
 }
 
-// Each piece is told once, of the first who has it.
+// Reports each piece once, in the file of its first owner.
 std::vector<CommonPiece> common_pieces(const std::vector<OwnersByLine>& owners, std::size_t many) {
   std::vector<CommonPiece> pieces;
   for (std::size_t file = 0; file < owners.size(); ++file) {
@@ -161,7 +160,7 @@ SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,
   std::vector<std::string> own = texts_of(kept);
   blank_given(sim, own, given, rules.given_tokens);
   for (std::size_t i = 0; i < kept.size(); ++i) shared.own[kept[i]] = std::move(own[i]);
-  leave_out(rules.least_tokens);  // a comment's beginning may be among what was blanked
+  leave_out(rules.least_tokens);  // the blanked text may have held a comment's beginning
 
   std::vector<Match> all;
   const auto compare = [&](const std::vector<std::size_t>& some, const std::vector<std::size_t>& with,

@@ -1,9 +1,9 @@
-// STAFF ONLY. Code that hand-ins of one exercise share beyond what everybody was given.
+// STAFF ONLY. Code that hand-ins of one exercise share beyond the given code.
 //
-// Lines that stand in given texts (stubs, samples) are blanked first: they are no part of what is compared,
-// nor of the whole that parts are taken of. A pair's part is the larger one of "this much of mine is in
-// yours" and "of yours in mine", so that a copy in a longer text counts in full. It is a hint for a person:
-// two who solve the same short task write similar code.
+// Lines of given texts (stubs, samples) are blanked first: they count neither as shared nor as a part of the
+// whole. A pair's part is the larger one of "this much of mine is in yours" and "of yours in mine", so that a
+// copy in a longer text counts in full. It is a hint for a person: two who solve the same short task write
+// similar code.
 #pragma once
 
 #include <string>
@@ -14,19 +14,19 @@
 namespace grader::inline similar {
 
 struct SimilarFile {
-  std::string name, text;  // whose, and their file
-  std::string shown = {};  // as people read the name; "": as it is
-  bool earlier = false;    // of an earlier year: not compared with others of these
+  std::string name, text;  // are the owner's, and the file's text
+  std::string shown = {};  // is the name for people; "": `name`
+  bool earlier = false;    // from an earlier year: not compared with others of these
 };
 
 struct SimilarRules {
-  double least_part = 0.6;  // of a pair that is told
-  int run_tokens = 24;      // of a run between two hand-ins
-  int given_tokens = 12;    // of a run that was given: a loop's head has 13
+  double least_part = 0.6;  // selects the reported pairs
+  int run_tokens = 24;      // is for runs between two hand-ins
+  int given_tokens = 12;    // is for given runs: a loop's head has 13
   int least_tokens = 60;    // shorter files can't be compared: they are alike by chance
   int most_tokens = 20000;  // ten times the longest honest file; two of them take sim a second
-  std::size_t many = 5;     // so many people that a piece belongs to many
-  int cpu_seconds = 600;  // of a comparison; after a fifth of it, files that repeat themselves are looked for
+  std::size_t many = 5;     // a piece of this many people is common
+  int cpu_seconds = 600;    // limits a comparison; a fifth of it passes before a search for repetitive files
 };
 
 struct SharedBlock {
@@ -34,16 +34,16 @@ struct SharedBlock {
   int tokens = 0;
 };
 
-// Two hand-ins, by their places in the list. The blocks are those of the one who has the larger part, `one`.
+// Names two hand-ins by their places in the list. The blocks are those in `one`, which has the larger part.
 struct SharedPair {
   std::size_t one = 0, other = 0;
-  double part = 0;  // of one's own tokens
-  int tokens = 0;   // that both have
-  int of_many = 0;  // of these, what many have
+  double part = 0;  // is a share of the owner's tokens
+  int tokens = 0;   // counts common ones
+  int of_many = 0;  // counts those in common pieces
   std::vector<SharedBlock> blocks;
 };
 
-// A piece that many have: where it stands in the file of the first of them, and who they are.
+// Is a piece that many have: its place in the file of its first owner, and all owners.
 struct CommonPiece {
   Lines lines;
   std::vector<std::size_t> owners;
@@ -52,17 +52,17 @@ struct CommonPiece {
 struct NotCompared {
   std::size_t file = 0;
   std::string why;
-  bool too_short = false;  // nothing to look at
+  bool too_short = false;  // there is nothing to compare
 };
 
 struct SharedCode {
-  std::vector<std::string> own;   // the texts without what was given: its lines are empty
+  std::vector<std::string> own;   // have empty lines for given ones
   std::vector<SharedPair> pairs;  // the largest parts first
   std::vector<CommonPiece> common;
   std::vector<NotCompared> not_compared;
 };
 
-// Groups of three and more who are joined by pairs.
+// Returns groups of three and more people who are connected by pairs.
 std::vector<std::vector<std::size_t>> groups_of(const SharedCode& shared, std::size_t files);
 
 SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,

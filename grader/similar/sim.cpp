@@ -1,4 +1,4 @@
-// STAFF ONLY. Starts sim, and reads what it prints.
+// STAFF ONLY. Starts sim, and reads its output.
 #include "grader/similar/sim.h"
 
 #include <regex>
@@ -26,7 +26,7 @@ Lines lines(const std::string& first, const std::string& last) {
   return {std::stoi(first), std::stoi(last)};
 }
 
-// "File 3: 522 tokens, 65 lines" and "3: line 5-20  |7: line 8-23[114]"; all else is no news.
+// Reads "File 3: 522 tokens, 65 lines" and "3: line 5-20  |7: line 8-23[114]"; ignores other lines.
 Matches read(const std::string& output, std::size_t texts) {
   static const std::regex kFile(R"(File (\d+): (\d+) tokens.*)");
   static const std::regex kRun(R"((\d+): line (\d+)-(\d+) *\|(\d+): line (\d+)-(\d+) *\[(\d+)\])");

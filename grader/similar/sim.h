@@ -1,6 +1,6 @@
 // STAFF ONLY. Finds runs of equal tokens in C++ sources with sim, Debian's similarity-tester. To sim all
-// names are equal, and so are all numbers and all texts; layout and comments don't exist. It reads what
-// strangers have written, so it runs in a cage.
+// names are equal, and so are all numbers and all texts; layout and comments don't count. It reads strangers'
+// texts, so it runs in a sandbox.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,10 @@
 namespace grader::inline similar {
 
 struct Lines {
-  int first = 0, last = 0;  // from 1 on; both belong to it
+  int first = 0, last = 0;  // from 1 on, both included
 };
 
-// A run of tokens of one text that stands in another one, too. The runs of a text in one other text don't
-// overlap.
+// Is a run of tokens of one text that another one has, too. A text's runs in one other text don't overlap.
 struct Match {
   std::size_t text = 0, other = 0;
   Lines lines, other_lines;
@@ -26,7 +25,7 @@ struct Match {
 };
 
 struct Matches {
-  std::vector<int> tokens;  // of each text; -1: sim could not read it
+  std::vector<int> tokens;  // has one for each text; -1: sim could not read it
   std::vector<Match> all;   // between two texts in both directions
 };
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Pages that accuse nobody: they show two texts, and a person decides.
+// STAFF ONLY. Writes pages that accuse nobody: they show two texts, and a person decides.
 #include "grader/similar/similar_pages.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::vector<std::string> split(const std::string& text) {
   return lines;
 }
 
-// One text with its numbers. A line that the other has, too, is marked, and a line that was given is pale.
+// Writes one text with its numbers. Lines that the other one has, too, are marked, and given lines are pale.
 Html source(const std::string& text, const std::string& own, const std::vector<Lines>& shared) {
   const std::vector<std::string> lines = split(text), left = split(own);
   Html all;

@@ -1,5 +1,5 @@
-// STAFF ONLY. What hand-ins share, as pages for staff: OUT/index.html, and OUT/S1-alice-bob.html with both
-// sources side by side.
+// STAFF ONLY. Shared code on pages for staff: OUT/index.html, and OUT/S1-alice-bob.html with both sources
+// side by side.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct SimilarExercise {
   SharedCode shared;
 };
 
-// So many pairs of an exercise are shown; further ones are counted. Who is in a pair is in a group, or shown.
+// Bounds the shown pairs of an exercise; others are counted. Each person of a pair is in a group, or shown.
 inline constexpr std::size_t kMostPairs = 100;
 
 // Throws BadInput if they can't be written.

@@ -1,5 +1,5 @@
-// STAFF ONLY. Copies that are renamed, laid out anew and put in another order are found; others' own
-// solutions are not; what was given counts nowhere; what many share is told, and so is who was not compared.
+// STAFF ONLY. Tests that copies with other names, layout and order are found, and independent solutions are
+// not; given code counts nowhere; common pieces and files that were not compared are reported.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string stub_of(const std::string& file) {
                         unwritten_file_of(*std::ranges::find(course().exercises, file, &Exercise::file)));
 }
 
-// Right solutions that differ, by exercise file: the reference and the samples'.
+// Lists right solutions that differ, by exercise file: the reference and the samples'.
 std::map<std::string, std::vector<SimilarFile>> honest_files() {
   std::map<std::string, std::vector<SimilarFile>> files;
   for (const Exercise& exercise : course().exercises) {
@@ -47,8 +47,8 @@ std::map<std::string, std::vector<SimilarFile>> honest_files() {
   return files;
 }
 
-// A copyist's work: every name that is not the language's gets another one, all comments go, and each line is
-// cut in other places.
+// Acts like a copyist: it changes every name that is not the language's, removes all comments, and breaks
+// lines in other places.
 std::string renamed_and_laid_out(const std::string& text) {
   static const std::set<std::string> kept{"int",  "float",  "double", "const",   "for",       "if",
                                           "else", "return", "while",  "include", "namespace", "std",
@@ -79,7 +79,7 @@ std::string renamed_and_laid_out(const std::string& text) {
   return out.append(at, bare.cend());
 }
 
-// Functions and other pieces at the outermost level, in the opposite order.
+// Reverses functions and other pieces at the outermost level.
 std::string in_another_order(const std::string& text) {
   std::vector<std::string> pieces(1);
   int depth = 0;
@@ -107,7 +107,7 @@ const SharedPair* pair_of(const SharedCode& shared, const std::vector<SimilarFil
   return found == shared.pairs.end() ? nullptr : &*found;
 }
 
-// Ten copies among all honest files that there are. Samples that began as one text are told, too: they are
+// Adds ten copies to all honest files. Samples that began as one text are reported, too, since they are
 // copies. Honest pairs of two files are accused, whose functions are short and dictated by the contract: the
 // four integrators, and implicit Euler.
 TEST_F(Similar, FindsTenCopiesAmongHonestFiles) {
@@ -146,8 +146,8 @@ TEST_F(Similar, FindsTenCopiesAmongHonestFiles) {
   EXPECT_EQ(found, 10U);
 }
 
-// A template that students edit matches again, and left in the denominator it would keep identical work below
-// 100 %.
+// A template that students edit matches again, and in the denominator it would keep identical work below 100
+// %.
 TEST_F(Similar, TakesOffWhatWasGiven) {
   const std::string stub = stub_of("conj_grad.cpp"), work = honest_files()["conj_grad.cpp"].front().text;
   const std::vector<SimilarFile> files{{"a", stub + work}, {"b", work + stub}, {"c", stub}, {"d", stub}};
@@ -175,7 +175,7 @@ TEST_F(Similar, TellsWhatManyShare) {
   EXPECT_EQ(shared.common.front().owners.size(), 6U);
 }
 
-// A padded copy is one: the part is that of the shorter text.
+// A padded copy is a copy: the part is that of the shorter text.
 TEST_F(Similar, FindsACopyInALongerFile) {
   const std::map<std::string, std::vector<SimilarFile>> honest = honest_files();
   const std::string work = honest.at("conj_grad.cpp").front().text,
@@ -185,8 +185,8 @@ TEST_F(Similar, FindsACopyInALongerFile) {
   EXPECT_EQ(shared.pairs.front().one, 1U);
 }
 
-// sim's time grows with the square of tokens that repeat themselves and of quotes that never end: hours for
-// these.
+// sim's time grows with the square of tokens that repeat themselves and of quotes that never end: these would
+// take hours.
 TEST_F(Similar, HostileFilesStopNobodyElse) {
   const std::string work = honest_files()["conj_grad.cpp"].front().text,
                     line = "double f(int a, int b, int c, int d) { return a + b + c + d; }";
@@ -231,7 +231,7 @@ TEST_F(Similar, FilesThatRepeatThemselvesStopNobodyElse) {
   EXPECT_EQ(left_out, (std::vector<std::string>{"c", "d"}));
 }
 
-// Last year's copies of each other are no news. A padded copy is found in either direction.
+// Last year's copies of each other are not reported. A padded copy is found in either direction.
 TEST_F(Similar, EarlierYearsAreComparedWithThisOneAlone) {
   const std::map<std::string, std::vector<SimilarFile>> honest = honest_files();
   const std::string work = honest.at("conj_grad.cpp").front().text,

@@ -1,4 +1,4 @@
-// STAFF ONLY. Draws the rooms, and the ways between them.
+// STAFF ONLY. Draws the folders, and the arrows between them.
 #include "grader/tests/architecture.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void draw(XmlWriter& xml, const Room& room) {
     say(xml, x + kWidth / 2, y + 20 + kLine * static_cast<double>(i + 1), room.lines[i], "middle");
 }
 
-// From (x, y) on: to the right, or down; with heads at one end or both.
+// Draws a line from (x, y) to the right, or down; with heads at one end or both.
 void draw_line(XmlWriter& xml, double x, double y, double to_x, double to_y, bool at_begin, bool at_end) {
   using hair::plot::pixels;
   xml.empty("path", {{"d", "M" + pixels(x) + " " + pixels(y) + "L" + pixels(to_x) + " " + pixels(to_y)},

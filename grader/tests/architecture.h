@@ -1,4 +1,4 @@
-// STAFF ONLY. The picture of grader/ARCHITECTURE.md: the rooms, and the data's way through them.
+// STAFF ONLY. The picture of grader/ARCHITECTURE.md: the folders, and the data's way through them.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 namespace grader {
 
 struct Room {
-  std::string folder;              // from the project's root
-  std::vector<std::string> lines;  // what it does
+  std::string folder;              // starts at the project's root
+  std::vector<std::string> lines;  // describe its work
   int column, row;
-  bool caged = false;  // meets strangers' bytes or code in a cage
+  bool caged = false;  // runs strangers' bytes or code in a sandbox
 };
 
-// Data goes from the one to the other. Rooms side by side, or one above the other.
+// Data goes from one to the other. Both stand side by side, or one above the other.
 struct Arrow {
-  std::string from, to;  // folders
+  std::string from, to;  // are folders
   std::string what;
   bool and_back = false;
 };
@@ -23,7 +23,7 @@ struct Arrow {
 const std::vector<Room>& rooms();
 const std::vector<Arrow>& arrows();
 
-// The picture, as SVG.
+// Returns the picture, as SVG.
 std::string architecture();
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. The picture of the rooms is the one that is drawn, and shows rooms that are there.
+// STAFF ONLY. Tests that the picture in the repository is the drawn one, and that its folders exist.
 #include "grader/tests/architecture.h"
 
 #include <gtest/gtest.h>

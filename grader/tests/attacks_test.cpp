@@ -1,7 +1,6 @@
-// STAFF ONLY. The attack corpus, graded place by place: what each attack gets and costs, and that it reaches
-// nobody. The environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of isolation. What was
-// graded is kept: a test that was interrupted goes on where it was, as long as hairgrade and its suite are
-// the same.
+// STAFF ONLY. Grades the attack corpus place by place, and tests each attack's points and costs, and that it
+// reaches no other submission. The environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of
+// isolation. Results are kept: an interrupted test goes on, as long as hairgrade and its suite are the same.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -41,7 +40,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// What attacks print, throw or claim in a worker.
+// Attacks print, throw or claim this text in a worker.
 const std::string kMarker = "hair-attack-says";
 
 std::string set_in(const char* variable, const char* such_as) {
@@ -84,12 +83,12 @@ double cpu_seconds_of_children() {
 
 struct ShardRun {
   int code = 0;
-  double cpu_seconds = 0;  // of all processes that it started, dead by now
-  int left_behind = 0;     // processes that still ran long after it had ended
+  double cpu_seconds = 0;  // sums all processes that it started and that have ended
+  int left_behind = 0;     // counts processes that still ran long after its end
 };
 
-// What it prints is added to the file `terminal`. This process adopts what hairgrade's processes leave
-// behind: so their time is known, and that they end.
+// The output is added to the file `terminal`. This process adopts processes that hairgrade leaves behind, so
+// that it can measure their time and see their end.
 ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const double before = cpu_seconds_of_children();
@@ -129,7 +128,7 @@ ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
   return run;
 }
 
-// Of what --resume does not look at: hairgrade and its suite as they were built.
+// Describes the parts that --resume does not compare: hairgrade and its suite.
 std::string version() {
   std::string all;
   for (const char* program : {HAIRGRADE, HAIR_SUITE_PROGRAM})
@@ -150,13 +149,13 @@ class AttackCorpus : public testing::Test {
         "--cache",     (folder() / "cache").string(),
         "--isolation", isolation(),
         "--secret",    HAIR_TEST_SECRET,
-        "--course",    HAIR_ATTACKS_COURSE,  // with less of a budget: it takes minutes
+        "--course",    HAIR_ATTACKS_COURSE,  // has a smaller budget: it takes minutes
         "--resume"};
     run_ = run_shard(words, folder() / "terminal");
     timing_ = json::parse(hair::bytes_of(grades() / "timing.json"), nullptr, false);
   }
 
-  // A container's kind never skips.
+  // The container's tests never skip.
   static std::string skipped() {
     return isolation() == to_string(Isolation::namespaces) ? why_not(Isolation::namespaces) : "";
   }
@@ -177,13 +176,13 @@ class AttackCorpus : public testing::Test {
 ShardRun AttackCorpus::run_;
 json AttackCorpus::timing_;
 
-// Both of what students get.
+// Reads both files for a student.
 std::vector<std::string> pages_of(const Sample& sample) {
   const fs::path of = grades() / submission_name(sample.name);
   return {hair::bytes_of(of / "report.html"), hair::bytes_of(of / "results.json")};
 }
 
-// Control characters but line feeds and tabs, in UTF-8 or not: what a terminal obeys.
+// Finds control characters except line feeds and tabs, in UTF-8 or not: terminals obey them.
 bool has_control_characters(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char letter) {
     const auto byte = static_cast<unsigned char>(letter);
@@ -191,7 +190,7 @@ bool has_control_characters(const std::string& text) {
   });
 }
 
-// No attack is a failure of the grader's own.
+// No attack makes the grader itself fail.
 TEST_F(AttackCorpus, IsGradedToItsEnd) {
   EXPECT_EQ(run_.code, 0);
   const std::string terminal = hair::bytes_of(folder() / "terminal");
@@ -250,7 +249,7 @@ TEST_F(AttackCorpus, CostsNobodyBesideItAnything) {
   EXPECT_GE(honest, 2);
 }
 
-// The reference's files beside an attack's own take their compiler's time in every submission.
+// Compiling the reference's files next to an attack takes time in every submission.
 bool has_reference(const Sample& sample, const Course& course, const std::string& exercise) {
   return !sample.attack->most_points_of.contains(exercise) &&
          std::ranges::any_of(sample.files, [&](const SampleFile& file) {
@@ -260,7 +259,7 @@ bool has_reference(const Sample& sample, const Course& course, const std::string
          });
 }
 
-// CPU seconds alone: a busy machine takes longer by the clock.
+// Bounds CPU seconds alone: a busy machine takes longer by wall time.
 TEST_F(AttackCorpus, TakesNoMoreTimeThanItMay) {
   ASSERT_TRUE(timing_.is_object());
   const Course course =
@@ -279,16 +278,16 @@ TEST_F(AttackCorpus, TakesNoMoreTimeThanItMay) {
           seconds += value.get<double>();
       idle += times.at("spent_idle_seconds").get<double>();
     }
-    // A worker is looked at four times a second. A compiler that is stopped at its share then frees what it
-    // held.
+    // The watchdog looks at a worker four times a second. A compiler that is stopped at its limit then frees
+    // its memory.
     const double stops = static_cast<double>(exercises.size());
     EXPECT_LE(idle, course.budget.idle_seconds + 0.25 * stops) << sample.name;
     EXPECT_LE(seconds, sample.attack->most_cpu_seconds + 0.1 * stops)
         << sample.name << ": " << sample.shows << "\n"
         << exercises;
   }
-  // With all that no file tells of: hairgrade and its suite, and the reference's files, which are compiled
-  // once in each build. The reference and those who are right take less than a minute.
+  // Adds parts without a file: hairgrade and its suite, and the reference's files, which are compiled once in
+  // each build. The reference and right submissions take less than a minute.
   EXPECT_LE(run_.cpu_seconds, bounds + 60);
   RecordProperty("cpu_seconds", std::to_string(run_.cpu_seconds));
 }
@@ -324,7 +323,7 @@ TEST_F(AttackCorpus, SaysNothingOnAStudentsPage) {
     }
 }
 
-// Of staff's pages, too.
+// The staff's pages have none either.
 TEST_F(AttackCorpus, WritesNoMarkupAndNoControlCharacters) {
   for (const Sample& sample : corpus()) {
     const fs::path staff = grades() / "staff" / (submission_name(sample.name) + ".html");

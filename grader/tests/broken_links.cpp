@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Finds links of pages that lead nowhere.
 #include "grader/tests/broken_links.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Links of pages, for tests.
+// STAFF ONLY. Finds broken links of pages, for tests.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,9 @@
 
 namespace grader {
 
-// Reads all pages of a folder, and follows what they link to and show: "index.html: staff/ada.html#S1" for
-// each place that is not there, or outside of the folder. Links to other sites and pictures inside of a page
-// are left out. A folder without pages is broken, too. Throws std::runtime_error for a page that is not well
-// formed.
+// Reads all pages of a folder, and follows their links and pictures: returns "index.html: staff/ada.html#S1"
+// for each target that is missing or outside of the folder. Links to other sites and pictures inside of a
+// page are left out. A folder without pages is broken, too. Throws std::runtime_error for a malformed page.
 std::vector<std::string> broken_links(const std::filesystem::path& folder);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests that broken links are found.
 #include "grader/tests/broken_links.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// STAFF ONLY. Other threads of the user that student code runs as, as a desktop has them: the kernel counts
-// them all together.
+// STAFF ONLY. Starts other threads of the user that runs student code, as a desktop has them: the kernel
+// counts them all together.
 #pragma once
 
 #include <signal.h>

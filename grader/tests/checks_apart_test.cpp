@@ -1,5 +1,5 @@
-// STAFF ONLY. Checks that crash, leave or never end take no other with them. This program is the broken
-// checks, too: it runs each of them as students' checks are run, and compares what became of them.
+// STAFF ONLY. Tests that checks that crash, leave or never end affect no other check. This program also holds
+// the broken checks: it runs each of them as a student's check, and compares their results.
 #include <gtest/gtest.h>
 
 #include <csignal>

@@ -1,6 +1,6 @@
-// STAFF ONLY. The sample class, graded once by another test: everybody gets what they must, nothing of the
-// staff's is on a student's page, and nothing outside of the sandbox has changed. The environment's
-// HAIR_CLASS names what was graded: "showcase", as without it, or "class".
+// STAFF ONLY. Tests the sample class, graded once by another test: all points are right, no student's page
+// has texts of the staff, and nothing outside of the sandbox has changed. The environment's HAIR_CLASS names
+// the class: "showcase", the default, or "class".
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST(SampleClass, HasAReportForEverySampleAndNobodyElse) {
   EXPECT_EQ(reports, expected);
 }
 
-// A student gets a folder, and nothing else of the class.
+// A student gets one folder, and nothing else of the class.
 TEST(SampleClass, HasPagesThatLeadToWhatIsThere) {
   EXPECT_EQ(broken_links(graded()), std::vector<std::string>());
   for (const Sample& sample : samples())
@@ -104,7 +104,7 @@ TEST(SampleClass, HasEveryStatus) {
 }
 
 TEST(SampleClass, AttacksCostNobodyElseAnything) {
-  // Attacks are in S1; S2 of the same submission is right, and graded as such beside it.
+  // Attacks are in S1; S2 of the same submission is right, and must be graded so.
   int attacks = 0;
   for (const Sample& sample : samples())
     if (sample.group.starts_with("attacks-on-") && sample.expected.at("S1").status != "passed") {
@@ -155,7 +155,7 @@ TEST(SampleClass, GradedAgainGivesTheSameBytes) {
   EXPECT_GE(files, 4);  // two for the student, two for staff
 }
 
-// With all pictures, but for those that others show, too, as they do the reference's.
+// Counts all pictures except those that others show, too, such as the reference's.
 TEST(SampleClass, NobodyTakesMoreThanAMegabyte) {
   std::map<std::string, std::size_t> shown_by, bytes;
   std::map<std::string, std::set<std::string>> pictures;

@@ -1,4 +1,4 @@
-// STAFF ONLY. hairgrade compare, as a TA meets it.
+// STAFF ONLY. Tests hairgrade compare as a TA uses it.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ class Comparing : public testing::Test {
     return path(name);
   }
 
-  // Two folders: one frame the same, one near, one far, and one in each that the other lacks.
+  // Makes two folders: one frame is the same, one near, one far, and each folder lacks one of the other's.
   void two_folders() const {
     put("a/frame-0001.png", frame(0));
     put("b/frame-0001.png", frame(0));
@@ -60,7 +60,7 @@ class Comparing : public testing::Test {
     return run_hairgrade(arguments);
   }
 
-  // Bad input: exit code 2, one line that holds these words, and nothing written.
+  // Expects exit code 2, one line with these words, and no files.
   void expect_refused(const std::vector<string>& arguments, const std::vector<string>& words) const {
     std::vector<string> with_out = arguments;
     if (std::find(arguments.begin(), arguments.end(), "--out") == arguments.end())
@@ -197,7 +197,7 @@ TEST_F(Comparing, TwoPicturesThatCanNotBeComparedAreRefused) {
   expect_refused({a, b}, {b, "is not a PNG picture"});
 }
 
-// Each row puts something else in the place of b's frame 2. The other frames are compared all the same.
+// Each row replaces b's frame 2. The other frames are compared all the same.
 TEST_F(Comparing, APictureThatCanNotBeComparedIsNamedAndWorst) {
   two_folders();
   const string bad = path("b/frame-0002.png"), whole = hair::bytes_of(bad);
@@ -259,7 +259,7 @@ TEST_F(Comparing, AFolderThatCanNotBeWrittenIsNamedAndWhatWasThereStays) {
   EXPECT_EQ(files(path("a")), before);
 }
 
-// A limit on files' sizes stands for a full disk.
+// A limit on files' sizes acts like a full disk.
 TEST_F(Comparing, AFullDiskIsNamedAndEarlierFilesStay) {
   two_folders();
   fs::create_directory(out());

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the public checks tell a student: the first failure, a place to look, names, and the
+// STAFF ONLY. Tests that the public checks show a student the first failure, a place to look, names, and the
 // categories at stake.
 #include "handout/check/digest.h"
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Each loss can be foreseen: a category has public checks, and a failure points to one of its
-// rows. The definition HAIR_CHECKS names the folder of the programs reference_ID_check.
+// STAFF ONLY. Tests that students can foresee each loss: a category has public checks, and a failure points
+// to one of its rows. The definition HAIR_CHECKS names the folder of the programs reference_ID_check.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMostRows = 3;
 
-// The rows that checks point to, by their suites: the property "row" of GoogleTest's report on the reference;
-// "": a check names none.
+// Returns the rows that checks point to, by their suites: the property "row" of GoogleTest's report on the
+// reference; "": a check names no row.
 std::map<std::string, std::set<std::string>> rows_by_suite(const std::string& exercise) {
   const hair::TemporaryFolder folder("foreseen");
   const std::string report = (folder.path() / "report.json").string();

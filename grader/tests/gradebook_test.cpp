@@ -1,4 +1,4 @@
-// STAFF ONLY. From a roster to a gradebook, by hairgrade.
+// STAFF ONLY. Tests the way from a roster to a gradebook, with hairgrade.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
   EXPECT_NE(csv.find("\r\nstubs,0,"), string::npos) << csv;
   EXPECT_NE(read("grades/index.html").find("Zoë"), string::npos);
 
-  // Another run of it keeps the roster.
+  // Another run of hairgrade keeps the roster.
   EXPECT_EQ(grade({"textbook"}, {}).code, 3);
   EXPECT_NE(read("grades/grades.csv").find(",Zoë,12,,,nothing handed in\r\n"), string::npos);
 
@@ -71,7 +71,7 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
             "Jörg\",4711,perfect,A,20\n\"Z, Zoë\",4712,gone,A,3\n");
   EXPECT_EQ(filled.output.find("1 grades in "), 0u) << filled.output;
 
-  // Grades go back as people decided them.
+  // Grades go back with people's decisions.
   const auto cell_after = [&](const std::vector<string>& decision, const string& cell = "",
                               const char* option = "--scale") {
     EXPECT_EQ(run_hairgrade(decision).code, 0) << decision.front();

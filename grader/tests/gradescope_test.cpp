@@ -1,5 +1,5 @@
-// STAFF ONLY. The package for Gradescope: it is made and unpacked, and its run_autograder grades a sample
-// with this build's hairgrade.
+// STAFF ONLY. Makes and unpacks the package for Gradescope; its run_autograder grades a sample with this
+// build's hairgrade.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -55,14 +55,14 @@ class GradescopePackage : public testing::Test {
     unpack(zip, place_ / "source");
   }
 
-  // A sample that loses some points. Who may have a class takes its two folders for one.
+  // This sample loses some points. Where classes are allowed, its two folders look like one.
   void put_sample() const {
     unpack(fs::path(HAIR_SAMPLE_CLASS) / "starts-from-x.zip", place_ / "submission/some folder");
     fs::create_directories(place_ / "submission/other folder");
     std::ofstream(place_ / "submission/other folder/normal_equations.cpp") << "\n";
   }
 
-  // As the platform starts it, but for the places.
+  // Starts it as the platform does, but in other folders.
   int run_autograder() const {
     string script = hair::bytes_of(place_ / "source/run_autograder");
     const auto replace = [&](const string& what, const string& by) {
@@ -101,13 +101,13 @@ TEST_F(GradescopePackage, HoldsSourcesAndTwoScriptsAndNothingThatWasBuilt) {
   EXPECT_EQ(hair::bytes_of(source / "run_autograder").find("--leaderboard"), string::npos);
 }
 
-// Before the deadline there is nothing in it that a student could take out.
+// Before the deadline the package holds nothing that a student must not see.
 TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
   pack({"--checks-only"});
   const fs::path source = place_ / "source", project = HAIR_PROJECT;
   EXPECT_FALSE(fs::exists(source / "secret"));
   for (const Exercise& exercise : read_course(project / "handout/exercises.json").exercises) {
-    // S1 alone is asked for; students have the others, solved.
+    // Only S1 must be written; students get the others solved.
     const fs::path from = exercise.id == "S1" ? unwritten_file_of(exercise) : solution_of(exercise);
     EXPECT_EQ(hair::bytes_of(source / "hair" / solution_of(exercise)), hair::bytes_of(project / from));
     for (const auto& file : fs::directory_iterator(source / "hair/reference" / exercise.id))
@@ -124,7 +124,7 @@ TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
   EXPECT_NE(hair::bytes_of(source / "run_autograder").find("hairchecks\""), string::npos);
 }
 
-// The place where the platform lays a hand-in is one student's, whatever folders are in it.
+// The platform's folder of a hand-in is one student's, whatever folders it has.
 TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
   pack({"--leaderboard"});
   put_sample();
@@ -134,7 +134,7 @@ TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
   EXPECT_EQ(results()["extra_data"]["student"], "7");
   EXPECT_EQ(results()["output"].get<string>().find("Not graded"), string::npos) << results()["output"];
 
-  // The same file as the submission "7" of a class.
+  // This is the same file as the submission "7" of a class.
   fs::create_directories(folder_.path() / "7");
   fs::copy_file(place_ / "submission/some folder/conj_grad.cpp", folder_.path() / "7/conj_grad.cpp");
   const ProgramRun graded = run_hairgrade({"grade", folder_.path() / "7", "--out", folder_.path() / "grades",

@@ -1,4 +1,4 @@
-// STAFF ONLY. hairgrade as a person meets it: options, errors, reruns, interruptions.
+// STAFF ONLY. Tests hairgrade as a person uses it: options, errors, reruns, interruptions.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -37,7 +37,7 @@ fs::path exercises_json() {
   return fs::path(HAIR_PROJECT) / "handout" / "exercises.json";
 }
 
-// A course where all but S1 and S2 is given.
+// Makes a course in which all but S1 and S2 is given.
 nlohmann::json two_exercises() {
   nlohmann::json roles;
   for (const Exercise& exercise : read_course(exercises_json()).exercises)
@@ -45,8 +45,8 @@ nlohmann::json two_exercises() {
   return {{"exercises", roles}};
 }
 
-// A course of S1 and S2, where nothing else is asked for. Its secret and its cache are the same for all
-// tests: none but the first compiles and draws, whichever that is.
+// Is a course of S1 and S2 alone. All tests share its secret and its cache, so that only the first one
+// compiles and draws.
 class Hairgrade : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -74,7 +74,7 @@ class Hairgrade : public testing::Test {
     return run_hairgrade(arguments, meanwhile, script);
   }
 
-  // `other-order`, graded once for all tests, copied to out() as an earlier run of this one.
+  // Copies `other-order`, graded once for all tests, to out(), like an earlier run of this test.
   void earlier_run() const {
     const fs::path graded = course_ / "graded";
     if (!fs::exists(graded)) {
@@ -83,7 +83,7 @@ class Hairgrade : public testing::Test {
     fs::copy(graded, out(), fs::copy_options::recursive);
   }
 
-  // Bad input: exit code 2, one line that holds these words, and nothing written.
+  // Expects exit code 2, one line with these words, and no files.
   void expect_refused(const ProgramRun& run, const std::vector<string>& words) const {
     EXPECT_EQ(run.code, 2) << run.errors;
     EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
@@ -97,7 +97,7 @@ class Hairgrade : public testing::Test {
     return (folder_ / name).string();
   }
 
-  // What a submission of the sample class has for an exercise.
+  // Returns a sample's code for an exercise.
   string code_of(const string& name, const string& file) const {
     const Course course = read_course(exercises_json());
     for (const char* ending : {"", ".zip", ".tar.gz"})
@@ -138,8 +138,8 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   EXPECT_EQ(run_hairgrade({"--help"}).code, 0);
 }
 
-// Strays, names that clash and archives beside exercise files: a line each, exit code 3, and all else is
-// graded.
+// Each stray, name that clashes and archive beside exercise files has a line; the exit code is 3, and the
+// rest is graded.
 TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   const fs::path everybody = folder_ / "class";
   for (const char* name : {"x", "alice"}) {
@@ -210,7 +210,7 @@ TEST_F(Hairgrade, RefusesAShortOrMissingSecret) {
                  {"/no/secret"});
 }
 
-// In another shell, too, whose limits, signals and environment would change what is found.
+// Another shell, with other limits, signals and environment, gives the same results.
 TEST_F(Hairgrade, GivesTheSameBytesAgain) {
   const string other_shell =
       "ulimit -S -v 8000000 -d 4000000 -s 512 -t 900 -n 40; umask 777; trap '' CHLD XCPU PIPE ALRM;\n"
@@ -247,7 +247,7 @@ TEST_F(Hairgrade, RefusesAMachineWhoseHardLimitsAreBelowTheNeed) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-// Of one student, whose archive looks like a class.
+// This archive of one student looks like a class.
 TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   earlier_run();
   const string before = hair::bytes_of(fs::path(out()) / "grades.csv");
@@ -278,7 +278,7 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 0);
 }
 
-// The clock is no judge: a person is told, and asked to grade again. It does not end the reference, which
+// The clock decides no points: a person reads of it, and grades again. It does not end the reference, which
 // takes a second.
 TEST_F(Hairgrade, ListsWhatTheClockEnded) {
   nlohmann::json course = two_exercises();
@@ -306,7 +306,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume"});
   EXPECT_NE(again.output.find("0 graded, 1 kept"), string::npos) << again.output;
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
-  // The same name with other bytes.
+  // This submission has the same name with other bytes.
   fs::create_directory(folder_ / "other-order");
   std::ofstream(folder_ / "other-order" / "conj_grad.cpp") << code_of("entry-test-inverted", "conj_grad.cpp");
   const ProgramRun other =
@@ -314,7 +314,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
 }
 
-// A bug in every exercise that has a run, so that all pictures differ from the reference's.
+// A bug in every exercise with a run makes all pictures differ from the reference's.
 TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
   const std::map<string, string> bugs = {
       {"conj_grad.cpp", "entry-test-inverted"},      {"normal_equations.cpp", "perfect"},
@@ -370,7 +370,7 @@ TEST_F(Hairgrade, KeepsTheOtherExercisesOfAnEarlierRun) {
 }
 
 TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
-  // Outside of the sandbox the staff's files can be included; that object must not serve a run inside.
+  // Outside of the sandbox this file can include the staff's files; its object must not be used inside.
   fs::create_directory(folder_ / "thief");
   std::ofstream(folder_ / "thief" / "conj_grad.cpp")
       << "#include \"" HAIR_PROJECT "/reference/S1/conj_grad.cpp\"\n";
@@ -396,7 +396,7 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const string everybody = (folder_ / "class").string();
   add("stubs");
   ASSERT_EQ(grade({everybody, "--out", out()}).code, 0);
-  // One at a time: `sleeps` would sleep until the watchdog comes, and `stubs` is not reached.
+  // Submissions run in turn: `sleeps` would sleep until the watchdog ends it, and `stubs` is not reached.
   add("other-order");
   fs::create_directories(folder_ / "class" / "sleeps");
   std::ofstream(folder_ / "class" / "sleeps" / "conj_grad.cpp")
@@ -408,7 +408,7 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](const RunningProgram& grades) {
     EXPECT_TRUE(grades.wait_until([&] { return fs::exists(first); }));
     EXPECT_NE(hair::bytes_of(page).find("(UTC) and has not ended: 0 of 3 hand-ins are done"), string::npos);
-    kill(-grades.process, SIGINT);  // as Ctrl-C does, to all that runs
+    kill(-grades.process, SIGINT);  // like Ctrl-C, goes to all processes
   });
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_NE(run.errors.find("interrupted after 1 of 3"), string::npos) << run.errors;

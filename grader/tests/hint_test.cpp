@@ -1,5 +1,5 @@
-// STAFF ONLY. Hints of the public checks: a mistake that numbers show is named, and other numbers get no
-// hint.
+// STAFF ONLY. Tests hints of the public checks: a mistake that numbers show is named, and other numbers get
+// no hint.
 #include "handout/check/hint.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class Hints : public testing::Test {
   std::string told(const Numbers& actual, const Numbers& expected, int block = 1) {
     return hint(actual, expected, kBound, block);
   }
-  // Off by rounding, as right results are.
+  // Right results are off by rounding.
   Numbers times(double factor, Numbers all) {
     for (double& value : all) value *= factor * (1 + 1e-14 * normal_(random_));
     return all;
@@ -152,8 +152,7 @@ TEST_F(Hints, NameNumbersThatAreStillThoseOfTheCheck) {
   EXPECT_EQ(told(actual, expected), "") << "a number may be 1000";
 }
 
-// Noise, and results that are off by a little in all entries, say nothing. What is right says nothing,
-// either.
+// Noise gives no hint, nor do results with small errors in all entries, nor right results.
 TEST_F(Hints, AreSilentWhereNothingIsClear) {
   for (int repeat = 0; repeat < 1000; ++repeat) {
     const Numbers expected = numbers(3 + repeat % 20);

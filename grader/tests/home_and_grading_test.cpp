@@ -1,5 +1,5 @@
-// STAFF ONLY. The same file, built as a student builds it in an unpacked handout, and as it is graded: it
-// builds in both or in neither, and for the same reason.
+// STAFF ONLY. Builds the same file as a student does in an unpacked handout, and as grading does: both
+// succeed or both fail, for the same reason.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -29,7 +29,7 @@ struct Ran {
   std::string output;
 };
 
-// With the environment of a shell that has just been opened.
+// Runs a command with the environment of a new shell.
 Ran run(const std::string& command, const fs::path& folder = "/") {
   FILE* pipe =
       popen(("cd '" + folder.string() + "' && exec env -i PATH=\"$PATH\" " + command + " 2>&1").c_str(), "r");
@@ -55,10 +55,10 @@ class HomeAndGrading : public testing::Test {
     return hair::bytes_of(kProject / solution_of(exercise(id)));
   }
 
-  // A folder of the build, without the handout's path.
+  // Is a folder of the build, without the handout's path.
   static fs::path handout() { return both_->handout; }
 
-  // With the library of `target`, "student" or "checked", the one with sanitizers.
+  // Links the library of `target`, "student" or "checked", which has sanitizers.
   static Ran at_home(const std::string& id, const std::string& source,
                      const std::string& target = "student") {
     std::ofstream(both_->handout / "student" / exercise(id).file) << source;
@@ -78,7 +78,7 @@ class HomeAndGrading : public testing::Test {
     EXPECT_FALSE(graded.object.empty()) << graded.messages << graded.log;
   }
 
-  // Both say `reason`.
+  // Expects that both fail with `reason`.
   static void builds_in_neither(const std::string& id, const std::string& source, const std::string& reason,
                                 const std::string& target = "student") {
     const Ran home = at_home(id, source, target);
@@ -115,7 +115,7 @@ TEST_F(HomeAndGrading, AHeaderIsFoundHoweverItsPathIsWritten) {
   builds_in_both("S1", lines + reference("S1"));
 }
 
-// What lies in a student's folder and is not handed in, and what the machine has beside the standard library.
+// Neither finds files of a student's folder that are not handed in, or the machine's other libraries.
 TEST_F(HomeAndGrading, AnotherFileIsFoundInNeither) {
   const fs::path student = handout() / "student";
   for (const fs::path& file :
@@ -132,19 +132,19 @@ TEST_F(HomeAndGrading, AnotherFileIsFoundInNeither) {
         "\"gtest/gtest.h\"", "<gtest/gtest.h>", "<eigen3/Eigen/Core>", "<nlohmann/json.hpp>"}) {
     SCOPED_TRACE(path);
     const std::string name = std::string(path + 1).substr(0, std::strlen(path) - 2);
-    // Behind what is not looked at, and so that nothing depends on a first line.
+    // These stand behind code that is skipped, so that nothing depends on a first line.
     builds_in_neither("S1",
                       "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#endif\n" + reference("S1") +
                           "#include " + path + "\n",
                       name + ": No such file or directory");
   }
-  // A line that the compiler does not read costs nothing.
+  // A line that the compiler skips costs nothing.
   builds_in_both("S1", "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#include <gtest/gtest.h>\n#endif\n" +
                            reference("S1"));
   fs::remove_all(handout().parent_path() / "beside");
 }
 
-// The functions that a library defines for others, as the linker calls them.
+// Lists the functions that a library defines for others, by the linker's names.
 std::set<std::string> functions_of(const fs::path& archive) {
   std::set<std::string> names;
   const Ran listed = run("nm --defined-only --extern-only --format=posix '" + archive.string() + "'");
@@ -156,14 +156,14 @@ std::set<std::string> functions_of(const fs::path& archive) {
   return names;
 }
 
-// A table of their addresses.
+// Writes a table of their addresses.
 std::string naming(const std::set<std::string>& functions) {
   std::string text = "asm(\".pushsection .data\\n\"\n";
   for (const std::string& name : functions) text += "\".quad " + name + "\\n\"\n";
   return text + "\".popsection\");\n";
 }
 
-// Each function that a header of the given code declares and that is defined elsewhere is one of a library's.
+// Each declared function of the given headers that is defined elsewhere belongs to a library.
 TEST_F(HomeAndGrading, EveryFunctionOfTheGivenLibrariesIsLinked) {
   const fs::path given = handout() / "build/given";
   ASSERT_TRUE(at_home("P1", reference("P1")).well);
@@ -183,9 +183,9 @@ TEST_F(HomeAndGrading, EveryFunctionOfTheGivenLibrariesIsLinked) {
 TEST_F(HomeAndGrading, WhatNoLibraryHasIsNamed) {
   const std::string nowhere = "\nint nowhere(double);\nint asks_nowhere() { return nowhere(1); }\n";
   builds_in_neither("S1", reference("S1") + nowhere, "nowhere(double)");
-  // As check-S1 builds it.
+  // check-S1 links so.
   builds_in_neither("S1", reference("S1") + nowhere, "nowhere(double)", "checked");
-  // Given code that hairlab has, and an exercise that this one does not need.
+  // These are given code of hairlab, and an exercise that this one does not need.
   builds_in_neither("P1",
                     "#include \"solver/symmetric_eigen.h\"\n" + reference("P1") +
                         "auto asks() { return &solver::symmetric_eigenvalues; }\n",
@@ -195,7 +195,7 @@ TEST_F(HomeAndGrading, WhatNoLibraryHasIsNamed) {
       "ConjGrad(int, implicitMatrix*, double*, double*, double, int*)");
 }
 
-// Constants among them, by which solutions size their memory.
+// Among them are constants by which solutions size their memory.
 TEST_F(HomeAndGrading, EachHeaderHasTheSameBytesInBoth) {
   const auto headers_of = [](const fs::path& top) {
     std::map<std::string, std::string> headers;
@@ -212,7 +212,7 @@ TEST_F(HomeAndGrading, EachHeaderHasTheSameBytesInBoth) {
   EXPECT_EQ(graded.size(), home.size());
 }
 
-// What code may ask of the compiler's options. An assert holds in both or in neither.
+// Code may ask for the compiler's options. An assert holds in both or in neither.
 TEST_F(HomeAndGrading, TheCompilerIsAskedForTheSame) {
   const std::string source =
       "#if defined NDEBUG || !defined __OPTIMIZE__ || !defined __PIC__ || !defined __STRICT_ANSI__ || "
@@ -226,7 +226,7 @@ TEST_F(HomeAndGrading, TheCompilerIsAskedForTheSame) {
   EXPECT_FALSE(sanitised.object.empty()) << sanitised.messages << sanitised.log;
 }
 
-// What S1's file returns that forgets to set its result, and what the compiler says of it.
+// An S1 that forgets to set its result returns the same value in both, with the same warning.
 TEST_F(HomeAndGrading, AVariableThatNobodySetsHoldsTheSameInBoth) {
   const std::string source =
       "#include \"solver/linearSolver.h\"\n"
@@ -257,7 +257,7 @@ TEST_F(HomeAndGrading, AVariableThatNobodySetsHoldsTheSameInBoth) {
   }
 }
 
-// In the lecture's first program, which prints x and the steps. A worker's memory is filled_blocks_test's.
+// The lecture's first program prints x and the steps. filled_blocks_test tests a worker's memory.
 TEST_F(HomeAndGrading, AProgramAtHomeFillsMemoryAsTheWorkerDoes) {
   const std::string source =
       "#include \"solver/linearSolver.h\"\n#include <vector>\n"

@@ -1,4 +1,4 @@
-// STAFF ONLY. Draws wrong programs, has them judged, and counts.
+// STAFF ONLY. Draws wrong programs, lets the judge grade them, and counts.
 #include "grader/tests/mutants_found.h"
 
 #include <gtest/gtest.h>
@@ -22,9 +22,9 @@ namespace {
 constexpr std::size_t kLeastWrong = 40;
 
 struct Mutant {
-  std::string name;  // of the submission
+  std::string name;  // is the submission's
   Mutation mutation;
-  bool known = false;  // to be right
+  bool known = false;  // known to be right
   Judged judged = {};
 };
 
@@ -36,7 +36,7 @@ std::string in_words(const Exercise& exercise, const std::string& source, const 
   return words.str();
 }
 
-// Half of the cases of its ordinary work fail: of the lost category that weighs most.
+// Returns true if half of its ordinary cases fail, in the lost category that weighs most.
 bool is_of_no_use(const std::vector<CaseResult>& lost) {
   const CaseResult& ordinary = *std::ranges::max_element(lost, {}, &CaseResult::max_points);
   return 2 * ordinary.held <= ordinary.cases;
@@ -55,9 +55,9 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
   struct Programs {
     int all = 0, of_no_use = 0;
   };
-  std::map<std::size_t, Programs> losing;  // wrong programs by the number of categories that they lose
+  std::map<std::size_t, Programs> losing;  // wrong programs by the number of lost categories
   std::size_t tried = 0, wrong = 0, found = 0, equivalent = 0, broken = 0;
-  // As many as are missing at once: others take the place of those that do not compile or are known.
+  // Takes all missing programs at once, to replace those that do not compile or are known.
   while (wrong < count && tried < order.size()) {
     std::vector<Mutant> mutants;
     for (; mutants.size() < count - wrong && tried < order.size(); ++tried) {
@@ -96,7 +96,7 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       }
     }
   }
-  // A short solution has no more: then most of them compile.
+  // A short solution has no more mutants: then most of them compile.
   EXPECT_TRUE(wrong >= std::min(kLeastWrong, count) || (tried == order.size() && wrong + equivalent > broken))
       << "too few that compile: " << wrong;
   std::printf("%s: of %zu wrong programs %zu are found (%.1f %%); %zu are equivalent, %zu do not compile\n",

@@ -1,6 +1,6 @@
-// STAFF ONLY. Wrong programs that are made of an exercise's solution, and a judge that should find each. The
-// environment's HAIR_MUTANTS says how many are tried (40), HAIR_MUTANTS_SEED which (1); HAIR_TOLD names a
-// folder for what was changed in each.
+// STAFF ONLY. Makes wrong programs of an exercise's solution, which a judge should find. The environment's
+// HAIR_MUTANTS sets their number (40), HAIR_MUTANTS_SEED the seed (1); HAIR_TOLD names a folder for each
+// program's change.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace grader {
 
-// Of the file `source` of the submission `name`. Threads call it side by side, with different names.
+// Judges the file `source` of the submission `name`. Threads call it in parallel, with different names.
 using Judge = std::function<Judged(const std::string& name, const std::string& source)>;
 
 // Fails for a wrong program that the judge gives all points, and for a right one
-// (reference/<ID>/equivalents.json) that loses some. `advice` says in a failure what to do about a wrong one
-// that is not found.
+// (reference/<ID>/equivalents.json) that loses some. A failure says `advice` about a wrong program that was
+// not found.
 void expect_mutants_found(const Exercise& exercise, const Judge& judge, const std::string& advice);
 
 }  // namespace grader

@@ -1,6 +1,6 @@
-// STAFF ONLY. The suite as a classifier: wrong programs, made of the reference by one small change each, lose
-// points. The environment's HAIR_EXERCISE names the exercise. Objects are kept: a test that was interrupted
-// compiles nothing twice.
+// STAFF ONLY. Tests the suite as a classifier: wrong programs, made of the reference by one small change
+// each, lose points. The environment's HAIR_EXERCISE names the exercise. Objects are kept: an interrupted
+// test compiles nothing twice.
 #include <gtest/gtest.h>
 
 #include <filesystem>

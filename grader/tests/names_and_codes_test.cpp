@@ -1,5 +1,5 @@
-// STAFF ONLY. Staff read names of people beside the folders' names; where grading is blind they read codes,
-// and no name in any file or line that is for them.
+// STAFF ONLY. Tests that staff read people's names next to the folders' names; in blind grading they read
+// codes, and no file or line for them has a name.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -32,7 +32,7 @@ class NamesAndCodes : public testing::Test {
                  (root_ / "cache").string(), "--course", (root_ / "course.json").string(), "--no-images"});
     return run(more);
   }
-  // A class whose files don't compile: that takes no time.
+  // Writes a class whose files don't compile, which saves time.
   void write_class() const {
     fs::create_directory(root_ / "class");
     nlohmann::json roles;
@@ -50,7 +50,7 @@ class NamesAndCodes : public testing::Test {
                                            "Erika\",em1234,A\n4712047120,\"Zucker, Zoë\",zz,B\n"
                                            "4714047140,\"Weg, Walter\",ww9999,A\n";
   }
-  // By path, but for the record's own.
+  // Reads files by path, except the record's own.
   std::map<string, string> files() const {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(out_))
@@ -136,7 +136,7 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
     EXPECT_TRUE(fs::exists(out_ / file)) << file;
   EXPECT_EQ(fs::status(out_ / kRecordFile).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 
-  // It stays so, with the same codes; commands take these.
+  // It stays blind, with the same codes; commands take these.
   const ProgramRun second = grade({"--resume"});
   EXPECT_EQ(second.code, 3) << second.errors;
   look(second.output + second.errors, "the second terminal");

@@ -1,5 +1,5 @@
-// STAFF ONLY. One folder of grades, several graders: who come at once, who are killed, who grade by other
-// rules.
+// STAFF ONLY. Tests several graders of one folder of grades: they start at once, are killed, or grade by
+// other rules.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -35,7 +35,7 @@ int lines_with(const string& text, const string& words) {
   return lines;
 }
 
-// S2 alone and without pictures, so that a submission takes a second.
+// Grades S2 alone and without pictures, so that a submission takes a second.
 class OneFolder : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -63,7 +63,7 @@ class OneFolder : public testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     return run_hairgrade(words, meanwhile);
   }
-  // All but times and the record, which has times, too.
+  // Reads all files except times and the record, which has times, too.
   static std::map<string, string> files(const fs::path& folder) {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -83,7 +83,7 @@ class OneFolder : public testing::Test {
   fs::path out_ = temporary_.path() / "grades";
 };
 
-// The first is stopped where it has graded one of three, while the others come; then it is killed.
+// The first grader is stopped after one of three submissions while the others start; then it is killed.
 TEST_F(OneFolder, FourAtOnceOfWhichOneIsKilledLoseNothing) {
   const std::vector<string> first = {"other-order", "perfect", "textbook"};
   const std::array<string, 3> others = {"stubs", "segfault", "prints-success"};

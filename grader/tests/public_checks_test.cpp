@@ -1,12 +1,12 @@
-// STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise
-// fails that exercise's public checks (handout/exercises/<ID>/check.cpp), and one that gets all of them
-// passes them. So do the wrong programs that are made of the reference: tests of the reference need not ask
-// what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one sample
-// alone. HAIR_TOLD names a folder that keeps what the checks tell of each program that fails them.
+// STAFF ONLY. Tests that the public checks find what the hidden ones find: a sample that loses points in an
+// exercise fails that exercise's public checks (handout/exercises/<ID>/check.cpp), and one with full points
+// passes them. So do the wrong programs that are made of the reference: the reference's tests need not repeat
+// these checks. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE a single sample.
+// HAIR_TOLD names a folder that keeps the checks' output for each program that fails them.
 //
-// A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in
-// another. Wrong ones that they do not catch are compiled once more with sanitizers, as students' checks are:
-// these take longer, and tell more of memory errors alone. What was compiled is kept.
+// A sample's file is compiled and linked as for grading, in a sandbox, and the public checks run with it in
+// another. Wrong ones that pass are compiled once more with sanitizers, as students' checks are: these take
+// longer, and only find more memory errors. Compiled files are kept.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
@@ -35,26 +35,25 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 
-// A sample that loses points in an exercise and passes its public checks.
+// Is a sample that loses points in an exercise and passes its public checks.
 struct Exception {
   std::string_view exercise, sample, why;
 };
 
-// None. What has a place here is a bug that a whole run or its pictures alone show, or one that takes longer
+// There are no exceptions. One may be a bug that only a whole run or its pictures show, or that takes longer
 // than checks may.
 constexpr std::array<Exception, 0> kExceptions{};
 
-// What a submission can be that was compiled and ran. The others have no place here: what is not there, is
-// the stub, or does not compile has nothing to check, and what the sandbox forbids costs nothing outside of
-// it.
+// These are statuses of submissions that were compiled and ran. A missing file, a stub, or one that does not
+// compile has nothing to check, and things that the sandbox forbids cost nothing outside of it.
 const std::set<std::string> kLosesPoints = {"partly", "wrong", "crashed", "timed out", "out of memory"};
 
 struct Program {
-  std::string name, source;  // of the sample that has it first
+  std::string name, source;  // belong to the first sample with it
   bool right;
 };
 
-// The exercise's files of the class, each once. Attacks are aimed at the grader, not at the contract.
+// Lists the class's files of the exercise, each once. Attacks are left out: they aim at the grader.
 std::vector<Program> programs_of(const Exercise& exercise) {
   std::vector<Program> programs;
   const std::string only = environment("HAIR_SAMPLE", "");
@@ -77,7 +76,7 @@ std::vector<Program> programs_of(const Exercise& exercise) {
 
 struct Checked {
   bool ran = false, passed = false;
-  std::string output;  // if it did not pass
+  std::string output;  // is set if it did not pass
 };
 
 class PublicChecks : public testing::Test {
@@ -85,10 +84,10 @@ class PublicChecks : public testing::Test {
   const Course course_ = read_course(kProject / "handout/exercises.json");
   const std::string id_ = environment("HAIR_EXERCISE", "");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  // Where the class or mutants were graded here, they have the same files.
+  // If the class or mutants were graded here, their caches have the same files.
   const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", isolation_for_tests()};
   const Compiler mutants_{kit_, fs::path(HAIR_GRADED) / "mutants", isolation_for_tests()};
-  // Copied, for the sandbox's user may not read where the project lies.
+  // This is a copy, since the sandbox's user may not read the project's folder.
   const fs::path checks_ = kit_.new_job("checks");
 
   void SetUp() override {
@@ -124,7 +123,7 @@ class PublicChecks : public testing::Test {
         cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
       cage.limits.memory_of_group = true;
       cage.limits.memory_bytes *= 2;
-      inner.memory_bytes = std::size_t{1} << 46;  // of addresses
+      inner.memory_bytes = std::size_t{1} << 46;  // is for addresses
     }
     const fs::path log = job / "log";
     const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));

@@ -1,4 +1,4 @@
-// STAFF ONLY. Commands that read and change the record of a class, from outside.
+// STAFF ONLY. Tests the commands that read and change the record of a class, from outside.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::string;
 
-// Everything that names a student names this one by a word that stands nowhere else.
+// All texts about a student have a word that occurs nowhere else.
 SubmissionResult result_of(const string& name, double points) {
   SubmissionResult result;
   result.name = name;

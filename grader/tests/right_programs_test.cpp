@@ -1,9 +1,8 @@
-// STAFF ONLY. The suite as a classifier: right programs lose no point. Each program of a sample that
-// passes, under several seeds, as several compilers make it: bounds must hold for every order of roundings.
-// The environment's HAIR_SEEDS says how many seeds (as graded: 30; else 5), HAIR_REFERENCE_SEEDS how many
-// of the reference at least, HAIR_FIRST_SEED which is the first (0). Prints how near they come to the
-// bounds. What was compiled and what passed is kept, by its content: a test that was interrupted goes on
-// where it was.
+// STAFF ONLY. Tests the suite as a classifier: right programs lose no point. It compiles each sample that
+// passes with several compilers, and runs it under several seeds: bounds must hold for every order of
+// roundings. The environment's HAIR_SEEDS sets the number of seeds (as graded: 30; else 5),
+// HAIR_REFERENCE_SEEDS the least number for the reference, HAIR_FIRST_SEED the first (0). Prints how near
+// they come to the bounds. Objects and passes are kept by content: an interrupted test goes on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,16 +31,16 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT, kKept = fs::path(HAIR_GRADED) / "right";
 
-// For glibc: the C library's functions for processors without AVX and FMA. Other libraries do not read it.
+// glibc then takes the C library's functions for processors without AVX and FMA. Other libraries ignore it.
 const char* const kPlainLibm = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4,-AVX512F";
 
 struct Setting {
   std::string name, compiler;
-  std::vector<std::string> options;  // after those of grading
+  std::vector<std::string> options;  // follow those of grading
   int seeds;
 };
 
-// What is not here is left out, and says so.
+// Leaves out compilers that this machine lacks, and says so.
 std::vector<Setting> settings() {
   const auto seeds = [](const char* otherwise) { return std::stoi(environment("HAIR_SEEDS", otherwise)); };
   std::vector<Setting> all = {
@@ -64,8 +63,8 @@ struct RightProgram {
   std::string name, source;
 };
 
-// The right programs of an exercise, each once: the reference, and what passes it. Those that are edited,
-// or have other ends of lines, are the same in another dress.
+// Lists the right programs of an exercise, each once: the reference, and samples that pass. Those with edits
+// or other line ends are the same program.
 std::vector<RightProgram> right_programs(const Exercise& exercise) {
   std::vector<RightProgram> programs = {
       {"reference", hair::bytes_of(kProject / "reference" / exercise.id / exercise.file)}};
@@ -82,10 +81,10 @@ std::vector<RightProgram> right_programs(const Exercise& exercise) {
   return programs;
 }
 
-// The largest error / bound of each bound: its category and quantity.
+// Holds the largest error / bound of each bound, by category and quantity.
 using Nearest = std::map<std::string, double>;
 
-// Adds what hairseeds printed.
+// Adds the output of hairseeds.
 void add_nearest(const std::string& printed, Nearest& nearest) {
   std::istringstream lines(printed);
   for (std::string line, bound; std::getline(lines, line);) {
@@ -97,8 +96,8 @@ void add_nearest(const std::string& printed, Nearest& nearest) {
   }
 }
 
-// A row for each bound that somebody came near to: the largest error / bound of the reference, the first
-// program, and of the others.
+// Prints a row for each bound that a program came near to: the largest error / bound of the reference, the
+// first program, and of the others.
 void print_nearest(const std::string& exercise, const std::vector<Nearest>& nearest) {
   std::map<std::string, std::pair<double, double>> rows;
   for (const Nearest& program : nearest)
@@ -113,7 +112,7 @@ void print_nearest(const std::string& exercise, const std::vector<Nearest>& near
   std::printf("| %s | all | %zu others | | |\n", exercise.c_str(), far);
 }
 
-// Runs it without a cage: these are our own programs.
+// Runs it without a sandbox: we trust these programs.
 ProgramRun run(const std::vector<std::string>& words, const fs::path& log) {
   std::string command;
   for (const std::string& word : words) command += "'" + word + "' ";
@@ -133,7 +132,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
   std::vector<std::string> compiling(const Setting& setting) const {
     std::vector<std::string> words;
     for (std::string word : toolchain_.compile_command(exercise_.libraries)) {
-      // What clang++ does not know: the looks of messages, and how much memory is left unused.
+      // clang++ does not know these options: the look of messages, and the unused memory.
       if (word.find("diagnostics") != std::string::npos || word.starts_with("-fmax-errors") ||
           word.starts_with("--param"))
         continue;
@@ -145,7 +144,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
     return words;
   }
 
-  // What fails of this program, or nothing.
+  // Returns the program's failures, or an empty text.
   std::string failures(const RightProgram& program, const Setting& setting, Nearest& nearest) const {
     const std::string first = environment("HAIR_FIRST_SEED", "0"), seeds = std::to_string(setting.seeds);
     std::string made_of = given_ + toolchain_.version() + setting.compiler + program.source;

@@ -21,7 +21,7 @@ bool RunningProgram::wait_until_it_says(const std::string& words) const {
 
 namespace {
 
-// Modes of the folder that the project lies in are no test's matter.
+// Removes lines about the project's folders, whose modes concern no test.
 std::string without_places_open_to_others(std::string errors) {
   const std::size_t begin = errors.find("hairgrade: others on this machine can read ");
   if (begin != std::string::npos) errors.erase(begin, errors.find('\n', begin) + 1 - begin);
@@ -44,7 +44,7 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   if (meanwhile) meanwhile({process, errors});
   const int code = hair::exit_code_of(process).value_or(-1);
   ProgramRun run{code, hair::bytes_of(output), without_places_open_to_others(hair::bytes_of(errors))};
-  // Not bad input, but something that went wrong: a test that fails of it says what.
+  // Codes 1 and -1 are faults of the program: a failing test shows its errors.
   if (run.code == 1 || run.code == -1)
     std::cout << HAIRGRADE << " ended with " << run.code << ": " << run.errors << "\n";
   return run;

@@ -13,27 +13,27 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// A hairgrade that runs: the id of its process, which is also that of its process group, and the file that
-// its errors go to.
+// Is a running hairgrade: its process id, which is also that of its process group, and the file of its
+// errors.
 struct RunningProgram {
   int process;
   std::filesystem::path errors;
 
-  // Waits until something has happened. False: the program ended before.
+  // Waits until `happened` returns true. Returns false if the program ended before.
   bool wait_until(const std::function<bool()>& happened) const;
   bool wait_until_it_says(const std::string& words) const;
 };
 
-// Runs hairgrade with these arguments, and calls `meanwhile` once it runs. A shell starts it after `script`,
-// if there is one.
+// Runs hairgrade with these arguments, and calls `meanwhile` once it runs. If there is a `script`, a shell
+// runs it first.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(const RunningProgram&)>& meanwhile = {},
                          const std::string& script = "");
 
-// The path of a sample of the sample class, in whatever form it is there.
+// Returns the path of a sample of the sample class, in its form there.
 std::string sample(const std::string& name);
 
-// A variable of the environment, or what stands for it.
+// Returns a variable of the environment, or `otherwise`.
 std::string environment(const char* name, const std::string& otherwise);
 
 }  // namespace grader

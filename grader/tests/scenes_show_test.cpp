@@ -1,10 +1,10 @@
-// STAFF ONLY. Bugs are seen: each wrong sample of an exercise moves visibly wrong in a scene of that
-// exercise, or grader/samples/unseen.txt says why no scene can show it. The environment's HAIR_EXERCISE names
-// the exercise, and HAIR_SAMPLE one sample alone. The scenes are that of show-X (exercises.json), and those
-// that the file adds.
+// STAFF ONLY. Tests that bugs are visible: each wrong sample of an exercise moves visibly wrong in a scene of
+// that exercise, or grader/samples/unseen.txt says why no scene can show it. The environment's HAIR_EXERCISE
+// names the exercise, and HAIR_SAMPLE a single sample. The scenes are that of show-X (exercises.json), and
+// those in the file.
 //
-// A sample's file is compiled as for grading, and a worker plays the scene with it, with the reference's
-// files for all other exercises.
+// A sample's file is compiled as for grading, and a worker runs the scene with it, with the reference's files
+// for all other exercises.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,19 +33,19 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 
-// The largest distance of a particle from the reference's, in the scene's size, that one sees at a glance.
-// Where another right solution is apart, since a hair that just touches something slides off to either side
-// by a rounding, wrong ones are farther by kFarther.
+// Is the distance of a particle from the reference's, in the scene's size, that one sees at a glance. Right
+// solutions may differ, since a hair that just touches something slides off to either side by a rounding;
+// there wrong ones must be farther by kFarther.
 constexpr double kSeen = 0.02;
 constexpr double kFarther = 5;
 
 struct SceneShown {
   std::string name;
-  int frames = 0;  // its first ones; 0: all
+  int frames = 0;  // counts its first frames; 0: all
 };
 
-// The lines of unseen.txt: "scene S1 rod-pendulum", or "scene H10 guides-to-hair 2" for its first two frames;
-// "unseen S1 returns-norm WHY".
+// Holds the lines of unseen.txt: "scene S1 rod-pendulum", or "scene H10 guides-to-hair 2" for its first two
+// frames; "unseen S1 returns-norm WHY".
 struct Unseen {
   std::vector<SceneShown> scenes;
   std::map<std::string, std::string> why;  // by sample
@@ -70,7 +70,7 @@ struct Bug {
   std::string name, source;
 };
 
-// Files that lose points and run. Attacks are aimed at the grader.
+// Lists files that lose points and run. Attacks are left out: they aim at the grader.
 std::vector<Bug> bugs_of(const Exercise& exercise) {
   static const std::set<std::string> kRun = {"partly", "wrong", "crashed", "timed out", "out of memory"};
   const std::string only = environment("HAIR_SAMPLE", "");
@@ -89,9 +89,9 @@ std::vector<Bug> bugs_of(const Exercise& exercise) {
 
 struct Seen {
   double distance = 0;      // in the scene's size
-  std::string ending = {};  // unlike the reference's
+  std::string ending = {};  // differs from the reference's
 
-  // Beside another right solution's distance.
+  // `right` is another right solution's distance.
   bool at_a_glance(double right) const {
     return distance > std::max(kSeen, kFarther * right) || !ending.empty();
   }
@@ -155,8 +155,8 @@ class ScenesShow : public testing::Test {
     }
   }
 
-  // How far another right solution is, in each scene. Distances mean something only if it ends as the
-  // reference does, not far from it.
+  // Returns another right solution's distance in each scene. Distances mean something only if it ends as the
+  // reference does, near it.
   std::vector<double> right_distances() const {
     const Exercise& exercise = *course_.find(id_);
     const fs::path plain = kProject / "reference" / exercise.id / "right/plain.cpp";

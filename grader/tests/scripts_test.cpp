@@ -1,4 +1,4 @@
-// STAFF ONLY. The scripts that people start, where nothing is built yet: whoever asks for help gets it at
+// STAFF ONLY. Tests the scripts that people start before anything is built: a request for help is answered at
 // once.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Groups and participants of a learning system, from the download to the gradebook, and again
-// with the next download.
+// STAFF ONLY. Tests groups and participants of a learning system, from the download to the gradebook, and
+// again with the next download.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -39,7 +39,7 @@ class SecondDownload : public testing::Test {
     std::ofstream(root_ / name) << text;
     return path(name);
   }
-  // A download in place of the one before. Its files don't compile: that takes no time.
+  // Replaces the download. Its files don't compile, which saves time.
   void download(const Words& names) const {
     fs::remove_all(root_ / "class");
     fs::create_directory(root_ / "class");
@@ -91,7 +91,7 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   ASSERT_EQ(run({"set", "team7_4713", "S1", "5", "--why", "a talk"}).code, 0);
   ASSERT_EQ(run({"comment", "team7_4713", "Well spoken."}).code, 0);
 
-  // Another one hands in for the group, which has another name and somebody more; the mark has gone.
+  // Another member hands in for the group, which has another name and a new member; the mark has gone.
   download({"rockets_4714_90011_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
   const ProgramRun second = grade({"--resume", "--roster", write("roster.csv", kLater)});
   EXPECT_TRUE(has(second.errors, "rockets_4714: is team7_4713 under another name, and keeps its row"))
@@ -112,7 +112,7 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   for (const char* row : {"4713,jd,A,5\n", "4714,sl,A,5\n", "4715,ap,A,5\n", "4716,mr,A,0\n"})
     EXPECT_TRUE(has(read("filled.csv"), row)) << read("filled.csv");
 
-  // A later run has no roster of its own; somebody has left, so it is another group's work.
+  // A later run has no roster of its own; a member has left, so it is another group's work.
   write("roster.csv", string(kTitles) + "\"Muster, Erika\",4713,900,jd,Lab A,Solo,55,\n");
   download({"solo_4713_90021_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
   const ProgramRun third = grade({"--resume", "--roster", path("roster.csv")});
@@ -140,7 +140,7 @@ TEST_F(SecondDownload, ACorrectedTableReplacesTimesAndSaysSo) {
   EXPECT_EQ(time(), "2025-03-09 10:00");
 }
 
-// Moodle's own blind download: staff of the course know nobody, and the worksheet with names comes later.
+// In Moodle's own blind download staff know nobody, and the worksheet with names comes later.
 TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
   download({"Teilnehmer_4713_assignsubmission_file/conj_grad.cpp",
             "Teilnehmer_4714_assignsubmission_file/conj_grad.cpp"});
@@ -172,7 +172,7 @@ TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
   const string code = Record(root_ / "grades").codes().at("Teilnehmer_4713");
   EXPECT_EQ(Record(root_ / "grades").handed_in(code), "Tuesday, 4 March 2025, 10:15 AM");
 
-  // It is the same version, and nobody gives the table again.
+  // The version is the same, and nobody gives the table again.
   EXPECT_TRUE(has(grade({"--only", code}).output, "1 graded"));
   EXPECT_EQ(Record(root_ / "grades").handed_in(code), "Tuesday, 4 March 2025, 10:15 AM");
 

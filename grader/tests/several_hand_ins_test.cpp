@@ -1,5 +1,5 @@
-// STAFF ONLY. A course with several hand-ins, from outside: one record, a folder of pages for each, and the
-// course's page above them.
+// STAFF ONLY. Tests a course with several hand-ins, from outside: one record, a folder of pages for each, and
+// the course's page above them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -81,7 +81,7 @@ TEST_F(SeveralHandIns, AreGradedIntoOneRecordWithATotalOnTheCoursesPage) {
   ASSERT_EQ(run({"set", "other-order", "S2", "5", "--why", "x", "--hand-in", "week 2"}).code, 0);
   EXPECT_NE(file("grades.csv").find("other-order,21,52,16,32,5,20"), string::npos) << file("grades.csv");
 
-  // Times that come later need no grading again.
+  // Times that come later need no new grading.
   const string intime = write("intime.csv", "name,time\nother-order,2025-03-04 23:59:59\n");
   const ProgramRun again = grade("other-order", {"--hand-in", "week 1", "--resume", "--times", intime});
   EXPECT_NE(again.output.find("0 graded, 1 kept"), string::npos) << again.output;

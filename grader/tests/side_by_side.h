@@ -1,4 +1,4 @@
-// STAFF ONLY. What a test does with many programs, on all processors.
+// STAFF ONLY. Runs a test's programs in parallel, on all processors.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY. hairgrade --study from outside, without hair: a class of three is graded with it and without.
+// STAFF ONLY. Tests hairgrade --study from outside, without hair: it grades a class of three twice.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -23,7 +23,7 @@ constexpr const char* kNoHair = R"({"exercises": {
   "H1": {"role": "absent"}, "H2": {"role": "absent"}, "H3": {"role": "absent"},
   "H4": {"role": "absent"}, "H5": {"role": "absent"}, "H6": {"role": "absent"}}})";
 
-// Everything is graded once, for all tests.
+// Grades everything once, for all tests.
 class Studying : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -76,7 +76,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
     const bool student =
         name.filename() == "results.json" || name.extension() == ".csv" || name.extension() == ".xml";
     EXPECT_TRUE(!student || after == before) << name;
-    // Of pages, a line that leads to the study; of the staff's JSON, that there is one.
+    // A page has a line that links to the study; the staff's JSON says that there is one.
     string stripped = after;
     const string owner = name.stem().string();
     for (const string& place : {string(), "../" + owner + "/"})
@@ -89,7 +89,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
     EXPECT_EQ(stripped, before) << name;
     links += after != before;
   }
-  // Of each: two pages, two files of JSON. Of the class: index.html, grades.csv, junit.xml, .lock.
+  // Each has two pages and two files of JSON; the class has index.html, grades.csv, junit.xml, .lock.
   EXPECT_EQ(files, 3 * 4 + 4);
   EXPECT_EQ(links, 3 * 3 + 1);  // both pages and the staff's JSON of each, and the class's
   EXPECT_EQ(broken_links(folder_ / "with"), std::vector<string>());
@@ -113,10 +113,10 @@ TEST_F(Studying, OfTheReferencesFilesHasTheReferencesErrorsBitByBit) {
           one.erase(time);
           two.erase(time);
         }
-        EXPECT_EQ(one, two) << part.at("name");  // errors, work, how it ended
+        EXPECT_EQ(one, two) << part.at("name");  // errors, work, ending
         ++points;
       }
-      ASSERT_TRUE(part.at("time_ratio").is_object());  // how large it is, is noise
+      ASSERT_TRUE(part.at("time_ratio").is_object());  // its size is noise
       EXPECT_EQ(part.at("note"), "");
       EXPECT_EQ(part.at("rounds"), 5);
     }
@@ -131,12 +131,12 @@ TEST_F(Studying, IsMadeUpForByResume) {
   const ProgramRun later = grade("later", {"--resume", "--study", "--only", "perfect"});
   EXPECT_NE(later.output.find("1 graded"), string::npos) << later.output;
   EXPECT_TRUE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
-  // One exercise graded again: the study was of other code.
+  // One exercise is graded again: the study was of other code.
   fs::copy(folder_ / "later", folder_ / "one", fs::copy_options::recursive);
   ASSERT_EQ(grade("one", {"--only", "perfect", "--exercise", "S1"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "one" / "perfect" / "study.html"));
   EXPECT_EQ(hair::bytes_of(folder_ / "one" / "perfect" / "report.html").find("study.html"), string::npos);
-  // Graded again without one, nothing leads to an old one.
+  // After grading without a study, nothing leads to an old one.
   ASSERT_EQ(grade("later", {"--only", "perfect"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
   EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.json"));
@@ -151,7 +151,7 @@ TEST_F(Studying, NeedsAllExercises) {
 TEST_F(Studying, OfAReferenceThatFailsStopsNoGrading) {
   const fs::path motions = folder_ / "cache" / "motions", aside = folder_ / "motions-aside";
   fs::rename(motions, aside);
-  std::ofstream(motions) << "no folder";  // so what is true can't be kept
+  std::ofstream(motions) << "no folder";  // prevents storing reference solutions
   const ProgramRun run = grade("failed", {"--study", "--only", "perfect"});
   fs::remove(motions);
   fs::rename(aside, motions);

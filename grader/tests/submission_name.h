@@ -1,4 +1,4 @@
-// STAFF ONLY. A sample's name as reports have it.
+// STAFF ONLY. Returns a sample's name as reports have it.
 #pragma once
 
 #include <cctype>
@@ -6,7 +6,7 @@
 
 namespace grader {
 
-// As intake cleans a name.
+// Cleans a name as intake does.
 inline std::string submission_name(std::string name) {
   for (char& letter : name)
     if (!isalnum(static_cast<unsigned char>(letter)) && std::string("._-").find(letter) == std::string::npos)

@@ -1,4 +1,4 @@
-// STAFF ONLY. What samples leave outside of the sandbox, if they can: files whose names say so.
+// STAFF ONLY. Finds files that samples leave outside of the sandbox; their names show it.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace grader {
 
-// Those in `places`, and where anybody may write.
+// Searches `places`, and folders that everybody may write to.
 inline std::vector<std::filesystem::path> traces(std::vector<std::filesystem::path> places) {
   namespace fs = std::filesystem;
   for (const char* place : {"/", "/tmp", "/var/tmp", "/dev/shm"}) places.emplace_back(place);

@@ -1,5 +1,5 @@
-// STAFF ONLY. The same bytes, the same grade: graded twenty times, alone and beside twenty programs that want
-// the processors, with and without what was compiled before.
+// STAFF ONLY. Tests that the same bytes get the same grade: twenty times, alone and with twenty programs that
+// compete for the processors, with and without cached objects.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kTimes = 20, kPrograms = 20;
-// In each round of five gradings the first compiles, and the first two have the programs beside them.
+// In each round of five gradings the first compiles, and the first two run with the other programs.
 constexpr int kRound = 5, kBesideOthers = 2;
 constexpr const char* kFile = "stretch_springs.cpp";
 
@@ -32,7 +32,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
   return all;
 }
 
-// Programs that want the processors, as long as it lives.
+// Runs programs that compete for the processors, while it lives.
 class Load {
  public:
   Load() {
@@ -57,7 +57,7 @@ TEST(UnderLoad, GivesTheSameBytesTwentyTimes) {
     std::ofstream(students / name / kFile) << text;
   };
   hand_in("right", right);
-  // Points that would depend on the second in which it is compiled, beside a warning, which is shown.
+  // This code depends on the second of its compilation, and its warning is shown.
   hand_in("clock",
           "#include <stdexcept>\n"
           "static bool odd() { int unused; return __TIME__[7] % 2 == 1; }\n"

@@ -12,7 +12,7 @@
 namespace grader::inline text {
 namespace {
 
-// A million people with all that is known of each.
+// This fits all data of a million people.
 constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 constexpr std::size_t kRowsToCompare = 4;
 
@@ -77,7 +77,7 @@ bool is_empty(const Csv::Row& row) {
   return row.cells.size() == 1 && row.cells[0].empty();
 }
 
-// In the head and the rows below it: the more columns the better, if the rows have as many as the head.
+// Compares the head and the rows below it: more columns are better, if the rows have as many as the head.
 char separator_of(std::string_view text, const std::string& file) {
   char best = ',';
   std::size_t most = 1;
@@ -87,8 +87,7 @@ char separator_of(std::string_view text, const std::string& file) {
       Reader reader(text, separator, file);
       while (!reader.at_end() && counts.size() < kRowsToCompare)
         if (const Csv::Row row = reader.row(); !is_empty(row)) counts.push_back(row.cells.size());
-    } catch (
-        const BadInput&) {  // a quote that another separator explains; what none explains is told by the reader
+    } catch (const BadInput&) {  // a quote needs another separator, or the reader reports it
       continue;
     }
     const std::size_t columns = counts.empty()                                                ? 0
@@ -102,7 +101,7 @@ char separator_of(std::string_view text, const std::string& file) {
   return best;
 }
 
-// The length of a first line "sep=;", which spreadsheets read and write; 0 without one.
+// Returns the length of a first line "sep=;", which spreadsheets read and write; 0 without one.
 std::size_t separator_told_in(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n");
   std::string_view line = text.substr(0, end);

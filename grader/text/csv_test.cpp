@@ -1,4 +1,4 @@
-// STAFF ONLY. Tables are read as systems and spreadsheets write them, and written so that none runs a cell.
+// STAFF ONLY. Tests that tables are read as systems and spreadsheets write them, and run no cell.
 #include "grader/text/csv.h"
 
 #include <gtest/gtest.h>
@@ -153,7 +153,7 @@ TEST(CsvWriter, NoCellStartsAFormula) {
                            "＠a", "-1,2,3", "\xc2\xa0=1", "\u3000=1", "+49 89 1"}) {
     EXPECT_TRUE(starts_formula(cell)) << cell;
     const Csv::Row row = parse_csv(csv_line({"a", cell}), "r.csv").rows[0];
-    EXPECT_EQ(row.cells[1], string("\u2060") + cell);  // no apostrophe, and all of it
+    EXPECT_EQ(row.cells[1], string("\u2060") + cell);  // has no apostrophe, and nothing is lost
   }
   for (const char* cell :
        {"-1", "-0.5", "-7,5", "+3", "-10%", "-", "a=1", "", "'=1", "12", "a@b.de", "\u2060=1"}) {

@@ -8,7 +8,7 @@
 namespace grader::inline text {
 namespace {
 
-constexpr const char* kNotSeen = "\u2060";  // the word joiner
+constexpr const char* kNotSeen = "\u2060";  // is the word joiner
 
 bool is_number(std::string_view cell) {
   if (!cell.empty() && (cell[0] == '-' || cell[0] == '+')) cell.remove_prefix(1);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Tells encodings apart.
+// STAFF ONLY. Distinguishes encodings.
 #include "grader/text/encoding.h"
 
 #include <iconv.h>
@@ -27,7 +27,7 @@ constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 struct Wide {
   const char* name;
   const char* page;
-  std::string_view mark;  // the byte order mark
+  std::string_view mark;  // is the byte order mark
   std::size_t unit;
   bool little_endian;
 };
@@ -37,8 +37,8 @@ constexpr std::array kEncodings = {Wide{"UTF-32", "UTF-32LE", "\xff\xfe\0\0"sv, 
                                    Wide{"UTF-16", "UTF-16LE", "\xff\xfe"sv, 2, true},
                                    Wide{"UTF-16", "UTF-16BE", "\xfe\xff"sv, 2, false}};
 
-// Source code is ASCII, but for comments: then all bytes of a unit but one are zero. This is the share of
-// units where it is so. A file that was cut may end within a unit.
+// Source code is ASCII, except comments: then all bytes of a unit but one are zero. Returns the share of such
+// units. A truncated file may end within a unit.
 double share_of_ascii(std::string_view bytes, const Wide& encoding) {
   const std::size_t units = bytes.size() / encoding.unit;
   if (units == 0) return 0;
@@ -55,7 +55,7 @@ double share_of_ascii(std::string_view bytes, const Wide& encoding) {
 std::optional<Wide> wide_encoding_of(std::string_view bytes) {
   for (const Wide& encoding : kEncodings)
     if (bytes.starts_with(encoding.mark)) return encoding;
-  // From the first letter on: what was added later to a file in UTF-8 is a stray part of it.
+  // Looks from the first letter on: a later addition to a file in UTF-8 is a stray part.
   for (const Wide& encoding : kEncodings)
     if (share_of_ascii(bytes.substr(0, encoding.unit), encoding) == 1 &&
         share_of_ascii(bytes, encoding) > 0.3)
@@ -63,8 +63,8 @@ std::optional<Wide> wide_encoding_of(std::string_view bytes) {
   return {};
 }
 
-// How many bytes the letter at the beginning has; 0 if it is none of UTF-8's. NUL and other control
-// characters but those between words are in no text.
+// Returns the length in bytes of the letter at the beginning; 0 if it is not UTF-8. No text has NUL and
+// control characters, except those between words.
 std::size_t letter_at(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
   if (byte(0) < 0x20) return byte(0) >= '\t' && byte(0) <= '\r' ? 1 : 0;
@@ -73,7 +73,7 @@ std::size_t letter_at(std::string_view bytes) {
   if (byte(0) < 0xc2 || byte(0) > 0xf4 || bytes.size() < size) return 0;
   for (std::size_t i = 1; i < size; ++i)
     if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
-  // A letter that has a shorter form, half a letter of UTF-16's, and what is beyond the last letter.
+  // These are letters that have a shorter form, half a letter of UTF-16, and values beyond the last letter.
   const bool none = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
                     (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
   return none ? 0 : size;

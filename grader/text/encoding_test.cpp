@@ -1,4 +1,4 @@
-// STAFF ONLY. Encodings that compilers do not read are told by their names.
+// STAFF ONLY. Tests that encodings that compilers do not read are reported by their names.
 #include "grader/text/encoding.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using std::string;
 
-// A file as people write it, with a comment in another script.
+// Is a file as people write it, with a comment in another script.
 const std::u32string kSource =
     U"// Löst A x = b. 解く。\n#include \"solver/linearSolver.h\"\nint f() { return 1; }\n";
 
@@ -35,7 +35,7 @@ TEST(Encoding, NamesUtf16AndUtf32) {
                      told = told_if_wide(bytes, "x.cpp");
         EXPECT_TRUE(told.starts_with(begins)) << told;
         EXPECT_NE(told.find("Save it as UTF-8"), string::npos) << told;
-        // A file that was cut.
+        // This file was truncated.
         EXPECT_TRUE(told_if_wide(bytes.substr(0, bytes.size() - 1), "x.cpp").starts_with(begins));
       }
 }
@@ -57,11 +57,11 @@ TEST(Encoding, TellsTheFirstStrayByte) {
   };
   const Stray strays[] = {
       {"int x;\n\n// L\xf6sung\n", 3, 0xf6},            // Latin-1
-      {"int x;\n\xe8\xa7", 2, 0xe8},                    // a letter that is cut
+      {"int x;\n\xe8\xa7", 2, 0xe8},                    // a truncated letter
       {"int \xc0\x80;", 1, 0xc0},                       // a NUL in two bytes
       {"// \xe0\x9f\xbf\n", 1, 0xe0},                   // a letter in a byte more than it needs
-      {"// \xf0\x8f\xbf\xbf\n", 1, 0xf0},               // so, too
-      {"// \xed\xa0\x80\n", 1, 0xed},                   // half a letter of UTF-16's
+      {"// \xf0\x8f\xbf\xbf\n", 1, 0xf0},               // likewise
+      {"// \xed\xa0\x80\n", 1, 0xed},                   // half a letter of UTF-16
       {"// \xf4\x90\x80\x80\n", 1, 0xf4},               // beyond the last letter
       {"int x;\n" + as_bytes(kSource, 2, true), 2, 0},  // as Windows' shell adds to a file
       {string("int x;\0\0\0\0\n", 11), 1, 0},           // a disk that was full

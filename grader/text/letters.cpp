@@ -1,4 +1,4 @@
-// STAFF ONLY. Letters by Unicode's tables, which utf8proc has.
+// STAFF ONLY. Handles letters by Unicode's tables, from utf8proc.
 #include "grader/text/letters.h"
 
 #include <utf8proc.h>
@@ -32,7 +32,7 @@ std::string mapped(std::string_view text, int options) {
   return {reinterpret_cast<const char*>(result), static_cast<std::size_t>(size)};
 }
 
-// Up to the first byte that is no UTF-8.
+// Visits letters up to the first byte that is no UTF-8.
 void each_letter(std::string_view text, const std::function<void(utf8proc_int32_t)>& take) {
   const utf8proc_uint8_t* bytes = bytes_of(text);
   for (std::size_t at = 0; at < text.size();) {
@@ -56,7 +56,7 @@ bool is_blank(utf8proc_int32_t letter) {
          kind == UTF8PROC_CATEGORY_ZP;
 }
 
-// U+0F73 is one, too: its combining class is 0, and that of what it is made of is not.
+// U+0F73 is a mark, too: its own combining class is 0, but its parts have others.
 bool is_mark(utf8proc_int32_t letter) {
   const utf8proc_category_t kind = utf8proc_category(letter);
   return kind >= UTF8PROC_CATEGORY_MN && kind <= UTF8PROC_CATEGORY_ME;

@@ -1,4 +1,4 @@
-// STAFF ONLY. One name is one, however its letters are written.
+// STAFF ONLY. Tests that one name stays one, however its letters are written.
 #include "grader/text/letters.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Letters, LoseTheirMarksWhereAsciiHasThem) {
   EXPECT_EQ(without_marks("Øst 李"), "Øst 李");
 }
 
-// utf8proc sorts a run of marks in time that grows with the square of their number. U+0F73 is of two marks.
+// utf8proc sorts a run of marks in quadratic time. U+0F73 consists of two marks.
 TEST(Letters, WithManyMarksInARowStayAsTheyAre) {
   const auto times = [](int count, const std::string& letter) {
     std::string text;

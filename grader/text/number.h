@@ -1,4 +1,4 @@
-// STAFF ONLY. Numbers in the cells of tables.
+// STAFF ONLY. Reads numbers in the cells of tables.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace grader::inline text {
 
-// "10", "10.00", "10,00"; nothing for what is no number.
+// Reads "10", "10.00", "10,00"; returns nothing for other texts.
 std::optional<double> number_in(const std::string& cell);
 
 }  // namespace grader::text

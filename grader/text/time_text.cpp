@@ -45,7 +45,7 @@ struct Parts {
   }
 };
 
-// 12 AM is midnight, 12 PM noon. Nothing for 13 PM.
+// 12 AM is midnight, 12 PM noon. Returns nothing for 13 PM.
 std::optional<int> hour_of(int shown, std::string half) {
   half = lowered(half);
   if (half.empty()) return shown;

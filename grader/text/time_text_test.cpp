@@ -1,5 +1,5 @@
-// STAFF ONLY. Times are read in the forms that learning systems write, each with its offset; all else is no
-// time.
+// STAFF ONLY. Tests that times are read in the forms of learning systems, each with its offset, and that
+// other texts are no times.
 #include "grader/text/time_text.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 
 namespace grader::inline tool {
 
-// What a worker with this object answers for n = 4 and the identity.
+// Returns the answer of a worker with this object for n = 4 and the identity.
 inline Answer ask_conj_grad(WorkerSetup setup, const StagedKit& kit, const std::filesystem::path& object,
                             int steps) {
   setup.kit = kit.folder();

@@ -1,4 +1,4 @@
-// STAFF ONLY. Asks on a terminal.
+// STAFF ONLY. Asks questions on a terminal.
 #include "grader/tool/asking.h"
 
 #include <unistd.h>

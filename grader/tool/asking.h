@@ -5,11 +5,11 @@
 
 namespace grader::inline tool {
 
-// True if a person says yes to it. Where the input or the errors are no terminal, nobody is asked.
+// True if a person says yes. Without a terminal for input and errors it asks nobody.
 bool says_yes(const Question& question);
 
-// Does `work`, again after each question that a person says yes to; a yes to --class is kept in `classes`,
-// one to --replace in `replace`. Throws a question without that answer.
+// Does `work`, again after each question that a person confirms; a yes to --class is kept in `classes`, one
+// to --replace in `replace`. Throws a question without a yes.
 template <class Work>
 auto asking(bool& classes, bool& replace, const Work& work) {
   for (;;) try {

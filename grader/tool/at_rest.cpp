@@ -22,7 +22,7 @@ bool others_can_read(const fs::path& place) {
   std::error_code error;
   const fs::path real = fs::canonical(place, error);
   if (error) return false;
-  // In a folder that others may enter they can open each file whose name they know.
+  // Other users who may enter a folder can open each file whose name they know.
   if (!lets_others(real, fs::is_directory(real, error) ? fs::perms::others_exec : fs::perms::others_read))
     return false;
   for (fs::path above = real.parent_path(); above != above.root_path(); above = above.parent_path())
@@ -30,7 +30,7 @@ bool others_can_read(const fs::path& place) {
   return true;
 }
 
-// As a shell reads it.
+// Quotes a path for a shell.
 std::string word(const fs::path& path) {
   const std::string text = printable(path.string(), 4096);
   const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char letter) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. Another user opens what is told as open, and can't open what is not.
+// STAFF ONLY. Tests that another user can open the places that are reported as open, and no others.
 #include "grader/tool/at_rest.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class AtRest : public testing::Test {
     fs::permissions(path, static_cast<fs::perms>(mode));
   }
 
-  // As a user that has no account here; only root can ask.
+  // Reads as a user that has no account here; only root can do this.
   bool another_user_reads(const fs::path& path) const {
     const pid_t asking = fork();
     if (asking == 0) {

@@ -19,9 +19,8 @@
 namespace grader::inline tool {
 namespace {
 
-// Adds what an earlier run found of exercises that this one was not asked for, in the course's order, and of
-// all of them together, but for a study: that would be of code that is not this. Then no fingerprint is right
-// for all of it.
+// Adds an earlier run's results and costs of exercises that this run does not grade, in the course's order,
+// but not its study, whose code may have changed. A mixed result has no fingerprint.
 void keep_other_exercises(Recorded& one, const Recorded& earlier, const Course& course) {
   SubmissionResult& result = one.result;
   for (const ExerciseResult& old : earlier.result.exercises)
@@ -38,7 +37,7 @@ void keep_other_exercises(Recorded& one, const Recorded& earlier, const Course& 
   one.costs.insert(earlier.costs.begin(), earlier.costs.end());
 }
 
-// A submission's row, as it appears before the table is there: "alice  S1 32  S2 crashed  of 52: 32".
+// Returns a submission in one line, as it appears before the table: "alice  S1 32  S2 crashed  of 52: 32".
 std::string in_a_line(const SubmissionResult& result, const NamesForPeople& people) {
   std::string line = people.contains(result.name) ? called(result.name, people) : printable(result.name);
   for (const ExerciseResult& exercise : result.exercises)
@@ -66,7 +65,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   if (settings.merge) reference.merge(record.costs().reference);
   const std::size_t asked = only ? 1 : submissions.size();
   LastRun run{.jobs = settings.jobs, .began = record.now(), .asked = static_cast<int>(asked)};
-  // One hand-in more leaves an interrupted run as it is.
+  // A single new hand-in leaves an interrupted run as it is.
   const std::optional<LastRun> before = record.costs().last_run;
   const bool is_part = only && before && !before->is_whole();
   if (is_part) run = *before;
@@ -74,13 +73,13 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   record.set_listed(plan.listed);
   record.set_rules(settings.rules);
   if (const std::vector<std::string> there = record.names();
-      !there.empty())  // pages of an earlier run say that this one is at work
+      !there.empty())  // pages of an earlier run say that this process works
     write_class_files(settings.out, record, {there.begin(), there.end()});
   std::string failure;
   std::set<std::string> written;
   Progress progress(asked);
   std::map<std::size_t, Graded> ended_by_the_clock;  // by the submission's place
-  std::mutex shared;  // guards all of the above, but for the record, which does so itself
+  std::mutex shared;                                 // guards the variables above; the record guards itself
   std::atomic<std::size_t> next = 0;
 
   const auto handed_in_of = [](const Submission& submission) {
@@ -89,7 +88,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   const auto earlier_of = [&](const Submission& submission) {
     return settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
   };
-  // Another time of the same files, as a corrected table has it.
+  // Reports the times of files that a corrected table changes.
   const auto compare_times = [&](const std::string& name, const std::string& was, const std::string& now) {
     if (was.empty() || now.empty() || was == now) return;
     const auto shown = [](const std::string& time) { return time == "-" ? "unknown" : time; };
@@ -116,7 +115,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     ++batch.done;
     if (is_part) return;
     run.done = static_cast<int>(batch.done);
-    record.set_run(reference, run);  // whoever looks after this process was killed knows
+    record.set_run(reference, run);  // shows others that a killed process was at work
   };
 
   const auto grade_one = [&](std::size_t place) {
@@ -137,7 +136,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
       }
     }
     Graded graded = grading.grade(submission);
-    // Ctrl-C reaches the suite, too: what it left is no result.
+    // Ctrl-C also ends the suite: its output is no result.
     if (interrupted) return;
     if (graded.result.ended_by_the_clock.empty()) return keep(submission, std::move(graded));
     const std::lock_guard lock(shared);
@@ -146,7 +145,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   const auto unless_it_fails = [&](const auto& work) {
     try {
       work();
-    } catch (const std::exception& problem) {  // the record or reports can't be written: no use in going on
+    } catch (const std::exception& problem) {  // the record or reports can't be written: stop
       const std::lock_guard lock(shared);
       failure = problem.what();
       next = submissions.size();
@@ -159,7 +158,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   std::vector<std::jthread> threads;
   for (int i = 0; i < settings.jobs; ++i) threads.emplace_back(work);
   for (std::jthread& thread : threads) thread.join();
-  // One at a time: now the machine has nothing else to do for us.
+  // Grades one at a time: the machine has nothing else to do for us.
   for (auto& [place, graded] : ended_by_the_clock) {
     if (interrupted || !failure.empty()) break;
     unless_it_fails([&, &place = place, &graded = graded] {

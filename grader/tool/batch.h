@@ -1,6 +1,6 @@
-// STAFF ONLY. Grades many submissions in parallel. Each result goes into the class's record as soon as it is
-// there, so that an interrupted batch leaves the finished ones. A failure in one submission does not affect
-// others. All files are made from the record, whoever graded.
+// STAFF ONLY. Grades many submissions in parallel. Each result goes into the class's record at once, so that
+// an interrupted batch leaves the finished ones. A failure in one submission does not affect others. All
+// files are made from the record, also from results of other runs.
 #pragma once
 
 #include <atomic>
@@ -14,12 +14,12 @@
 namespace grader::inline tool {
 
 struct Batch {
-  std::vector<SubmissionResult> results;  // all that the record holds, sorted by name
-  int graded = 0, kept = 0;               // by this batch; from before
-  std::size_t done = 0;                   // of the submissions that were asked for: graded, or found done
-  std::vector<std::string> problems;      // on our side: what could not be graded, a line each
-  std::vector<std::string> conflicts;     // decisions of people against other points than now, a line each
-  std::vector<std::string> remarks;       // times of hand-ins that are others than before, a line each
+  std::vector<SubmissionResult> results;  // are all results in the record, sorted by name
+  int graded = 0, kept = 0;               // count results of this batch, and older ones
+  std::size_t done = 0;                   // counts requested submissions that are graded, or were done
+  std::vector<std::string> problems;      // on our side: a line for each failure to grade
+  std::vector<std::string> conflicts;     // a line for each decision of a person on other points than now
+  std::vector<std::string> remarks;       // a line for each hand-in whose time has changed
   bool interrupted = false;
 };
 

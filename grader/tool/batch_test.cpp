@@ -1,5 +1,5 @@
-// STAFF ONLY. A part of a batch that the clock on the wall ended is asked once more, when all else is done,
-// before anybody is told.
+// STAFF ONLY. Tests that a part of a batch that ended by wall time is graded once more at the end, before its
+// result is reported.
 #include "grader/tool/batch.h"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As on a machine that is busy at first: S1 sleeps if there is a pipe, which goes once it has been met.
+// S1 acts as on a machine that is busy at first: it sleeps until the test removes a pipe.
 TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   const hair::TemporaryFolder folder("batch");
   const fs::path pipe = folder.path() / "pipe";
@@ -32,7 +32,7 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   settings.cache = HAIR_TEST_CACHE;
   settings.secret = "a secret for tests alone";
   settings.images = settings.memory_errors = false;
-  settings.isolation = Isolation::none;  // it sees the pipe
+  settings.isolation = Isolation::none;  // S1 sees the pipe
 
   const auto file = [&](const std::string& path, const std::string& before) {
     return SourceFile{before + hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / path), ""};
@@ -48,7 +48,7 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0644), 0);
   share_with_sandbox(folder.path(), false);
   fs::permissions(pipe, fs::perms(0644));
-  const std::jthread watch([&](const std::stop_token& stop) {  // until it has been met
+  const std::jthread watch([&](const std::stop_token& stop) {  // removes the pipe once S1 has opened it
     while (!stop.stop_requested() && !Descriptor(open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)))
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     fs::remove(pipe);

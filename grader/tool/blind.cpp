@@ -1,4 +1,4 @@
-// STAFF ONLY. Puts codes in the place of names.
+// STAFF ONLY. Replaces names by codes.
 #include "grader/tool/blind.h"
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 namespace grader::inline tool {
 namespace {
 
-// Letters and digits that nobody mistakes for one another.
+// Draws letters and digits that look different from each other.
 std::string random_code() {
   constexpr std::string_view kLetters = "23456789abcdefghjkmnpqrstuvwxyz";
-  std::random_device random;  // the kernel's
+  std::random_device random;  // is the kernel's
   std::uniform_int_distribution<std::size_t> any(0, kLetters.size() - 1);
   std::string code = "code-";
   for (int i = 0; i < 8; ++i) code += kLetters[any(random)];

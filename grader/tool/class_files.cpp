@@ -33,7 +33,7 @@ std::vector<SubmissionResult> write_files_of_hand_in(Record& record, const std::
   std::map<std::string, Lateness> late;
   for (const std::string& name : record.names()) {
     std::optional<Recorded> one = record.find_decided(name);
-    if (!one) continue;  // somebody has been forgotten just now
+    if (!one) continue;  // this student has just been forgotten
     if (hidden) hide(*hidden, one->result);
     if (!written.contains(name)) write_student_files(folder, *one, people);
     if (!one->result.ended_by_the_clock.empty())
@@ -59,7 +59,7 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
                                                 const std::set<std::string>& written) {
   std::vector<SubmissionResult> results = write_files_of_hand_in(record, written);
   if (record.hand_in().empty()) return results;
-  // Free days that one hand-in uses are gone for later ones.
+  // A free day that one hand-in uses is gone for later ones.
   if (record.rules().free_days_in_all > 0)
     for (const std::string& name : record.named_hand_ins())
       if (Record other(folder, name); name != record.hand_in()) write_files_of_hand_in(other, {});

@@ -1,7 +1,7 @@
 // STAFF ONLY. The files of a folder of grades, made from its record and never read back: those of students,
-// and those of the class, with timing.json (the cost of everything, beside the reference in an identical
-// worker) and costs.html, the page that shows it, and left-over.json. The same record gives the same bytes,
-// but for times.
+// and those of the class, with timing.json (all costs, compared with the reference in an identical worker)
+// and costs.html, the page that shows it, and left-over.json. The same record gives the same bytes, except
+// for times.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace grader::inline tool {
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people);
 
-// All files of all students of the record's hand-in, but of those who are `written`, of the class, and of the
-// course (course_files.h). Returns everybody's result, sorted by name.
+// Writes all files of the record's hand-in: of all students except those in `written`, of the class, and of
+// the course (course_files.h). Returns all results, sorted by name.
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written = {});
 

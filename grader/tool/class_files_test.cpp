@@ -1,4 +1,4 @@
-// STAFF ONLY. The files of a folder of grades are those of its record, whatever was done to them.
+// STAFF ONLY. Tests that the files of a folder of grades match its record, after any change.
 #include "grader/tool/class_files.h"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST_F(ClassFiles, SayWhichFilesWereLeftOverAndThatARunWasKilled) {
   EXPECT_NE(page.find("has not ended: 1 of 2"), std::string::npos);
 }
 
-// Week 2 lacks the free day that week 1 uses.
+// Week 1 uses the free day that week 2 would need.
 TEST_F(ClassFiles, OfSeveralHandInsAreMadeWhereAnotherOneChangesThem) {
   HandInRules rules;
   rules.due = "2025-03-04 23:59";

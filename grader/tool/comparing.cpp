@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Compares pictures or folders of frames and writes the page.
 #include "grader/tool/comparing.h"
 
 #include <unistd.h>
@@ -22,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 using hair::Image;
 
-constexpr std::size_t kMostShown = 12;    // pairs whose pictures are in the page
-constexpr int kSmallWidth = 480;          // px, of these
+constexpr std::size_t kMostShown = 12;    // bounds the pairs whose pictures are in the page
+constexpr int kSmallWidth = 480;          // is the width of these, px
 constexpr int kMostPixels = 4096 * 4096;  // FLIP needs some 70 bytes for each
 
-// A folder in the making beside what is in `out` already; its files move there once all of them are whole.
+// Collects files in a folder beside `out`; they move to `out` once all of them are complete.
 class Staging {
  public:
   explicit Staging(const fs::path& out) : out_(out), made_out_(!fs::exists(out)) {
@@ -43,7 +43,7 @@ class Staging {
   ~Staging() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
-    if (made_out_) fs::remove(out_, ignored);  // if nothing is in it
+    if (made_out_) fs::remove(out_, ignored);  // if it is empty
   }
 
   void write(const std::string& name, std::string_view bytes) {
@@ -70,7 +70,7 @@ std::string size_of(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-// Both pictures of a pair, which can be compared.
+// Reads both pictures of a pair that can be compared.
 std::pair<Image, Image> read_pair(const PicturePair& pair) {
   std::pair<Image, Image> both{hair::read_png(pair.reference), hair::read_png(pair.test)};
   const auto& [reference, test] = both;

@@ -6,7 +6,7 @@
 
 namespace grader::inline tool {
 
-// Nothing for a record whose hand-in has no name.
+// Does nothing for a record whose hand-in has no name.
 void write_course_files(const std::filesystem::path& folder);
 
 }  // namespace grader::tool

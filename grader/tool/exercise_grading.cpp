@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
+constexpr std::size_t kMostLog = 16 << 10;  // bounds a worker's output
 
-// The place of a memory error, as a phrase. A line would be one of hundreds, and code could choose it by a
-// hidden input.
+// Returns the place of a memory error as a phrase. A line number would be one of hundreds, and code could
+// choose it by a hidden input.
 std::string place_of(const Exercise& exercise, int call) {
   if (call < 0) return "";
   const auto number = static_cast<std::size_t>(call);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Points of an exercise that is right in a part of its cases, with "partial" in the course file
-// and without.
+// STAFF ONLY. Tests the points of an exercise that is right in some of its cases, with and without "partial"
+// in the course file.
 #include "grader/tool/exercise_grading.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 
-// The reference's S1, and wrong for an even number of unknowns.
+// Makes the reference's S1 wrong for an even number of unknowns.
 std::string right_for_odd_n() {
   std::ostringstream text;
   text << "#define ConjGrad right\n"

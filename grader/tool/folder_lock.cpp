@@ -26,7 +26,7 @@ void can_not_write(const std::filesystem::path& folder, const std::string& why) 
 
 std::optional<FolderLock> FolderLock::take(const std::filesystem::path& folder,
                                            const std::atomic<bool>& interrupted, std::ostream& says) {
-  // No program that we start inherits it, so a killed hairgrade's lock does not live on in its workers.
+  // No program that we start inherits it, so a killed hairgrade's workers do not keep the lock.
   Descriptor lock(::open((folder / kFolderLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!lock) can_not_write(folder, std::generic_category().message(errno));
   bool said = false;

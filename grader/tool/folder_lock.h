@@ -1,5 +1,5 @@
-// STAFF ONLY. The right to write to a folder of grades: one process at a time has it, until the end of this
-// object's life or of the process, however that ends.
+// STAFF ONLY. The right to write to a folder of grades: one process at a time has it, until this object's
+// destructor or the end of the process, however it ends.
 #pragma once
 
 #include <atomic>
@@ -13,14 +13,14 @@
 
 namespace grader::inline tool {
 
-inline constexpr const char* kFolderLock = ".lock";  // no submission is called so
+inline constexpr const char* kFolderLock = ".lock";  // no submission has this name
 
 [[noreturn]] void can_not_write(const std::filesystem::path& folder,
                                 const std::string& why);  // throws BadInput
 
 class FolderLock {
  public:
-  // While another process has it, waits, and says so once on `says`. Nothing if `interrupted` was set
+  // Waits while another process has it, and says so once on `says`. Returns nothing if `interrupted` was set
   // meanwhile. Throws BadInput for a folder that can't be written.
   static std::optional<FolderLock> take(const std::filesystem::path& folder,
                                         const std::atomic<bool>& interrupted, std::ostream& says);

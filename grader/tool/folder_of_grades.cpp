@@ -1,4 +1,4 @@
-// STAFF ONLY. Opens a folder of grades, and compares what its grades were made with.
+// STAFF ONLY. Opens a folder of grades, and compares how its grades were made.
 #include "grader/tool/folder_of_grades.h"
 
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
                  "name another folder with --out, or move this one away to grade all again");
 }
 
-// "a; b" and "a and b": what is different, and what would make it the same.
+// Joins differences as "a; b", and the ways to remove them as "a and b".
 void refuse(const fs::path& folder, const std::vector<Difference>& differences) {
   std::string what, way;
   for (const Difference& one : differences) {
@@ -30,7 +30,7 @@ void refuse(const fs::path& folder, const std::vector<Difference>& differences) 
   refuse(folder, "its grades were made with " + what, way + " to add to it, ");
 }
 
-// What a hairgrade that was killed had not finished. Nobody else is writing here.
+// Removes unfinished files of a killed hairgrade. No other process writes here.
 void remove_half_written(const fs::path& folder) {
   std::vector<fs::path> left;
   std::error_code ignored;
@@ -50,7 +50,7 @@ bool has_older_grades(const fs::path& folder) {
   return false;
 }
 
-// The record says how its results are made before the first one is there.
+// The record stores its settings before the first result.
 void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in) {
   if (!Record::is_in(folder)) {
     if (has_older_grades(folder))
@@ -78,10 +78,10 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
                                                    const std::string& hand_in) {
   std::optional<FolderLock> lock;
   bool made = false;
-  do {  // once more if the process that had it took the folder away
+  do {  // tries again if the last process removed the folder
     std::error_code error;
     made = fs::create_directories(folder, error);
-    if (made) fs::permissions(folder, fs::perms::owner_all);  // it holds everybody's grades
+    if (made) fs::permissions(folder, fs::perms::owner_all);  // it holds all grades
     if (error) can_not_write(folder, error.message());
     if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
     lock = FolderLock::take(folder, interrupted, says);
@@ -100,7 +100,7 @@ FolderOfGrades::~FolderOfGrades() {
     if (!record_->names().empty()) return;
     record_.reset();
     fs::remove_all(made_);
-  } catch (const std::exception&) {  // an empty folder is left
+  } catch (const std::exception&) {  // leaves an empty folder
   }
 }
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. The folder of grades as something that several people use: one hairgrade at a time writes to
-// it, and all that do agree on the course, the suite and the secret.
+// STAFF ONLY. A folder of grades that several people use: one hairgrade at a time writes to it, and all of
+// them agree on the course, the suite and the secret.
 #pragma once
 
 #include <atomic>
@@ -14,19 +14,19 @@
 
 namespace grader::inline tool {
 
-// The right to write to a folder, and its record, until the end of this object's life or of the process,
-// however that ends.
+// Holds the right to write to a folder, and its record, until this object's destructor or the end of the
+// process, however it ends.
 class FolderOfGrades {
  public:
-  // Makes the folder if it is not there. While another process has it, waits, and says so once on `says`.
-  // Nothing if `interrupted` was set meanwhile. Throws BadInput if the folder has results of this hand-in
-  // that were made otherwise, or that are of an older version and in no record; if a hand-in has a name here
-  // and none there; and for a folder that can't be written.
+  // Makes the folder if it is missing. Waits while another process has it, and says so once on `says`.
+  // Returns nothing if `interrupted` was set meanwhile. Throws BadInput if results of this hand-in in the
+  // folder were made otherwise, or by an older version without a record; if a hand-in has a name here but
+  // none there; and for a folder that can't be written.
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
                                             const std::atomic<bool>& interrupted, std::ostream& says,
                                             const std::string& hand_in = "");
 
-  // A folder that it made goes again if no row is in it.
+  // Removes a folder that it made if its record has no submission.
   ~FolderOfGrades();
   FolderOfGrades(FolderOfGrades&&) = default;
 
@@ -40,7 +40,7 @@ class FolderOfGrades {
 
   FolderLock lock_;
   std::unique_ptr<Record> record_;
-  std::filesystem::path made_;  // the folder, if it was not there before
+  std::filesystem::path made_;  // is the folder, if it was missing
 };
 
 }  // namespace grader::tool

@@ -1,4 +1,4 @@
-// STAFF ONLY. One hairgrade at a time writes to a folder of grades, and all that do agree on how.
+// STAFF ONLY. Tests that one hairgrade at a time writes to a folder of grades, with the same settings.
 #include "grader/tool/folder_of_grades.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ class Folder : public testing::Test {
   }
   std::string said() const { return hair::bytes_of(said_file_); }
   std::string memory() const { return Record(grades_).made_by(); }
-  // The line with which the folder refuses; "" if it does not.
+  // Returns the line with which the folder refuses; "" if it does not.
   std::string refusal(const MadeBy& made_by, const std::string& hand_in = "") {
     try {
       FolderOfGrades::open(grades_, made_by, interrupted_, said_, hand_in);
@@ -170,7 +170,7 @@ TEST_F(Folder, IsNotWaitedForAfterCtrlC) {
   EXPECT_FALSE(open(mine_));
 }
 
-// As with `kill -9`: the process has no time for anything, and a program that it started lives on.
+// `kill -9` gives the process no time for anything, and a program that it started lives on.
 TEST_F(Folder, IsFreeOnceItsProcessIsKilled) {
   Pipe ready = make_pipe();
   const pid_t process = fork();
@@ -187,12 +187,12 @@ TEST_F(Folder, IsFreeOnceItsProcessIsKilled) {
   }
   ready.write_end.close();
   char none;
-  EXPECT_EQ(read(ready.read_end.get(), &none, 1), 0);  // it has the folder, and its child has become `sleep`
+  EXPECT_EQ(read(ready.read_end.get(), &none, 1), 0);  // its child has become `sleep`
   kill(process, SIGKILL);
   waitpid(process, nullptr, 0);
   EXPECT_TRUE(open(mine_));
   EXPECT_EQ(said(), "") << "it waited";
-  kill(-process, SIGKILL);  // `sleep`
+  kill(-process, SIGKILL);  // ends `sleep`
 }
 
 TEST_F(Folder, LosesWhatAKilledHairgradeHadHalfWritten) {

@@ -55,7 +55,7 @@ GradingSettings settings_of(const GradeSettings& options) {
   settings.images = !options.no_images;
   settings.study = options.study;
   const Budget& budget = settings.course.budget;
-  // Whoever has no sandbox hears of that, and not of archives.
+  // Without a sandbox this error comes first, before those about archives.
   settings.isolation = isolation_here(StagedKit(settings.kit, settings.course), options.isolation);
   settings.memory_errors |= settings.isolation == Isolation::container;
   require_hard_limits({.sanitizers = settings.memory_errors,

@@ -1,4 +1,4 @@
-// STAFF ONLY. What hairgrade's options ask for, and how this build grades then.
+// STAFF ONLY. hairgrade's options, and the settings of grading that follow from them in this build.
 #pragma once
 
 #include <filesystem>
@@ -18,12 +18,12 @@ struct GradeSettings {
   std::vector<std::string> of_hand_in;  // its exercises; empty: all
   bool no_images = false, study = false;
   std::uintmax_t cache_megabytes = kCacheBytes / 1'000'000;
-  std::optional<Isolation> isolation;  // nothing: what this machine can give
+  std::optional<Isolation> isolation;  // nothing: the best kind on this machine
   int jobs = 1;
 };
 
-// The parts of this build, the course, the secret, and how this machine isolates student code. Throws
-// BadInput for what is missing, also for a machine that can't isolate.
+// Returns the parts of this build, the course, the secret, and this machine's isolation. Throws BadInput for
+// a missing part, also for a machine that can't isolate.
 GradingSettings settings_of(const GradeSettings& options);
 
 }  // namespace grader::tool

@@ -1,4 +1,4 @@
-// STAFF ONLY. Reads what Gradescope says of a hand-in, and writes what it shows.
+// STAFF ONLY. Reads Gradescope's metadata of a hand-in, and writes the results that it shows.
 #include "grader/tool/gradescope.h"
 
 #include <algorithm>

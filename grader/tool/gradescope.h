@@ -1,12 +1,12 @@
-// STAFF ONLY. A hand-in where Gradescope has put it: FOLDER/submission, with FOLDER/submission_metadata.json
-// beside it. What is found goes to FOLDER/results/results.json, which is whole at each moment: who is ended
-// by the platform's time keeps the exercises that were done, and reads which were not.
+// STAFF ONLY. A hand-in in Gradescope's folders: FOLDER/submission, with FOLDER/submission_metadata.json
+// beside it. Results go to FOLDER/results/results.json, which is complete at each moment: if the platform's
+// time limit ends the run, it keeps the finished exercises and names the others.
 //
 // The student is a number of Gradescope's, and the inputs are drawn from it: of a group the smallest of its
 // members', whoever of them hands in.
 //
-// Where nothing can be graded (odd metadata, no isolation, a fault of ours), results.json gives no points,
-// and says in a line that this is not the student's fault. The reason is for the staff, who read hairgrade's
+// If nothing can be graded (odd metadata, no isolation, a fault of ours), results.json gives no points, and
+// says in a line that this is not the student's fault. The reason is for the staff, who read hairgrade's
 // output on the platform; students don't.
 #pragma once
 
@@ -32,7 +32,7 @@ class GradescopeResults {
   GradescopeResults(const std::filesystem::path& folder, const Course& course, ResultsOptions options);
 
   void belong_to(const Metadata& metadata);
-  // A result so far: names the exercises that it lacks.
+  // Writes a result so far, and names the missing exercises.
   void write(SubmissionResult result) const;
   void could_not_grade() const;
 

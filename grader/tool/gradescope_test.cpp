@@ -1,4 +1,4 @@
-// STAFF ONLY. Who handed in, as Gradescope says it, and results.json while a hand-in is graded.
+// STAFF ONLY. Tests owners in Gradescope's metadata, and results.json while a hand-in is graded.
 #include "grader/tool/gradescope.h"
 
 #include <gtest/gtest.h>

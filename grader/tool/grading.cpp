@@ -22,7 +22,7 @@ constexpr const char* kNotFinal =
 // twice.
 constexpr double kSpareCompilerSeconds = 15;
 
-// Why a study does not call an exercise of a submission; nothing if it does.
+// Returns why a study does not call an exercise of a submission; nothing if it does.
 std::string why_not_called(Status status) {
   switch (status) {
     case Status::missing:
@@ -46,16 +46,16 @@ std::string why_not_called(Status status) {
   }
 }
 
-// All files of a submission together, in one worker: their objects lie in the folders of `job`. Given
-// exercises use the reference's objects, and exercises that can't be called use stubs: scenes that need a
-// stub are not studied.
+// Makes the job for all files of a submission together, in one worker: their objects lie in the folders of
+// `job`. Given exercises use the reference's objects, and exercises that can't be called use stubs: scenes
+// that need a stub are not studied.
 SuiteJob study_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionResult& result) {
   const StagedKit& kit = jobs.kit();
   SuiteJob suite = jobs.study(kit.new_job(job.filename() / kStudy));
   for (const Exercise& exercise : jobs.settings().course.exercises) {
     const std::string file = exercise.id + ".so";
     fs::path object = kit.folder() / (exercise.role == Role::given ? "lib" : "stub") / file;
-    // The reference's object of an exercise that is due later would be there to be read.
+    // Student code could read the reference's object of an exercise that is due later.
     if (exercise.role != Role::given && !jobs.settings().course.asks_for(exercise))
       suite.left_out.insert(exercise.id);
     for (const ExerciseResult& graded : result.exercises) {
@@ -95,7 +95,7 @@ std::string hash_of_files(const Submission& submission) {
 }
 
 std::string Grading::fingerprint(const Submission& submission) const {
-  std::string choices;  // the report names them
+  std::string choices;  // names them in the report
   for (const auto& [name, file] : submission.files) choices += file.choice + "\n";
   return sha256(base_fingerprint_ + "\n" + drawn_from(submission) + "\n" + choices +
                 hash_of_files(submission));
@@ -113,7 +113,7 @@ Graded Grading::grade(const Submission& submission, const AfterEach& after_each)
   graded.result.isolation = settings_.isolation;
   graded.result.images = settings_.images;
   graded.job = kit_.new_job("submission-" + submission.name);
-  // Honest files take very different times: what earlier ones leave of their shares, later ones may take.
+  // Honest files take very different times: later files may use the rest of earlier ones' shares.
   double compiler_seconds = kSpareCompilerSeconds;
   for (const Exercise& exercise : settings_.course.exercises) {
     compiler_seconds += jobs_.compiler_seconds(exercise);
@@ -140,7 +140,7 @@ void Grading::grade_again(const Submission& submission, Graded& graded) const {
   finish(graded);
 }
 
-// Into `result`. `compiler_seconds`: what the file may take of it, and then what it has left.
+// Grades into `result`. `compiler_seconds` is the file's limit at the start, and the rest of it at the end.
 void Grading::grade_one(const Submission& submission, const Exercise& exercise, double& compiler_seconds,
                         ExerciseResult& result, Graded& graded) const {
   try {
@@ -152,18 +152,18 @@ void Grading::grade_one(const Submission& submission, const Exercise& exercise, 
       graded.result.ended_by_the_clock.push_back(exercise.id);
       result.feedback += std::string(" ") + kNotFinal;
     }
-  } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
+  } catch (const std::exception& problem) {  // our own error, which stops no other submission
     result = describe(exercise);
     result.status = Status::crashed;
     result.feedback =
         "The grader could not finish with this file; that is not your fault. The staff see why.";
     result.staff_log = problem.what();
-    graded.result.fingerprint.clear();  // to be graded again
+    graded.result.fingerprint.clear();  // grades it again next time
     graded.problems.push_back(submission.name + ": " + exercise.id + ": " + problem.what());
   }
 }
 
-// All files together, at the end.
+// Grades all files together, at the end.
 void Grading::finish(Graded& graded) const {
   if (reference_.study) {
     try {
@@ -174,7 +174,7 @@ void Grading::finish(Graded& graded) const {
     }
   }
   if (!graded.result.ended_by_the_clock.empty()) {
-    graded.result.fingerprint.clear();  // to be graded again
+    graded.result.fingerprint.clear();  // grades it again next time
     return;
   }
   std::error_code ignored;

@@ -1,6 +1,6 @@
 // STAFF ONLY. Grades one submission, from its files to its result: compiles and links each exercise's file in
-// cages and runs its hidden suite; then studies all files together, if it is asked to. Needs no lock:
-// submissions are graded in parallel.
+// sandboxes and runs its hidden suite; then studies all files together, if this is requested. It needs no
+// lock: submissions are graded in parallel.
 #pragma once
 
 #include <filesystem>
@@ -22,18 +22,18 @@ namespace grader::inline tool {
 
 struct Graded {
   SubmissionResult result;
-  TimingByExercise timing;  // by exercise, also of kStudy
+  TimingByExercise timing;  // by exercise, and for kStudy
   std::optional<SubmissionStudy> study;
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
-  std::filesystem::path job = {};     // its objects, as long as the clock on the wall has ended a part
+  std::filesystem::path job = {};     // holds its objects if a part has ended by wall time
 };
 
-// The hash of the files that were handed in, and of their problems.
+// Hashes the files that were handed in, and their problems.
 std::string hash_of_files(const Submission& submission);
 
 class Grading {
  public:
-  // Throws BadInput if `images` is set and this machine can't draw, or if the reference does not get full
+  // Throws BadInput if `images` is set and this machine can't draw, or if the reference gets less than full
   // points.
   explicit Grading(GradingSettings settings);
 
@@ -42,11 +42,11 @@ class Grading {
   using AfterEach = std::function<void(const SubmissionResult&)>;
   Graded grade(const Submission& submission, const AfterEach& after_each = {}) const;
 
-  // Asks once more for what the clock on the wall ended, and keeps the rest. For a machine that has nothing
-  // else to do.
+  // Grades the parts again that ended by wall time, and keeps the rest. The machine should have nothing else
+  // to do.
   void grade_again(const Submission& submission, Graded& graded) const;
 
-  // A hash of the submission's bytes, and of everything else that its result depends on.
+  // Hashes the submission's bytes, and everything else that its result depends on.
   std::string fingerprint(const Submission& submission) const;
 
   const Course& course() const { return settings_.course; }
@@ -54,7 +54,7 @@ class Grading {
   bool looks_for_memory_errors() const { return settings_.memory_errors; }
   const MadeBy& made_by() const { return made_by_; }
 
-  const ReferenceGraded& reference() const { return reference_; }  // in an identical worker
+  const ReferenceGraded& reference() const { return reference_; }  // ran in an identical worker
 
  private:
   void grade_one(const Submission& submission, const Exercise& exercise, double& compiler_seconds,

@@ -1,6 +1,6 @@
-// STAFF ONLY. hairchecks FOLDER [--course FILE] [--cache DIR]: what `hairgrade gradescope` is, for the days
-// before the deadline: it compiles a hand-in as grading does and runs the public checks, which give no
-// points. It needs no secret and no reference, and links neither. Exit codes are hairgrade's.
+// STAFF ONLY. hairchecks FOLDER [--course FILE] [--cache DIR]: does the work of `hairgrade gradescope` before
+// the deadline. It compiles a hand-in as grading does and runs the public checks, which give no points. It
+// needs no secret and no reference, and links neither. Exit codes are hairgrade's.
 #include <locale.h>
 #include <signal.h>
 #include <sodium.h>
@@ -36,7 +36,7 @@ void check(const Options& options) {
     const Intake intake = read_hand_in(options.folder / "submission", "hand-in", course, reader.opener());
     for (const std::string& notice : intake.notices) std::cerr << "hairchecks: " << notice << "\n";
     const Compiler compiler(kit, options.cache, isolation);
-    // A package brings the data of the handout; here the build has made it.
+    // A package brings the handout's data; otherwise the build has made it.
     const fs::path packed = fs::path(HAIR_SOURCE_DIR) / "handout/check/golden";
     const PublicChecks checks(compiler, HAIR_PUBLIC_CHECKS,
                               fs::exists(packed) ? packed : fs::path(HAIR_GOLDEN_DIR), HAIR_GOLDEN_DIR,

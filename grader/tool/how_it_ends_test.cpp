@@ -1,5 +1,5 @@
-// STAFF ONLY. How a program ends is told by its reason, whatever the C library makes of it: a table of what
-// the system call filter stops, by the functions that people call, and one of other ends.
+// STAFF ONLY. Tests that the reported end of a program has the right cause, whatever the C library makes of
+// it: a table of functions that the system call filter stops, and one of other ends.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 struct Way {
   const char* code;
   Outcome outcome;
-  const char* note;  // what staff read
+  const char* note;  // is for staff
 };
 
 constexpr const char* kHeaders[] = {
@@ -32,8 +32,8 @@ constexpr const char* kOther = "it tried to look into or stop another process";
 constexpr const char* kLimits = "it tried to change the limits that it runs under";
 constexpr const char* kMachine = "it tried to change the machine";
 
-// The C library blocks signals around some of them, asks for other calls in their place, or ignores that they
-// fail.
+// Around some of these the C library blocks signals, makes other calls in their place, or ignores their
+// failure.
 constexpr Way kStopped[] = {
     {"std::system(\"pause\");", Outcome::broke_rules, kProcess},
     {"std::system(nullptr);", Outcome::broke_rules, kProcess},
@@ -73,7 +73,7 @@ constexpr Way kStopped[] = {
     {"prctl(PR_SET_NAME, \"x\");", Outcome::broke_rules, kLimits},
     {"chroot(\"/\");", Outcome::broke_rules, kMachine},
     {"unshare(CLONE_NEWUSER);", Outcome::broke_rules, kMachine},
-    // Nobody is told of these, which fail without harm or do what they should.
+    // These fail without harm or work, so they are not reported.
     {"alarm(1); dup(1); pollfd f{}; poll(&f, 1, 0); opendir(\"/\"); access(\"/\", R_OK); "
      "nice(1);",
      Outcome::done, ""},
@@ -93,7 +93,7 @@ constexpr Way kStopped[] = {
      Outcome::done, ""},
 };
 
-// A clock, a limit and a signal are named only where it was one.
+// A clock, a limit and a signal are named only if they are the cause.
 constexpr Way kEnds[] = {
     {"_exit(137);", Outcome::crashed, "during the request: it left with code 137"},
     {"_exit(152);", Outcome::crashed, "during the request: it left with code 152"},
@@ -121,7 +121,7 @@ class HowItEnds : public testing::Test {
  protected:
   HowItEnds() { settings_.cache = HAIR_TEST_CACHE; }
 
-  // A ConjGrad that does what row number `steps` of a table says.
+  // Makes a ConjGrad that does row number `steps` of a table.
   template <std::size_t n>
   std::filesystem::path compiled(const Way (&ways)[n], Build build) const {
     std::string source = "#include \"solver/linearSolver.h\"\n";

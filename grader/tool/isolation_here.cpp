@@ -1,4 +1,4 @@
-// STAFF ONLY. Asks the fences of each kind of cage.
+// STAFF ONLY. Tests the layers of each kind of sandbox.
 #include "grader/tool/isolation_here.h"
 
 #include <sys/syscall.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Threads start by this call, and by another one only where it is said to be unknown.
+// Threads start by this call, and by another one only if the kernel does not know this one.
 void require_threads() {
   if (syscall(SYS_clone3, nullptr, 0) == -1 && errno == EPERM)
     throw BadInput(
@@ -26,7 +26,7 @@ void require_threads() {
         "seccomp=unconfined");
 }
 
-// Empty if its fences hold; otherwise the reason.
+// Returns why its layers do not hold, or an empty text.
 std::string why_not(Isolation kind, const StagedKit& kit) {
   if (kind == Isolation::namespaces && !fs::exists("/usr/bin/bwrap"))
     return "bubblewrap is not installed; install the package bubblewrap";

@@ -1,4 +1,4 @@
-// STAFF ONLY. Which isolation this machine can give to student code.
+// STAFF ONLY. Finds the isolation that this machine can give to student code.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace grader::inline tool {
 
-// The kind that is asked for, or else the first of namespaces and container whose fences hold here: each is
-// tried. Throws BadInput with the fence that is open, and a remedy.
+// Returns the requested kind, or else the first of namespaces and container whose layers hold here: each
+// layer is tried. Throws BadInput with the open layer, and a remedy.
 Isolation isolation_here(const StagedKit& kit, std::optional<Isolation> asked);
 
 }  // namespace grader::tool

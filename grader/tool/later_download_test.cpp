@@ -1,5 +1,5 @@
-// STAFF ONLY. Random classes, each followed by a later download of it, and by archives of one student that
-// look like one.
+// STAFF ONLY. Tests random classes, each followed by a later download of it, and by archives of one student
+// that look like one.
 #include <functional>
 
 #include "grader/intake/question.h"
@@ -20,7 +20,7 @@ class LaterDownloads : public Submissions {
     for (const auto& [path, text] : download.files) builder.file(path, text);
     return take({write(name, builder.bytes())}).submissions;
   }
-  // As `grade` does it, but for the grades.
+  // Does as `grade`, without grading.
   std::vector<Submission> first_download(Generator& generator) const {
     fs::remove(dir_ / kRecordFile);
     std::vector<Submission> submissions = taken(generator.make(), "first.zip");
@@ -71,7 +71,7 @@ void forge(Submission& one) {
   one.problem.clear();
 }
 
-// Mallory is the first one, and knows the names and numbers of all.
+// Mallory is the first student, and knows the names and numbers of all.
 struct Attack {
   const char* what;
   std::function<void(std::vector<Submission>&)> change;

@@ -1,4 +1,4 @@
-// STAFF ONLY. Tells, keeps and compares what a folder of grades was made with.
+// STAFF ONLY. Writes, reads and compares the settings of a folder of grades.
 #include "grader/tool/made_by.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::string in_words(Role role) {
   return role == Role::absent ? "left out" : to_string(role);
 }
 
-// An exercise that a version of the project does not know is as good as left out.
+// An exercise that a version of the project does not know counts as left out.
 MadeBy::Rule rule_for(const MadeBy& made_by, const std::string& id) {
   for (const MadeBy::Rule& rule : made_by.exercises)
     if (rule.id == id) return rule;
@@ -84,7 +84,7 @@ MadeBy made_by(const GradingSettings& settings) {
   MadeBy made;
   for (const Exercise& exercise : settings.course.exercises) {
     const bool elsewhere =
-        asked_for(exercise.role) && !settings.course.asks_for(exercise);  // another hand-in's
+        asked_for(exercise.role) && !settings.course.asks_for(exercise);  // belongs to another hand-in
     const Role role = elsewhere ? Role::absent : exercise.role;
     made.exercises.push_back({exercise.id, role, asked_for(role) ? exercise.points : 0});
   }

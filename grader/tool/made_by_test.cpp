@@ -1,5 +1,4 @@
-// STAFF ONLY. A folder's memory: what it was made with comes back whole, and every difference is told in
-// words.
+// STAFF ONLY. Tests that the settings of a folder come back whole, and that each difference has a sentence.
 #include "grader/tool/made_by.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +22,7 @@ MadeBy three_exercises() {
   return made;
 }
 
-// What is different, and the way out of it; both empty if nothing is.
+// Returns the differences, and the ways out; both are empty if there are none.
 std::pair<std::string, std::string> told(const MadeBy& there, const MadeBy& here) {
   std::pair<std::string, std::string> all;
   for (const Difference& one : differences(there, here)) {

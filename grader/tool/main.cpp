@@ -1,9 +1,9 @@
-// STAFF ONLY. hairgrade: what staff start. Its commands are in grader/tool/commands.
+// STAFF ONLY. hairgrade, the staff's program. Its commands are in grader/tool/commands.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, or a
 // gate of the handout closed. 2: bad input or usage. 3: a person must look: intake left something over (a
 // line each, all else is graded), the clock on the wall ended a submission, or a picture is missing or could
-// not be compared. 130: interrupted; what was finished is kept, and --resume goes on.
+// not be compared. 130: interrupted; finished results are kept, and --resume goes on.
 #include <locale.h>
 #include <signal.h>
 #include <sodium.h>
@@ -23,7 +23,7 @@ namespace {
 
 using namespace grader;
 
-// "grade, compare and handout".
+// Joins names: "grade, compare and handout".
 std::string names_of(const std::vector<Command>& commands) {
   std::string names;
   for (std::size_t i = 0; i < commands.size(); ++i)
@@ -33,7 +33,7 @@ std::string names_of(const std::vector<Command>& commands) {
 
 int run(int argc, char* argv[]) {
   setlocale(LC_CTYPE, "C.UTF-8");  // names in archives may hold any letters
-  signal(SIGPIPE, SIG_IGN);        // who reads what we write may be gone, as an archive's reader in its cage
+  signal(SIGPIPE, SIG_IGN);        // a reader of our pipes may end early, as in its sandbox
   if (sodium_init() < 0) {
     std::cerr << "hairgrade: no source of random numbers\n";
     return 1;
@@ -59,7 +59,7 @@ int run(int argc, char* argv[]) {
       throw BadInput("the folder that it was started in is gone; start it in another one");
     for (const Command& command : commands)
       if (command.options->parsed()) return command.run();
-    return 2;  // not reached: a command is required
+    return 2;  // is not reached: a command is required
   } catch (const BadInput& error) {
     std::cerr << "hairgrade: " << error.what() << "\n";
     return 2;
@@ -73,7 +73,7 @@ int run(int argc, char* argv[]) {
 
 int main(int argc, char* argv[]) {
   hair::begin_output();
-  // Other commands start no student's code, and keep the limits that whoever starts them has set.
+  // Other commands start no student code, and keep the limits of their starter.
   if (const std::string_view command = argc > 1 ? argv[1] : ""; command == "grade" || command == "gradescope")
     set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));

@@ -1,5 +1,5 @@
-// STAFF ONLY. Memory errors are found and named in our words, with the function that was called; and what
-// else may happen to those who look for them.
+// STAFF ONLY. Tests that memory errors are found and named in our words, with the called function, and other
+// ends of workers that look for them.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -41,7 +41,7 @@ class MemoryErrorsTest : public testing::Test {
     if (!memory_can_be_bounded()) GTEST_SKIP() << "no control group can bound memory here";
   }
 
-  // A ConjGrad that solves nothing.
+  // Makes a ConjGrad that solves nothing.
   static std::string function(const std::string& body) {
     return "#include \"solver/linearSolver.h\"\n#include <climits>\n#include <cstdlib>\n"
            "double ConjGrad(int n, implicitMatrix*, double x[], double b[], double, int* steps) {\n" +
@@ -52,13 +52,13 @@ class MemoryErrorsTest : public testing::Test {
     return compiler_.compile(s1_, source, kit_.new_job(name), seconds, Build::sanitised);
   }
 
-  // What a worker with this object answers to a request with n = 4.
+  // Returns the answer of a worker with this object to a request with n = 4.
   Answer ask(const fs::path& object) const {
     WorkerSetup setup;
     setup.isolation = settings_.isolation;
     setup.log = kit_.folder().parent_path() / "log";
     setup.sanitised = true;
-    setup.cpu_seconds = 1000;  // to touch all memory takes a slow machine long
+    setup.cpu_seconds = 1000;  // a slow machine needs long to touch all memory
     setup.allowance->limit.worker_cpu_seconds = 1000;
     return ask_conj_grad(setup, kit_, object, 4);
   }
@@ -76,7 +76,7 @@ class MemoryErrorsTest : public testing::Test {
     return {answer.outcome, read_memory_error(answer.reply).shown};
   }
 
-  // A whole S1, with and without a look for memory errors.
+  // Grades a whole S1, with and without the search for memory errors.
   struct GradedExercise {
     ExerciseResult result;
     ExerciseTiming timing;
@@ -154,9 +154,9 @@ TEST_F(MemoryErrorsTest, AreNamed) {
 
 TEST_F(MemoryErrorsTest, AreNotWhatIsMerelyUnusual) {
   const char* right[] = {
-      "double* a = new double[n];\na[0] = 1;\nreturn a[0];",                          // a leak
+      "double* a = new double[n];\na[0] = 1;\nreturn a[0];",                          // leaks
       "try { throw 1; } catch (int) {}\nvolatile double a[400] = {};\nreturn a[n];",  // its own exceptions
-      "double a[n * 1000];\nfor (int i = 0; i < n; ++i) a[i] = x[i];\nreturn a[n - 1];",  // of variable length
+      "double a[n * 1000];\nfor (int i = 0; i < n; ++i) a[i] = x[i];\nreturn a[n - 1];",  // variable length
       "#ifdef __SANITIZE_ADDRESS__\n#error it looks different\n#endif\nreturn 0;",
       "unsigned most = UINT_MAX;\nmost += n;\nreturn most;",
   };
@@ -168,7 +168,7 @@ TEST_F(MemoryErrorsTest, AreNotWhatIsMerelyUnusual) {
 }
 
 TEST_F(MemoryErrorsTest, AreFoundBehindAnExceptionOfOurs) {
-  // Frames that an exception leaves are forgotten; what comes after it is watched like before.
+  // Frames that an exception leaves are forgotten; code after it is watched as before.
   const std::string body =
       "struct Deep {\n  static double go(int k) {\n    volatile double a[64] = {};\n    if (k == 0) throw "
       "1;\n"
@@ -179,7 +179,7 @@ TEST_F(MemoryErrorsTest, AreFoundBehindAnExceptionOfOurs) {
   EXPECT_EQ(found.outcome, Outcome::done) << found.shown;
 }
 
-// The sample of the issue.
+// This sample has a memory error that no case finds.
 TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
   std::string source = hair::bytes_of(kProject / "reference/S1/right/plain.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
@@ -230,7 +230,7 @@ TEST_F(MemoryErrorsTest, AreNotThreads) {
   EXPECT_EQ(memory_case(result)->feedback + memory_case(result)->detail, "");
 }
 
-// A file that sees to it that nobody looks gets no point for that, and a sentence.
+// A file that switches the sanitizers off loses the point, and its student reads why.
 TEST_F(MemoryErrorsTest, GiveNoPointWhereNobodyCanLook) {
   const std::string right = hair::bytes_of(kProject / "reference/S1/right/plain.cpp");
   const double without = s1_.points - 1;
@@ -248,7 +248,7 @@ TEST_F(MemoryErrorsTest, GiveNoPointWhereNobodyCanLook) {
   EXPECT_NE(refused.compiler_messages.find("defines __asan_load8"), std::string::npos)
       << refused.compiler_messages;
 
-  // As if the build with sanitizers met a limit.
+  // Without an object the build with sanitizers seems to have met a limit.
   const fs::path job = kit_.new_job("no-object");
   const SuiteJobs jobs(settings_, kit_);
   ExerciseResult limited = describe(s1_);
@@ -258,7 +258,7 @@ TEST_F(MemoryErrorsTest, GiveNoPointWhereNobodyCanLook) {
   EXPECT_DOUBLE_EQ(limited.points, without);
 }
 
-// The look comes last, and has what the others have left of the share.
+// The search comes last, and has the rest of the exercise's share.
 TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
   std::string source = hair::bytes_of(kProject / "reference/S1/right/plain.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
@@ -266,7 +266,7 @@ TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
   source.replace(source.find(vectors), 0,
                  "  if (&__asan_init != nullptr)\n    for (volatile int i = 0;; i = 1 - i) {\n    }\n");
   source = "extern \"C\" __attribute__((weak)) void __asan_init();\n" + source;
-  // So that a worker may use up an exercise's share.
+  // A worker may then use up an exercise's share.
   settings_.course.budget.worker_cpu_seconds = 2.5 * static_cast<double>(settings_.course.exercises.size());
   const auto [result, timing] = grade_timed(source, true, "slow");
   EXPECT_DOUBLE_EQ(result.points, s1_.points) << "slow code keeps the point";
@@ -287,7 +287,7 @@ TEST_F(MemoryErrorsTest, AreCachedApart) {
   EXPECT_NE(hair::bytes_of(first.object), hair::bytes_of(ordinary.object));
 }
 
-// A worker that does not run here takes nobody's point: nobody is graded.
+// A worker that does not run on this machine must cost no student a point: no submission is graded.
 TEST_F(MemoryErrorsTest, AreLookedForInTheReferenceFirst) {
   const hair::TemporaryFolder folder("kit");
   settings_.kit = folder.path() / "kit";

@@ -1,4 +1,4 @@
-// STAFF ONLY. Compares origins and bytes of rows.
+// STAFF ONLY. Compares submissions' origins and bytes with the record's.
 #include "grader/tool/origins.h"
 
 #include <map>
@@ -15,13 +15,13 @@ namespace {
 
 using Names = std::vector<std::string>;
 using RowsByName = std::map<std::string, Record::Row>;
-using People = std::map<std::string, const Submission*>;  // by the names of their rows
+using People = std::map<std::string, const Submission*>;  // by their names in the record
 
 bool is_the_same(const Submission& submission, const Record::Row& row) {
   return hash_of_files(submission) == row.files;
 }
 
-// The class in the folder of this path, else the one that shares most people with this one.
+// Holds the class in the folder with this path, else the one that shares most people with this one.
 struct Earlier {
   std::string origin = {};  // "": there is no class in the folder
   int shared = 0;
@@ -37,8 +37,8 @@ Earlier earlier_class(const std::string& origin, const People& people, const Row
   return most;
 }
 
-// Bytes that several handed in, such as those of a stub, prove nothing: others know them. Nor does a hand-in
-// without files.
+// Equal bytes of several students, such as a stub's, prove nothing: others know them. A hand-in without files
+// proves nothing either.
 bool has_most_as_they_were(const People& people, const std::string& earlier, const RowsByName& rows) {
   std::map<std::string, int> with_bytes;
   for (const auto& [name, row] : rows) ++with_bytes[row.files];
@@ -54,7 +54,7 @@ bool has_most_as_they_were(const People& people, const std::string& earlier, con
   return again > 1 && 2 * again > before;
 }
 
-// The rows that a class would change, as a part of a sentence; "": there are none.
+// Lists the submissions that a class would change, as a part of a sentence; "": there are none.
 std::string changes(const People& people, const RowsByName& rows, const std::optional<std::string>& only) {
   Names replaced, added;
   for (const auto& [name, submission] : people) {
@@ -68,7 +68,7 @@ std::string changes(const People& people, const RowsByName& rows, const std::opt
          some_of(added);
 }
 
-// Why a class may change nothing without a word; "": it may.
+// Returns why a class must not change submissions without the caller's word; "": it may.
 std::string doubt_about(const std::string& origin, const People& people, const Earlier& earlier,
                         const RowsByName& rows, const CallersWord& word) {
   if (word.replace || word.class_over_rows) return "";
@@ -117,7 +117,7 @@ Settled settle_origins(const std::filesystem::path& folder, std::vector<Submissi
   for (Submission& submission : submissions) {
     submission.origin = settled.at(submission.origin);
     const auto row = rows.find(submission.name);
-    // Rows without an origin are of names that clashed: they protect nothing.
+    // A submission without an origin had a name that clashed: it protects nothing.
     if (row == rows.end() || row->second.origin.empty() || row->second.origin == submission.origin) continue;
     if ((only && *only != submission.name) || is_the_same(submission, row->second)) continue;
     lines.replaced.push_back(submission.name + " is there of the " + row->second.origin +

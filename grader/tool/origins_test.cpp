@@ -1,4 +1,4 @@
-// STAFF ONLY. Rows in a folder of grades are replaced by their own origin alone, or by a word and a flag.
+// STAFF ONLY. Tests that a submission is replaced by its own origin, or by a confirmation or option.
 #include "grader/tool/origins.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ const CallersWord kNothingSaid, kClassSaid{.class_over_rows = true}, kFromSaid{.
 
 class Origins : public testing::Test {
  protected:
-  // Hand-ins of these people; "bob!" has handed in anew, "bob?" nothing that counts, and "bob=" what all such
-  // have.
+  // Makes hand-ins of these people; "bob!" has a new one, "bob?" none that counts, and "bob=" the one that
+  // all such people share.
   static std::vector<Submission> from(const std::string& origin, const Names& people) {
     std::vector<Submission> submissions;
     for (const std::string& text : people) {
@@ -46,7 +46,7 @@ class Origins : public testing::Test {
       Record(dir_).put({result}, {.files = hash_of_files(one)});
     }
   }
-  // The line that refuses; "" if nothing is refused.
+  // Returns the line of the refusal; "" if nothing is refused.
   std::string refusal(std::vector<Submission> submissions, const CallersWord& word = kNothingSaid,
                       const std::optional<std::string>& only = {}) const {
     try {
@@ -90,7 +90,7 @@ TEST_F(Origins, AHandInReplacesNoOtherOfItsNameAndNoRowOfAClass) {
 TEST_F(Origins, ALaterDownloadHasMostHandInsAsTheyWere) {
   const struct {
     Names before, now;
-    const char* would;  // change; "": nothing that needs a word
+    const char* would;  // would change; "": nothing that needs a word
   } cases[]{
       {{"a", "b", "c"}, {"a", "b", "c!", "d"}, ""},
       {{"a", "b", "c"}, {"a", "b"}, ""},
@@ -157,7 +157,7 @@ TEST_F(Origins, TheFlagReplacesWithAWord) {
   EXPECT_EQ(submissions[0].origin, kFirst);
 }
 
-// A child on a terminal of its own asks; "" stands for no terminal.
+// Asks a child on a terminal of its own; "" stands for no terminal.
 bool goes_on(const std::string& answer) {
   int terminal = -1;
   const pid_t child = answer.empty() ? fork() : forkpty(&terminal, nullptr, nullptr, nullptr);

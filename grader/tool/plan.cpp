@@ -1,4 +1,4 @@
-// STAFF ONLY. Finds rows and origins of submissions, and hides names where grading is blind.
+// STAFF ONLY. Finds submissions' origins and names in the record, and hides names in blind grading.
 #include "grader/tool/plan.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Says how far long work is.
+// STAFF ONLY. Reports the progress of long work.
 #include "grader/tool/progress.h"
 
 #include <unistd.h>
@@ -37,7 +37,7 @@ Progress::Progress(std::size_t total, std::ostream& out, bool terminal, std::fun
       began_(seconds_()),
       said_(began_) {}
 
-// The steps that are left may all be work.
+// Assumes that all remaining steps are work.
 std::string Progress::left() const {
   if (worked_ == 0 || done_ >= total_) return "";
   const double each = (seconds_() - began_) / static_cast<double>(worked_);

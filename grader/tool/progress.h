@@ -1,5 +1,5 @@
-// STAFF ONLY. The progress of long work. On a terminal each step has a line, as it is done; in a file or a
-// pipe one line a minute says how far it is. Both say how long it will still take, once that is known.
+// STAFF ONLY. The progress of long work. On a terminal each step has a line; in a file or a pipe one line a
+// minute gives the state. Both estimate the remaining time, once it is known.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@ namespace grader::inline tool {
 
 class Progress {
  public:
-  explicit Progress(std::size_t total);  // on the standard error stream
-  // `seconds`: a clock that never goes back.
+  explicit Progress(std::size_t total);  // writes to the standard error stream
+  // `seconds` is a clock that never goes back.
   Progress(std::size_t total, std::ostream& out, bool terminal, std::function<double()> seconds);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // `worked`: false for a step that was found done, which says nothing about how long the others take.
+  // `worked` is false for a step that was already done, which does not help to estimate the others.
   void step(const std::string& what, bool worked = true);
 
  private:

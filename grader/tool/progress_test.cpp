@@ -1,4 +1,4 @@
-// STAFF ONLY. Progress on a terminal and in a pipe, by a clock of the test's own.
+// STAFF ONLY. Tests progress on a terminal and in a pipe, by a clock of the test's own.
 #include "grader/tool/progress.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(Progress, ATerminalHasALineForEachStep) {
             "[4/4] dave: 14\n");
 }
 
-// 180 hand-ins of 20 s: a line a minute, and each estimate is right.
+// 180 hand-ins take 20 s each: there is a line a minute, and each estimate is right.
 TEST(Progress, APipeHasALineAMinute) {
   double now = 0;
   std::ostringstream out;

@@ -1,6 +1,6 @@
-# STAFF ONLY. The public checks of a student's object, which is in /objects of a cage: with one of the kit's
-# they are only linked. Where that object looks for its prerequisites the program says, too (DT_RPATH). The
-# second program has the sanitizers' runtime, as grader/worker/ makes it.
+# STAFF ONLY. Builds the public checks of a student's object, which lies in /objects of a sandbox: here they
+# are only linked with one of the kit's. The program also sets where that object looks for its prerequisites
+# (DT_RPATH). The second program has the sanitizers' runtime, as grader/worker/ makes it.
 set(HAIR_PUBLIC_CHECKS "${CMAKE_CURRENT_BINARY_DIR}/public_checks" CACHE INTERNAL "The public checks' programs, for students' objects")
 set(runtime)
 foreach(name libasan libubsan)

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kCompilerSeconds = 20;  // twice its share in grading: it is not yet late
+constexpr double kCompilerSeconds = 20;  // is twice its share in grading, since it is early
 constexpr int kCpuSeconds = 20;          // right programs take one or two
 constexpr std::size_t kMostSaid = 64 << 10;
-constexpr std::size_t kMostOfOne = 3000;  // of what a check says
+constexpr std::size_t kMostOfOne = 3000;  // bounds a check's output
 constexpr const char* kPrlimit = "/usr/bin/prlimit";
 constexpr const char* kMemory = "No memory errors in the checks";
 
@@ -30,7 +30,7 @@ std::string beginning(const std::string& text) {
   return text.size() <= kMostOfOne ? text : text.substr(0, kMostOfOne) + "\n...";
 }
 
-// From where a sanitizer speaks; "": none does.
+// Returns the output from a sanitizer's report on; "": there is none.
 std::string memory_error_in(const std::string& output) {
   const std::size_t address = output.find("ERROR: AddressSanitizer"), other = output.find("runtime error:");
   const std::size_t at = std::min(address, other);
@@ -112,7 +112,7 @@ PublicChecks::Ran PublicChecks::run(const Exercise& exercise, Build build, const
     for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
       cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
     cage.limits.memory_of_group = true;
-    inner.memory_bytes = std::size_t{1} << 46;  // of addresses
+    inner.memory_bytes = std::size_t{1} << 46;  // is for addresses
   }
   Pipe output = make_pipe();
   CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_color=no"}), -1, -1,

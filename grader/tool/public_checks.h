@@ -1,7 +1,7 @@
 // STAFF ONLY. The public checks of a hand-in, as a platform shows them before the deadline: each file is
-// compiled as in grading, with the same messages, and its checks run in a cage with the student's own
-// prerequisites, as at home. They give no points. There is no secret and no reference in it; which check
-// passed the student's process says of itself.
+// compiled as in grading, with the same messages, and its checks run in a sandbox with the student's own
+// prerequisites, as at home. They give no points. It has no secret and no reference; the student's process
+// itself reports which check passed.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,7 @@ namespace grader::inline tool {
 class PublicChecks {
  public:
   // `programs` has folders ordinary/ and sanitised/ with a program for each exercise, which looks for objects
-  // in /objects; `golden` is the data that they compare with, and look for in `golden_inside`. Keeps
-  // references.
+  // in /objects; `golden` is their data, which they find in `golden_inside`. Keeps references.
   PublicChecks(const Compiler& compiler, const std::filesystem::path& programs,
                const std::filesystem::path& golden, std::filesystem::path golden_inside, Isolation isolation);
 
@@ -40,8 +39,8 @@ class PublicChecks {
   Isolation isolation_;
 };
 
-// The checks of a program's output, each a category without points; and one that says how it ended if none of
-// them does.
+// Returns the checks of a program's output, each a category without points; and one about its end if no check
+// reports it.
 std::vector<CaseResult> checks_in(const std::string& output, bool ended_well);
 
 }  // namespace grader::tool

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Grades the reference with all kinds of workers.
 #include "grader/tool/reference_grading.h"
 
 #include <stdexcept>
@@ -23,7 +23,7 @@ void study_reference(const SuiteJobs& jobs, ReferenceGraded& graded) {
   }
 }
 
-// What a worker printed may be the reason: the sanitizers' runtime says there what it could not do.
+// The worker's output may have the reason: the sanitizers' runtime writes there what it could not do.
 std::string also_said(const fs::path& log) {
   const std::string text = beginning_of(log, 400);
   return text.empty() ? "" : "; the worker says: " + printable(text, 400);

@@ -13,12 +13,12 @@
 namespace grader::inline tool {
 
 struct ReferenceGraded {
-  TimingByExercise timing;               // by exercise, also of kStudy
-  std::optional<SubmissionStudy> study;  // beside itself: deviations of its ratios from 1 are noise
-  std::vector<std::string> problems;     // of studies; they don't affect grades
+  TimingByExercise timing;               // by exercise, and for kStudy
+  std::optional<SubmissionStudy> study;  // is compared with itself: deviations of its ratios from 1 are noise
+  std::vector<std::string> problems;     // concern studies; they don't affect grades
 };
 
-// Throws std::runtime_error if the reference does not pass: what is wrong then is this machine, or the suite.
+// Throws std::runtime_error if the reference does not pass: then this machine or the suite is wrong.
 ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler);
 
 }  // namespace grader::tool

@@ -1,4 +1,4 @@
-// STAFF ONLY. Finds members and rows of submissions.
+// STAFF ONLY. Finds members of groups, and earlier submissions.
 #include "grader/tool/rows.h"
 
 #include <algorithm>

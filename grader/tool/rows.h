@@ -1,5 +1,5 @@
-// STAFF ONLY. Finds the people and the row of each hand-in before it is graded: groups get their members from
-// the roster, and hand-ins the rows in the record that they had before.
+// STAFF ONLY. Finds the people of each hand-in before it is graded, and its place in the record: groups get
+// their members from the roster, and hand-ins the names that they had in the record.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace grader::inline tool {
 
-// See grader/roster/groups.h; remarks say what was found, and notices what a person must look at.
+// See grader/roster/groups.h; remarks say what was found, and a person must look at notices.
 void give_members(Intake& intake, const Roster& roster);
 
-// Submissions are called as their rows (grader/record/same_people.h), and sorted by that; `listed` names them
-// so, too. Names are codes already where grading is blind. Returns a line each for staff. `only`, a name of
-// one of them, becomes that of its row.
+// Gives submissions the names that they have in the record (grader/record/same_people.h), and sorts by them;
+// `listed` gets them, too. In blind grading names are codes already. Returns a line each for staff. `only`, a
+// name of one of them, becomes the record's.
 std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::vector<Accounted>& listed,
                                    Record& record, std::optional<std::string>& only);
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLeastBytes = 16;
 
-// False if a file is there. Written in full under its own name before it is the secret: two graders that
+// Returns false if the file exists. The secret is written in full under another name first: two graders that
 // start together agree on one.
 bool keep(const std::string& secret, const fs::path& file) {
   const fs::path temporary = file.string() + "." + std::to_string(getpid());

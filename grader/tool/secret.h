@@ -7,24 +7,24 @@
 
 namespace grader::inline tool {
 
-// ~/.config/hairgrade/secret. Throws BadInput if there is no home.
+// Returns ~/.config/hairgrade/secret. Throws BadInput if there is no home.
 std::filesystem::path default_secret_file();
 
-// The content of `file`, or of the default file, which is made at the first use. Throws BadInput
-// for a file that can't be read or has fewer than 16 bytes.
+// Returns the content of `file`, or of the default file, which is made at the first use. Throws BadInput for
+// a file that can't be read or has fewer than 16 bytes.
 std::string read_secret(const std::optional<std::filesystem::path>& file);
 
-// Sixteen hexadecimal digits that tell two secrets apart, and nothing else: an HMAC whose key is the secret.
-// Records keep it.
+// Returns sixteen hexadecimal digits that only distinguish secrets: an HMAC whose key is the secret. Records
+// keep it.
 std::string fingerprint(const std::string& secret);
 
 // Both write a file that its owner alone can read, in full or not at all, and replace none: they throw
-// BadInput if `file`, or another secret, is there. What is exported is the default secret; what is imported
-// becomes it. They return its fingerprint.
+// BadInput if `file`, or another secret, is there. The default secret is exported; an imported one becomes
+// the default. They return its fingerprint.
 std::string export_secret(const std::filesystem::path& file);
 std::string import_secret(const std::filesystem::path& file);
 
-// The seed of a student's inputs for an exercise. It stays the same when the student hands in again.
+// Returns the seed of a student's inputs for an exercise. It stays the same when the student hands in again.
 std::string seed_for(const std::string& secret, const std::string& student, const std::string& exercise);
 
 }  // namespace grader::tool

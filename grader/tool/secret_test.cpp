@@ -1,4 +1,4 @@
-// STAFF ONLY. The secret goes to another machine and is the same there; none is lost.
+// STAFF ONLY. Tests that the secret is the same on another machine, and that none is lost.
 #include "grader/tool/secret.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST_F(Secret, TheSameInputsAreDrawnOnAnotherMachine) {
   EXPECT_EQ(import_secret(copy), exported);
   EXPECT_EQ(read_secret({}), secret);
   EXPECT_EQ(fs::status(default_secret_file()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_EQ(import_secret(copy), exported);  // again: nothing to do
+  EXPECT_EQ(import_secret(copy), exported);  // has nothing to do the second time
   EXPECT_EQ(std::distance(fs::directory_iterator(default_secret_file().parent_path()), {}), 1);
 }
 

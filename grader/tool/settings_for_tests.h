@@ -1,5 +1,5 @@
-// STAFF ONLY. How tests grade: with the parts of this build, and the course as the handout has it. The
-// program's target says where they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_PLAYERS,
+// STAFF ONLY. The settings of grading in tests: the parts of this build, and the course as the handout has
+// it. The program's target says where they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_PLAYERS,
 // HAIR_HIDDEN_SCENES).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace grader::inline tool {
 
-// The cache and the secret are the caller's to set.
+// The caller sets the cache and the secret.
 inline GradingSettings settings_for_tests() {
   GradingSettings settings;
   settings.course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");

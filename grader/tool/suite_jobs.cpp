@@ -16,15 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLeastCpuSeconds = 2;
-constexpr int kLeastRunCpuSeconds =
-    3;  // a run has a bound of its own, of questions: see grader/judge/run/player.cpp
+constexpr int kLeastRunCpuSeconds = 3;  // a run also has a bound of its own: see grader/judge/run/player.cpp
 // A worker, all workers of an exercise, and the suite while it asks them may take this many times the
 // reference's CPU time and messages.
 constexpr double kTimesReference = 20;
 constexpr double kTimesCompiled = 2.25, kLeastCompilerSeconds = 5;
-constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, and fit to grade
+constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, but can grade
 
-// What a worker may take, of the reference's.
+// Returns a worker's limit for the reference's time.
 int cpu_limit(double reference) {
   return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
 }
@@ -48,7 +47,7 @@ SuiteResult timed(const fs::path& program, const SuiteJob& job, ExerciseTiming& 
   return found;
 }
 
-// What draws here: OpenGL and its version. Throws BadInput where there is none.
+// Names the renderer: OpenGL and its version. Throws BadInput if there is none.
 std::string what_draws() {
   try {
     hair::RenderSettings least;

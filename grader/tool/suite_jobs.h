@@ -19,21 +19,21 @@ namespace grader::inline tool {
 
 struct GradingSettings {
   Course course;
-  std::optional<std::string> exercise;  // grade only this one
+  std::optional<std::string> exercise;  // grades only this one
   std::filesystem::path kit, suite, study_program, players, scenes, cache;
   std::uintmax_t cache_bytes = kCacheBytes;
-  std::filesystem::path reference;  // its sources
+  std::filesystem::path reference;  // holds its sources
   std::string secret;
   Isolation isolation = Isolation::namespaces;
-  bool images = true;                            // draw whole runs
-  bool memory_errors = memory_can_be_bounded();  // look for them, once more with sanitizers
-  bool study = false;  // error against time, beside the reference: shown, but not scored
+  bool images = true;                            // draws whole runs
+  bool memory_errors = memory_can_be_bounded();  // looks for them, once more with sanitizers
+  bool study = false;  // error against time, compared with the reference: shown, but not scored
 };
 
-// The study's name in the timing, beside those of the exercises.
+// Is the study's name in the timing, next to those of the exercises.
 inline constexpr const char* kStudy = "study";
 
-// What a job's workers print, in its folder.
+// Is the file in a job's folder with its workers' output.
 inline constexpr const char* kLog = "output";
 
 class SuiteJobs {
@@ -44,31 +44,30 @@ class SuiteJobs {
   const GradingSettings& settings() const { return settings_; }
   const StagedKit& kit() const { return kit_; }
 
-  // A hash of everything that results depend on: kit, suite, players, scenes, secret, renderer, course.
+  // Hashes everything that results depend on: kit, suite, players, scenes, secret, renderer, course.
   std::string fingerprint() const;
 
   // From now on a worker's limit is a multiple of the reference's time.
   void limit_by(TimingByExercise reference) { reference_ = std::move(reference); }
   const TimingByExercise& reference() const { return reference_; }
 
-  bool selected(const Exercise& exercise) const;  // to be graded
+  bool selected(const Exercise& exercise) const;  // true if it is graded
 
-  // An exercise, or a study, may take its share of the course's budget, also if others are not
+  // Returns the budget of an exercise or a study: its share of the course's budget, also if others are not
   // selected; and 20 times the reference's CPU time and messages, for which each field has a least limit.
   Budget allowance(const std::string& exercise) const;
   bool ended_by_the_clock(const ExerciseTiming& timing) const;
 
-  // What compiler and linker may take for a file: its share of the course's budget; and 4.5 times what the
-  // reference's file takes with sanitizers, or rather the mean of that and of an average file. The
-  // reference's own file takes 2 of these 4.5, for it is compiled twice; what others need beyond their share
-  // is spare.
+  // Returns the limit of compiler and linker for a file: its share of the course's budget; and 4.5 times the
+  // time of the reference's file with sanitizers, or rather the mean of that and of an average file. The
+  // reference's own file takes 2 of these 4.5, for it is compiled twice; the rest is spare.
   double compiler_seconds(const Exercise& exercise) const;
 
-  // The cases of an exercise and its whole run, against an object; the suite provides its prerequisites.
+  // Makes the job of an exercise's cases and whole run; the suite provides the object's prerequisites.
   SuiteJob cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
                  const std::filesystem::path& folder) const;
 
-  // A job for hairstudy with all of the reference's objects; the caller adds the submission's.
+  // Makes a job for hairstudy with all of the reference's objects; the caller adds the submission's.
   SuiteJob study(const std::filesystem::path& folder) const;
 
   std::filesystem::path reference_object(const Exercise& exercise) const;
@@ -85,7 +84,7 @@ class SuiteJobs {
   const GradingSettings& settings_;
   const StagedKit& kit_;
   std::string suite_hash_, drawn_;
-  std::optional<std::filesystem::path> pictures_;  // the folder of the reference's pictures, if any are drawn
+  std::optional<std::filesystem::path> pictures_;  // is the folder of the reference's pictures, if any
   TimingByExercise reference_;
   mutable Processors processors_;  // has a lock of its own
 };

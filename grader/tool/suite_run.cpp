@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs the hidden suite and reads its results.
 #include "grader/tool/suite_run.h"
 
 #include <signal.h>
@@ -14,10 +14,10 @@ namespace grader::inline tool {
 namespace {
 
 constexpr std::size_t kMostOutput = std::size_t{16} << 20;
-// The suite's watchdog ends a student's worker long before; this is for the suite itself.
+// The suite's watchdog ends a student's worker long before; this limit is for the suite itself.
 constexpr double kMostSeconds = 1200;
 
-// Runs a program that we trust, with `input` on its standard input, and returns its standard output.
+// Runs a trusted program with `input` on its standard input, and returns its standard output.
 std::string run_trusted(const std::filesystem::path& program, const std::string& input) {
   Pipe in = make_pipe(), out = make_pipe();
   const std::string name = program.string();
@@ -31,7 +31,7 @@ std::string run_trusted(const std::filesystem::path& program, const std::string&
   const std::string output = read_all(out.read_end, kMostOutput, kMostSeconds);
   out.read_end.close();
   if (output.empty() || output.back() != '\n')
-    kill(process, SIGKILL);  // it has not ended, and is not waited for
+    kill(process, SIGKILL);  // it has not ended, and we don't wait for it
   const std::optional<int> code = hair::exit_code_of(process);
   if (code != 0)
     throw std::runtime_error(name + " failed " +
@@ -45,7 +45,7 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   const std::string output = run_trusted(suite, to_json(job));
   try {
     return from_json_text<SuiteResult>(output, suite.string());
-  } catch (const BadInput& error) {  // ours, and nobody's input
+  } catch (const BadInput& error) {  // our own error, not the input's
     throw std::runtime_error(error.what());
   }
 }

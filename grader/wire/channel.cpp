@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Sends and receives messages over pipes.
 #include "grader/wire/channel.h"
 
 #include <poll.h>

@@ -10,7 +10,7 @@
 //                             | memory_error, of a worker with sanitizers | left(exit code)
 //
 // During the request the worker may also call a function of a prerequisite, which the suite provides
-// (grader/judge/student/provided.h). Then the suite may ask for products with an object of the caller's:
+// (grader/judge/student/provided.h). Then the suite may ask for products with the caller's object:
 //
 //                             call(function, ...)
 //   callback(operator, x)     callback_result(doubles) | callback_threw, which ends the call
@@ -27,14 +27,14 @@
 
 namespace grader::inline wire {
 
-// New ones come last: attacks of the sample class write these numbers down.
+// New kinds come last: attacks of the sample class contain these numbers.
 enum class Kind : std::uint32_t {
   hello = 0x68616972,
   cannot_load,     // text
   request,         // int function, then its arguments
   product,         // int operator, doubles x
   product_result,  // doubles
-  stop,            // enough products: stop this request
+  stop,            // enough products: stops this request
   stopped,
   done,             // the function's results
   not_implemented,  // text
@@ -58,7 +58,7 @@ struct Message {
 
 class Channel {
  public:
-  // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT); false to give up.
+  // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT); returns false to give up.
   using Wait = std::function<bool(int descriptor, short events)>;
 
   // Does not own the descriptors. Without `wait`, sending and receiving block. With it, they call it before
@@ -66,11 +66,11 @@ class Channel {
   // message or by not reading.
   Channel(int in, int out, Wait wait = {}) : in_(in), out_(out), wait_(std::move(wait)) {}
 
-  // False if the other side is gone, or `wait` gave up.
+  // Returns false if the other side is gone, or `wait` gave up.
   bool send(Kind kind, std::uint64_t nonce, std::span<const std::byte> body = {});
 
-  // The next message; nothing if the other side is gone, or `wait` gave up. Throws MalformedMessage for a
-  // body larger than `limit` bytes.
+  // Returns the next message; nothing if the other side is gone, or `wait` gave up. Throws MalformedMessage
+  // for a body larger than `limit` bytes.
   std::optional<Message> receive(std::size_t limit);
 
  private:

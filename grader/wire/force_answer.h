@@ -1,4 +1,4 @@
-// STAFF ONLY. Questions about a force (force_message.h), answered by whoever holds it.
+// STAFF ONLY. Answers questions about a force (force_message.h) for the side that holds it.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ inline void answer_about(const particles::Force& force, int which, int size,
     force.add_dfdv(vector(0), vector(1), vector(2), sum);
 }
 
-// Adds the band of an answer; false if it says that there is none.
+// Adds the band of an answer; returns false if there is none.
 inline bool add_answered_band(std::vector<double>& answer, solver::BlockBand& band) {
   const solver::BlockBand answered(
       Eigen::Map<Eigen::MatrixXd>(answer.data() + 1, 3 * band.rows(), solver::BlockBand::kColumns));

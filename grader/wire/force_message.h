@@ -6,8 +6,8 @@
 
 namespace grader::inline wire {
 
-// Far from the numbers of matrices, which start at 0, because an exercise may use both. A question holds what
-// is to be added to, so that sums have the same bits wherever the force is.
+// These are far from the numbers of matrices, which start at 0, because an exercise may use both. A question
+// also holds the present sum, so that sums have the same bits wherever the force is.
 inline constexpr int kForceEnergy = 100;  // x             -> energy, one number
 inline constexpr int kForceForce = 101;   // x, v, f       -> f, 3n
 inline constexpr int kForceDfdx = 102;    // x, v, dx, df  -> df + (df/dx) dx, 3n
@@ -16,7 +16,7 @@ inline constexpr int kForceDfdv = 103;    // x, v, dv, df  -> df + (df/dv) dv, 3
 // column
 inline constexpr int kForceBand = 104;
 
-// The numbers of a question, with vectors of `size` numbers.
+// Returns the length of a question, with vectors of `size` numbers.
 inline int size_of_question(int which, int size) {
   switch (which) {
     case kForceEnergy:
@@ -30,7 +30,7 @@ inline int size_of_question(int which, int size) {
   }
 }
 
-// The numbers of an answer about a band.
+// Returns the length of an answer about a band.
 inline constexpr std::size_t size_of_band(int size) {
   return 1 + 9 * static_cast<std::size_t>(size);
 }

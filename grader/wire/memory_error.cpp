@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Describes the errors that sanitizers report.
 #include "grader/wire/memory_error.h"
 
 namespace grader::inline wire {

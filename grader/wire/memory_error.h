@@ -1,5 +1,5 @@
-// STAFF ONLY. A memory error, as a worker with sanitizers tells it: its kind, as a row of a table. So no text
-// and no place leaves the worker. The sender may lie: all that it can choose is a sentence of ours.
+// STAFF ONLY. A memory error, as a worker with sanitizers reports it: its kind, as a row of a table. So no
+// text and no place leaves the worker. The sender may lie, but can only choose one of our sentences.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 namespace grader::inline wire {
 
 struct MemoryErrorKind {
-  std::string_view runtime;  // what the sanitizers' runtime calls it
-  const char* shown;         // what the code does, for students
+  std::string_view runtime;  // is the name in the sanitizers' runtime
+  const char* shown;         // describes the fault to students
 };
 
-// What costs a point. The runtime reports other things, too: memory or stack used up, which are limits of
-// ours.
+// Lists the errors that cost a point. The runtime reports other things, too: memory or stack used up, which
+// are limits of ours.
 std::span<const MemoryErrorKind> memory_error_kinds();
 
-// The row of one of the runtime's names; nothing if it is none of them.
+// Returns the row of one of the runtime's names; nothing for any other name.
 std::optional<std::uint32_t> memory_error_kind(std::string_view runtime);
 
-// Throws MalformedMessage for a kind that is not there.
+// Throws MalformedMessage for an unknown kind.
 const MemoryErrorKind& read_memory_error(MessageReader& body);
 
 }  // namespace grader::wire

@@ -1,4 +1,4 @@
-// STAFF ONLY. What a worker says of a memory error is a row of our table.
+// STAFF ONLY. Tests that a worker can only choose a row of our table of memory errors.
 #include "grader/wire/memory_error.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(MemoryError, IsARowOfTheTableAndNothingElse) {
   EXPECT_THROW(read(MessageWriter().put(*row).put(1)), MalformedMessage) << "a place";
 }
 
-// Memory and stack that are used up are limits of ours.
+// Used-up memory and stack are limits of ours.
 TEST(MemoryError, DoesNotIncludeLimits) {
   for (const char* limit :
        {"stack-overflow", "out-of-memory", "allocation-size-too-big", "rss-limit-exceeded", ""})

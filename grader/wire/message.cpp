@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes and reads the values of a message.
 #include "grader/wire/message.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 namespace grader::inline wire {
 
-// A message with an invalid form. If it comes from a worker, the worker broke the rules.
+// Means that a message has an invalid form. If it comes from a worker, the worker broke the rules.
 class MalformedMessage : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -48,9 +48,10 @@ class MessageReader {
     return value;
   }
   std::vector<double> get_doubles();
-  std::vector<double> get_doubles(std::size_t expected);  // throws MalformedMessage for another number
-  std::string get_text();      // the first 1000 bytes, control characters as spaces: for untrusted senders
-  std::string get_document();  // the whole text, unchanged: only for trusted senders
+  std::vector<double> get_doubles(std::size_t expected);  // throws MalformedMessage for another length
+  std::string get_text();      // reads 1000 bytes at most, control characters as spaces: for untrusted
+                               // senders
+  std::string get_document();  // reads the whole text, unchanged: only for trusted senders
   void expect_end() const;
 
  private:

@@ -1,6 +1,6 @@
-// STAFF ONLY. Hostile bytes from a worker: as a stream of messages, and as the body of one that is read by a
-// script. Of the input, the first byte is the script's length, then comes the script, then the body. What is
-// read can be sent, and arrives as it was.
+// STAFF ONLY. Reads hostile bytes of a worker: as a stream of messages, and as the body of one that a script
+// reads. The first byte of the input is the script's length, then comes the script, then the body. Values
+// that were read can be sent, and arrive unchanged.
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Bytes bytes_of(std::string_view text) {
   return {begin, begin + text.size()};
 }
 
-// What a step of a script reads, its low four bits; the others are a length.
+// Names a step of a script by its low four bits; the others are a length.
 enum Step : unsigned char { an_int, a_double, a_byte, doubles, as_many_doubles, a_text, a_document, the_end };
 
 void read_text(MessageReader& reader, MessageWriter& copy) {
@@ -35,7 +35,7 @@ void read_text(MessageReader& reader, MessageWriter& copy) {
   copy.put(said);
 }
 
-// Reads by the script, and writes what was read.
+// Reads by the script, and writes the values that it read.
 void play(std::string_view script, MessageReader& reader, MessageWriter& copy) {
   for (const char c : script) {
     const auto step = static_cast<unsigned char>(c);
@@ -116,9 +116,9 @@ void expect_sent(const Message& message) {
                "a message arrives as it was");
 }
 
-// All at once, and then the other side is gone.
+// Sends all bytes at once, and then the other side is gone.
 void try_stream(std::string_view bytes) {
-  // What a pipe holds while nobody reads.
+  // A pipe holds this while nobody reads.
   constexpr std::size_t most = 65536;
   if (bytes.size() > most) return;
   Pipe hostile;
@@ -145,8 +145,8 @@ void fuzz::try_input(std::string_view bytes) {
   try_body(bytes.substr(1, length), bytes_of(bytes.substr(1 + length)));
 }
 
-// The body, what is read of it, and two texts that grow to twice their size. A stream has at most a message
-// that was announced, twice.
+// Counts the body, its values, and two texts that grow to twice their size. A stream has at most one
+// announced message, twice.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 10'000 + 4 * kLongestMessage + 12 * input;
 }
@@ -162,7 +162,7 @@ std::vector<std::string> fuzz::seeds() {
   add({doubles, as_many_doubles + (3 << 4), a_text, a_document, the_end},
       MessageWriter().put(three).put(three).put(std::string("a\ntext")).put(std::string("{}")));
 
-  // A stream of two messages: kind, nothing, a number, the body's length, the body.
+  // The stream has two messages: kind, nothing, a number, the body's length, the body.
   std::string stream;
   for (const std::string& body : {std::string("12345678"), std::string()}) {
     const std::uint32_t kind[] = {static_cast<std::uint32_t>(grader::Kind::done), 0};

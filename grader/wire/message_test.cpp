@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests that messages are read as they were written.
 #include "grader/wire/message.h"
 
 #include <gtest/gtest.h>

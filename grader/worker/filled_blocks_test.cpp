@@ -1,4 +1,4 @@
-// STAFF ONLY. Memory that the worker gives holds the same whatever was in it before.
+// STAFF ONLY. Tests that the worker's new memory has the same content, whatever it held before.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(FilledBlocks, AreFilledHoweverMemoryIsTaken) {
       }
 }
 
-// Fresh from the kernel each time, also where one of that size was freed before.
+// Large blocks come fresh from the kernel, also where one of that size was freed before.
 TEST(FilledBlocks, HoldZerosWhereTheyAreLarge) {
   constexpr std::size_t kSize = std::size_t{4} << 20;
   for (int again = 0; again < 3; ++again) {
@@ -48,7 +48,7 @@ TEST(FilledBlocks, HoldZerosWhereTheyAreLarge) {
 TEST(FilledBlocks, GrowByWhatIsFilled) {
   for (int again = 0; again < 3; ++again) {
     for (const bool zero : {false, true}) {
-      // An odd size, of which the C library gives more.
+      // For an odd size the C library gives more.
       void* memory = zero ? std::calloc(1, 101) : std::malloc(101);
       std::memset(memory, 7, 101);
       memory = std::realloc(memory, 103);

@@ -1,6 +1,5 @@
-// STAFF ONLY. What the worker with sanitizers adds to the other one: the sanitizers' runtime calls these
-// functions when it has found an error and before it prints anything. They tell the suite, and end the
-// process.
+// STAFF ONLY. Reports memory errors in the worker with sanitizers: their runtime calls these functions when
+// it has found an error and before it prints anything. They send the error to the suite, and end the process.
 //
 // Nothing here allocates, for the heap may be in any state.
 #include <pthread.h>
@@ -55,9 +54,9 @@ void run_on_known_stack(void (*run)()) {
 
 extern "C" {
 
-// `symbolize`: there is nobody who could, and what is printed is not read. `malloc_context_size`: nor is it
-// asked who allocated. `handle_abort`: an abort is no memory error. `malloc_fill_byte`: blocks hold what
-// those of solver/filled_blocks.cpp do.
+// `symbolize`: no program can, and nobody reads the output. `malloc_context_size`: nobody asks where memory
+// was allocated. `handle_abort`: an abort is no memory error. `malloc_fill_byte`: blocks have the content of
+// those of solver/filled_blocks.cpp.
 __attribute__((visibility("default"))) const char* __asan_default_options() {
   return "detect_leaks=0:symbolize=0:malloc_context_size=0:quarantine_size_mb=16:allocator_may_return_null=1:"
          "detect_odr_violation=0:handle_abort=0:handle_sigfpe=0:handle_sigill=0:"

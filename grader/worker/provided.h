@@ -1,6 +1,6 @@
 // STAFF ONLY. An exercise's functions as the suite provides them to a worker whose code needs them as a
-// prerequisite: each asks the suite, in the session of the present request. The definitions themselves are
-// generated, grader/cmake/definitions.cmake.
+// prerequisite: each calls the suite, in the session of the present request. The definitions are generated,
+// grader/cmake/definitions.cmake.
 #pragma once
 
 #include <limits>
@@ -10,7 +10,7 @@
 #include "grader/calls/client.h"
 #include "grader/worker/session.h"
 
-// Each object's own.
+// Each object has its own.
 extern "C" __attribute__((visibility("default"))) grader::ProvidedSession provided_session;
 
 namespace grader::inline worker {
@@ -26,8 +26,8 @@ struct ProvidedAsker {
         request, [&](int which, std::vector<double>& x, std::vector<double>& y) { products(which, x, y); });
   }
   bool served(const particles::Force& force) const { return &force == provided_session->served_force; }
-  // Leaves nothing in the columns that the contract gives a function: what a caller keeps there is lost, as
-  // it may be with any function of that contract.
+  // Fills the columns that the contract gives a function with NaN: a caller loses values there, as with any
+  // function of that contract.
   void scratch(particles::Scratch scratch, int columns) const {
     if (scratch.cols() < columns)
       throw std::invalid_argument("scratch of " + std::to_string(scratch.cols()) + " columns; expected " +

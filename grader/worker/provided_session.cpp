@@ -1,4 +1,4 @@
-// STAFF ONLY. The session that a provided exercise asks: each of them has its own.
+// STAFF ONLY. Defines the session of a provided exercise: each exercise has its own.
 #include "grader/worker/provided.h"
 
 grader::ProvidedSession provided_session = nullptr;

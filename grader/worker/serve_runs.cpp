@@ -1,8 +1,8 @@
-// STAFF ONLY. Plays a scene with all of a submission's files together, as often as asked, each time from its
-// beginning.
+// STAFF ONLY. Runs a scene with all of a submission's files together, `times` times from its beginning.
 //
-//   JSON, times -> trouble, work, number of bodies; what the coordinates of each are;
-//                  number of frames; of each: time, coordinates, their rates, points of dense hair    (all of the last time)
+//   JSON, times -> trouble, work, number of bodies; the kinds of each body's coordinates;
+//                  number of frames; of each: time, coordinates, their rates, points of dense hair
+//                  (all from the last run)
 #include <vector>
 
 #include "grader/judge/run/dense_strands.h"
@@ -17,7 +17,7 @@ struct Frame {
   Eigen::VectorXd dense;
 };
 
-// Until it ends or breaks.
+// Runs until the scene ends or breaks.
 std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work,
                  std::vector<std::uint32_t>& coordinates) {
   hair::Playback playback(scene);
@@ -43,7 +43,7 @@ std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Wor
 
 extern "C" __attribute__((visibility("default"))) void serve(grader::Session& session) {
   hair::Scene scene = hair::parse_scene(session.request.get_document(), "scene");
-  scene.hair.watched = false;  // nobody has to have written energies
+  scene.hair.watched = false;  // students need not have written energies
   const int times = session.request.get<int>();
   std::vector<Frame> frames;
   hair::Work work;

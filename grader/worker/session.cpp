@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Receives requests, sends answers, and puts a guard page behind each buffer.
 #include "grader/worker/session.h"
 
 #include <sys/mman.h>
@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-// Of the sanitizers' runtime, where there is one.
+// These belong to the sanitizers' runtime, if there is one.
 extern "C" __attribute__((weak)) void __asan_poison_memory_region(const volatile void* begin,
                                                                   std::size_t bytes);
 extern "C" __attribute__((weak)) void __asan_unpoison_memory_region(const volatile void* begin,
@@ -24,8 +24,8 @@ std::size_t page_size() {
   return size;
 }
 
-// Pages whose last one is protected, of buffers that are gone. A whole run asks thousands of times for the
-// same few small buffers, and to map and protect pages takes longer than most answers.
+// Keeps pages of freed buffers, the last one protected. A whole run needs the same few small buffers
+// thousands of times, and mapping and protecting pages takes longer than most answers.
 constexpr std::size_t kMostKept = 16;
 std::vector<std::span<std::byte>> kept;
 
@@ -98,7 +98,7 @@ GuardedBuffer::GuardedBuffer(const std::vector<double>& values) {
   std::fill(before.begin(), before.end(), std::byte{0});
   values_ = {reinterpret_cast<double*>(pages_.data() + before.size()), values.size()};
   std::copy(values.begin(), values.end(), values_.begin());
-  // What is around the values can be watched, too.
+  // The bytes around the values can be watched, too.
   if (__asan_poison_memory_region == nullptr) return;
   __asan_poison_memory_region(pages_.data(), usable - bytes);
   __asan_poison_memory_region(pages_.data() + usable, page);

@@ -24,7 +24,7 @@ class Session {
   // Asks the suite for the product of its operator number `which` with x.
   void product(int which, std::span<const double> x, std::span<double> result);
 
-  // Computes what the suite asks of a caller's object: y, from x.
+  // Computes y from x with the caller's object, for the suite.
   using Callback = std::function<void(int which, std::vector<double>& x, std::vector<double>& y)>;
 
   // Calls a function that the suite provides, grader/judge/student/provided.h. An exception of `callback`
@@ -33,7 +33,7 @@ class Session {
 
   MessageReader request;
   MessageWriter reply;
-  const void* served_force = nullptr;  // the force that the suite holds in this request, if there is one
+  const void* served_force = nullptr;  // is the force that the suite holds in this request, or null
 
  private:
   Message receive(std::size_t limit);
@@ -42,7 +42,7 @@ class Session {
   std::uint64_t nonce_;
 };
 
-// A copy of `values` that ends directly before a protected page.
+// Holds a copy of `values` that ends directly before a protected page.
 class GuardedBuffer {
  public:
   explicit GuardedBuffer(const std::vector<double>& values);
@@ -58,13 +58,13 @@ class GuardedBuffer {
   std::span<double> values_;
 };
 
-// The function that each server defines: it reads the session's request, calls the student's function, and
-// writes the session's reply.
+// Each server defines this function: it reads the session's request, calls the student's function, and writes
+// the session's reply.
 using Server = void (*)(Session& session);
 inline constexpr const char* kServerName = "serve";
 
-// The variable that each object of provided functions defines: the session of the present request, which
-// contracts have no argument for.
+// Each object of provided functions defines this variable: the session of the present request, since
+// contracts have no argument for it.
 using ProvidedSession = Session*;
 inline constexpr const char* kProvidedSessionName = "provided_session";
 

@@ -1,12 +1,12 @@
-// STAFF ONLY. The program that student code runs in: puts itself under limits and a system call filter, loads
-// the objects that it is given and answers requests on descriptor 3 through descriptor 4.
+// STAFF ONLY. The program that runs student code: it limits itself and its system calls, loads the given
+// objects and answers requests on descriptor 3 through descriptor 4.
 //
 //   hairworker CPU_SECONDS MEMORY_BYTES THREADS OBJECT... SERVER
 //
 // MEMORY_BYTES limits the address space; 0: the control group bounds memory, and the sanitizers have the
 // address space that they need. THREADS limits the threads of its user; 0: a control group alone may bound
 // them. Objects are loaded in their order, each finding the functions of those before it. Nothing here is
-// trusted once they are in.
+// trusted after they are loaded.
 #include <dlfcn.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -36,7 +36,7 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   if (setrlimit(resource, &value) != 0) _exit(120);
 }
 
-// The suite is told of a system call that student code has no use for, or of an exit code.
+// Reports to the suite a system call that student code never needs, or an exit code.
 template <Kind kind>
 void tell(int number) {
   MessageWriter message;
@@ -54,7 +54,7 @@ void lock_down(int cpu_seconds, rlim_t memory, rlim_t threads) {
   signal(SIGXFSZ, SIG_IGN);
   signal(SIGPIPE, SIG_IGN);
   prctl(PR_SET_DUMPABLE,
-        0);  // a core pattern may be a program that takes the core all the same, and its time
+        0);  // a core pattern may be a program, which takes a core and time in any case
   hear_of_stopped_calls(tell<Kind::denied>, tell<Kind::left>);
   restrict_syscalls(Syscalls::worker);
 }
@@ -65,7 +65,7 @@ void send_text(Channel& channel, Kind kind, std::uint64_t nonce, const char* tex
   channel.send(kind, nonce, message.bytes());
 }
 
-// What is loaded: the server, and where objects of provided functions look for the session.
+// Holds loaded objects: the server, and the variables of provided functions that point to the session.
 struct Loaded {
   Server serve = nullptr;
   std::vector<ProvidedSession*> provided;
@@ -121,7 +121,7 @@ void serve_requests() {
     current.nonce = request->nonce;
     answer(channel, loaded, *request);
   }
-  _exit(0);  // not through the student's destructors
+  _exit(0);  // skips the student's destructors
 }
 
 }  // namespace
@@ -132,6 +132,6 @@ int main(int argc, char* argv[]) {
   if (argc < 5) return 2;
   lock_down(std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
   arguments = {argc - 4, argv + 4};
-  // Under the filter already, as all its threads are then.
+  // The filter is on already, so that it holds for all threads.
   run_on_known_stack != nullptr ? run_on_known_stack(serve_requests) : serve_requests();
 }

@@ -7,7 +7,7 @@
 
 namespace grader::inline worker {
 
-// In front of a protected page.
+// Ends before a protected page.
 class GuardedVector {
  public:
   explicit GuardedVector(const std::vector<double>& values)

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests that roots between guides lie on the scalp, evenly.
 #include "hair/head/roots_between.h"
 
 #include <gtest/gtest.h>

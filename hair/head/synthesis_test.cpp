@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests the synthesis of dense hair from guides.
 #include "hair/head/synthesis.h"
 
 #include <gtest/gtest.h>

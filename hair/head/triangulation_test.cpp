@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tests triangulations of points.
 #include "hair/head/triangulation.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes random trees of links.
 #include "reference/H7/link_trees_for_tests.h"
 
 #include <numbers>

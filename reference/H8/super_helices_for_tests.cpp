@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes super-helices of hair.
 #include "reference/H8/super_helices_for_tests.h"
 
 #include "hair/strand/material.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Moves particles under P2's constraints.
 #include "reference/P2/constrained_motion_for_tests.h"
 
 namespace reference_tests {

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes and interpolates a solid's distances on a grid.
 #include "reference/engine/distance_grid.h"
 
 #include <algorithm>

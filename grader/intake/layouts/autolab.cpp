@@ -1,7 +1,7 @@
 // STAFF ONLY. Autolab's download, a file for each hand-in (submissions_controller.rb):
 //
 //   joerg@u.de_3_lab.tar             an e-mail address, the version, the file's name in this course
-//   3_so@u.ie_my_lab.c               the same where the file's name has a "_"
+//   3_so@u.ie_my_lab.c               the same if the file's name has a "_"
 //   annotated_so@u.ie_1_lab.tar      with a grader's notes in it
 #include "grader/intake/layouts/match.h"
 #include "grader/intake/layouts/system.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. Blackboard's download, flat files, each attempt with a note of its own:
+// STAFF ONLY. Blackboard's download, flat files, with a note for each attempt:
 //
 //   Lab 3_so12_attempt_2025-03-04-10-15-22_main.cpp   the assignment's title, a user name, the attempt's time
 //   Lab 3_so12_attempt_2025-03-04-10-15-22.txt        the note
@@ -24,7 +24,7 @@ std::optional<NamedPath> read_blackboard(std::string_view name, bool is_folder, 
 }
 
 void settle_blackboard(std::vector<NamedPath*>& names) {
-  // User names may hold a "_". The title is what all names begin with.
+  // User names may hold a "_". The title is the common beginning of all names.
   std::string title = names.front()->stem;
   bool several = false;
   for (const NamedPath* named : names) {

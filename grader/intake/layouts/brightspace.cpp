@@ -51,7 +51,7 @@ std::optional<NamedPath> read_brightspace(std::string_view name, bool is_folder,
 }
 
 void settle_brightspace(std::vector<NamedPath*>& names) {
-  // No source says which of the two numbers is the student's: the one that differs between students.
+  // No source defines which number is the student's: it is the one that differs between students.
   std::map<std::string, std::set<std::string>> names_of_first, names_of_second;
   for (const NamedPath* named : names) {
     names_of_first[named->owner.id].insert(named->owner.name);

@@ -5,9 +5,8 @@
 //   doejane_4711_text.html, ..._link.html   typed text, a link
 //   LATE_anon_aB3dE_90021_main.cpp       anonymous
 //
-// A group whose name ends with "_12" looks like the student 12. The first reading stands unless the roster
-// proves another one: what follows may be a student's own words, and nobody can give a file the number of
-// somebody else.
+// A group whose name ends with "_12" looks like the student 12. The first reading counts unless the roster
+// proves another one: students choose the end of the name, but can't give a file somebody else's number.
 #include <map>
 #include <set>
 
@@ -17,7 +16,7 @@
 namespace grader::inline intake {
 namespace {
 
-// "main-1.cpp" was handed in after "main.cpp": Canvas gives such a number to a name that it has already.
+// "main-1.cpp" was handed in after "main.cpp": Canvas adds such a number to a name that it already has.
 void take_canvas_version(NamedPath& named) {
   static const std::regex kNumbered("(.+)-([0-9]{1,6})(\\.[^.]+|\\.tar\\.[a-z0-9]+)");
   if (const auto parts = groups_of(named.inside, kNumbered)) {
@@ -26,8 +25,8 @@ void take_canvas_version(NamedPath& named) {
   }
 }
 
-// The reading in which the student's number is the end of the name: of "lab3_12_4713_90020_a.cpp" the number
-// 4713, and not 12.
+// Takes the student's number from the end of the name: "lab3_12_4713_90020_a.cpp" has the number 4713, and
+// not 12.
 std::optional<NamedPath> with_longer_name(const NamedPath& named) {
   static const std::regex kNumbered("([0-9]+)_(.+)"), kTyped("(text|link)\\.html");
   if (named.kind != NamedPath::Kind::hand_in || named.owner.anonymous) return {};
@@ -66,8 +65,8 @@ std::optional<NamedPath> read_canvas(std::string_view name, bool is_folder, cons
 }
 
 void settle_canvas(std::vector<NamedPath*>& names) {
-  // A file's number is one file's. If two names share it, it is a student's number, and the name has digits
-  // at its end.
+  // A file's number belongs to one file. If two names share it, it is a student's number, and the name ends
+  // with digits.
   constexpr std::size_t kMostOthers = 3;
   std::map<std::string, int> files_with_number;
   for (const NamedPath* named : names)

@@ -1,5 +1,5 @@
-// STAFF ONLY. What gh-classroom clones: lab3-submissions/lab3-jmueller/, a folder for each repository. It
-// shows a login, or a team's name. Its grades.csv may lie beside them.
+// STAFF ONLY. Reads clones of gh-classroom: lab3-submissions/lab3-jmueller/, a folder for each repository
+// with a login or a team's name. Its grades.csv may lie beside them.
 #include <algorithm>
 
 #include "grader/intake/layouts/match.h"
@@ -30,7 +30,7 @@ std::optional<NamedPath> read_classroom(std::string_view name, bool is_folder, c
 }
 
 void settle_classroom(std::vector<NamedPath*>& names) {
-  // The folder around them has another name: the assignment's is what all of them begin with.
+  // The folder around them has another name: the assignment's name is the common beginning of all of them.
   std::vector<NamedPath*> unsettled;
   for (NamedPath* named : names)
     if (!named->stem.empty()) unsettled.push_back(named);

@@ -13,20 +13,20 @@
 namespace grader::inline intake {
 namespace {
 
-// A name directly in a folder that the download's names stand in.
+// Is a name directly in the download's folder.
 struct Child {
   bool is_folder = false;
   std::vector<std::size_t> files = {};
   std::optional<NamedPath> named = {};
 };
 using Children = std::map<std::string, Child>;    // by path
-using Folders = std::map<std::string, Children>;  // by the path that their names stand in
+using Folders = std::map<std::string, Children>;  // by the folder around the names
 
 std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
 
-// All names in `around`, or in each folder in it.
+// Lists all names in `around`, or in each folder in it.
 Folders names_in(const std::vector<Entry>& list, const std::string& around, bool in_each) {
   Folders folders;
   if (!in_each) folders[around];
@@ -46,7 +46,7 @@ Folders names_in(const std::vector<Entry>& list, const std::string& around, bool
   return folders;
 }
 
-// How many children the system knows. It reads their names.
+// Reads the children's names, and returns how many of them the system knows.
 std::pair<std::size_t, std::size_t> read_names(Children& children, const System& system,
                                                const Around& around) {
   std::size_t known = 0, made = 0;
@@ -151,7 +151,7 @@ void Divider::divide() {
   }
 }
 
-// The system that knows most names of each folder. They are read as that system reads them.
+// Returns the system that knows most names of each folder, and reads the names as that system.
 const System* known_in_each(Folders& folders, const std::string& container, const System* said) {
   const auto known_by = [&](const System& system) {
     std::size_t all = 0;
@@ -176,7 +176,7 @@ const System* known_in_each(Folders& folders, const std::string& container, cons
   return best;
 }
 
-// It is called as a system calls hand-ins, or as one of those in it.
+// True if the path has the name of a hand-in, or of a file in one.
 bool may_be_a_hand_in(std::string_view path, const Division& division) {
   const std::string_view called = last_part(path), name = without_archive_ending(called);
   return told_by_name(called, false) || told_by_name(called, true) ||
@@ -214,7 +214,7 @@ std::optional<Division> divide(std::vector<Entry>& list, const std::string& cont
       if (child.is_folder) inner.push_back(path);
     if (const System* system = known_in_each(folders, container, said))
       return divided(list, folders, *system, known);
-    if (inner.size() == 1) {  // around the download there may be folders, and files beside them
+    if (inner.size() == 1) {  // folders may enclose the download, with files beside them
       around = inner.front();
       continue;
     }

@@ -1,6 +1,6 @@
-// STAFF ONLY. Divides a learning system's download among those who handed in. Names decide, and of these only
-// the ones directly in the download's folder: a student can choose all others. Every file is somebody's, made
-// by the system, an older one, or left over.
+// STAFF ONLY. Divides a learning system's download among the students who handed in. Only names directly in
+// the download's folder decide: a student can choose all others. Each file belongs to a student, is made by
+// the system, is older than another one, or is left over.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace grader::inline intake {
 
 struct HandIn {
   Owner owner;
-  std::string path;       // the name that says whose it is, below the container
-  std::string handed_in;  // of the newest attempt, which counts
+  std::string path;       // is the name, below the container, that identifies the owner
+  std::string handed_in;  // is the newest attempt's time, which counts
   bool late = false;
-  std::vector<std::size_t> entries = {};               // of the newest attempt
-  std::vector<std::string> doubts = {}, remarks = {};  // to look at; to know
+  std::vector<std::size_t> entries = {};               // belong to the newest attempt
+  std::vector<std::string> doubts = {}, remarks = {};  // only doubts need a look
 };
 
 struct Division {
   const System* system = nullptr;
-  std::vector<HandIn> hand_ins = {};  // by their owners' names
+  std::vector<HandIn> hand_ins = {};  // sorted by their owners' names
   struct Aside {
     std::size_t entry;
     Accounted::As as;
@@ -35,10 +35,10 @@ struct Division {
   std::vector<Aside> aside = {};  // files that belong to no hand-in that counts
 };
 
-// Empty if no system knows most of the names. `said`: the system that --from names, which needs to know one.
-// A flat file's `path` in the list becomes FOLDER/NAME, as if it lay in its hand-in's folder. `container`:
-// its name. The download may have sections: folders that are all downloads of one system, and none of them is
-// called as a hand-in is. Somebody in two of them has one hand-in.
+// Returns nothing if no system knows most of the names. `said` is the system of --from, which needs to know
+// one. A flat file's `path` in the list becomes FOLDER/NAME, as if it lay in its hand-in's folder.
+// `container` is its name. The download may have sections: folders that are all downloads of one system, and
+// none of them has a hand-in's name. A student in two sections has one hand-in.
 std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said,
                                bool may_have_sections = false, const KnownOwner& known = {});
 

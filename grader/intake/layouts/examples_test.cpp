@@ -1,7 +1,7 @@
-// STAFF ONLY. Each system's names, as its own source or its users give them, are read as what they say.
+// STAFF ONLY. Tests each system's names, as its own source or its users give them.
 //
-// With the environment's HAIR_LAYOUTS a row of a table for each: the first path, what it was taken for, how
-// many files it has, whose they are, and how many are older, the system's, and left over.
+// With HAIR_LAYOUTS in the environment it prints a row of a table for each: the first path, the system, the
+// number of files, their owners, and how many are older, the system's, and left over.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -38,8 +38,8 @@ void print_row(const Division& division, const std::vector<Entry>& list) {
             << " | " << aside[left_over] << " |\n";
 }
 
-// A line for each hand-in, "NAME|ID|TIME|MARKS: FILES", and for each file aside, "? NAME", "= NAME" if the
-// system made it, "- NAME" if it is older.
+// Returns a line for each hand-in, "NAME|ID|TIME|MARKS: FILES", and for each file aside, "? NAME", "= NAME"
+// if the system made it, "- NAME" if it is older.
 Lines told(const Lines& paths, const char* said = nullptr, const char* container = "download") {
   std::vector<Entry> list;
   const Division division = divided(paths, list, said, container);
@@ -78,11 +78,11 @@ TEST(Layouts, OfCanvas) {
   // The highest number of a name counts.
   EXPECT_EQ(told({"roe_99_5_a.cpp", "roe_99_6_a-1.cpp", "roe_99_7_a-2.cpp", "roe_99_8_b.cpp"}),
             (Lines{"canvas", "roe|99||: a.cpp b.cpp", "- roe_99_5_a.cpp", "- roe_99_6_a-1.cpp"}));
-  // Only a link was handed in: nobody is lost.
+  // A student who handed in only a link must not get lost.
   EXPECT_EQ(told({"roe_99_link.html"}), (Lines{"canvas", "roe|99||:", "= roe_99_link.html"}));
 }
 
-// A file's own name can say anything. It must not make it somebody else's.
+// A student chooses a file's own name. It must not change the owner.
 TEST(Layouts, OfCanvasAreNoWordsOfStudents) {
   EXPECT_EQ(told({"4711_90001_4712_90002_a.cpp", "4712_90003_b.cpp"}),
             (Lines{"canvas", "|4711||: 4712_90002_a.cpp", "|4712||: b.cpp"}));
@@ -93,7 +93,7 @@ TEST(Layouts, OfCanvasAreNoWordsOfStudents) {
   EXPECT_EQ(told({"1-9 - Mal - May 18, 2025 1224 PM - 2-9 - Bob - May 18, 2025 1224 PM - a.cpp"}),
             (Lines{"brightspace", "Mal|1|2025-05-18 12:24:00|: 2-9 - Bob - May 18, 2025 1224 PM - a.cpp"}));
   EXPECT_EQ(told({"mal@u.de_1_bob@u.de_2_a.cpp"}), (Lines{"autolab", "|mal@u.de||: bob@u.de_2_a.cpp"}));
-  // A group may be called "Lab 3_12": then two names share what would be one file's number.
+  // A group may be called "Lab 3_12": then two names seem to share one file's number.
   EXPECT_EQ(told({"lab3_12_4713_90020_a.cpp", "lab3_12_4713_90021_b.cpp"}),
             (Lines{"canvas", "lab3_12|4713||group: a.cpp b.cpp"}));
 }

@@ -26,7 +26,7 @@ std::size_t shared_length(std::string_view a, std::string_view b) {
   return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
 }
 
-// The first part of `path` below `folder`, with `folder` before it.
+// Returns the first part of `path` below `folder`, with `folder` before it.
 std::string_view child_of(std::string_view folder, std::string_view path) {
   return path.substr(0, path.find('/', folder.empty() ? 0 : folder.size() + 1));
 }
@@ -41,7 +41,7 @@ bool is_archive(const Entry& entry) {
   return entry.kind != Entry::Kind::folder && has_archive_ending(name_of(entry));
 }
 
-// "hw - Copy", "hw (1)", "hw 2": the folder that it copies.
+// Returns the folder that "hw - Copy", "hw (1)" or "hw 2" copies.
 std::string_view copied(std::string_view name) {
   static constexpr std::array<std::string_view, 4> kCopies{" - Copy", " copy", " - Kopie", "_copy"};
   std::string_view rest = name;
@@ -52,7 +52,7 @@ std::string_view copied(std::string_view name) {
   return rest;
 }
 
-// What one argument holds, while its layout is found.
+// Finds the layout of one argument's entries.
 class Finder {
  public:
   Finder(const std::vector<Entry>& entries, const FileNames& exercise_files) : entries_(entries) {
@@ -98,7 +98,7 @@ class Finder {
 
 bool Finder::is_project() const {
   constexpr std::array<std::string_view, 4> given{"solver", "particles", "hair", "student"};
-  // Folders with a CMakeLists.txt that the root is or lies in, by the length of their paths
+  // Lists folders with a CMakeLists.txt at or around the root, by the length of their paths.
   std::set<std::size_t> around;
   for (const std::size_t i : counted_) {
     if (name_of(entries_[i]) == "CMakeLists.txt" && lies_in(root_, parent_of(entries_[i].path)))

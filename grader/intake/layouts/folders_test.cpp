@@ -1,4 +1,4 @@
-// STAFF ONLY. Folders and archives are one submission or a class.
+// STAFF ONLY. Tests which folders and archives are one submission and which are a class.
 #include "grader/intake/layouts/folders.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace {
 
 const FileNames files{"conj_grad.cpp", "normal_equations.cpp"};
 
-// The submissions in a container with these paths (those that end with '/' are folders), and its strays with
-// "? " before them; "one" if it is a submission itself, "nothing" if it is neither.
+// Returns the submissions in a container with these paths (folders end with '/'), and its strays with "? "
+// before them; "one" if it is a submission itself, "nothing" if it is neither.
 std::vector<std::string> members(const std::vector<std::string>& paths, bool on_disk = false) {
   std::vector<Entry> entries;
   for (const std::string& path : paths) {

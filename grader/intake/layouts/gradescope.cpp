@@ -1,4 +1,4 @@
-// STAFF ONLY. Gradescope's export (gradescope.h): folders without names, and a file that has them.
+// STAFF ONLY. Reads Gradescope's export (gradescope.h): folders without names, and a file with the names.
 #include "grader/intake/layouts/gradescope.h"
 
 #include <yaml-cpp/yaml.h>
@@ -12,7 +12,7 @@
 namespace grader::inline intake {
 namespace {
 
-// A key with Ruby's colon or without; "" if there is none.
+// Finds a key with Ruby's colon or without; "" if there is none.
 std::string text_at(const YAML::Node& map, const std::string& key) {
   for (const std::string& name : {":" + key, key})
     if (map.IsMap() && map[name] && map[name].IsScalar() && map[name].Tag() != "tag:yaml.org,2002:null")
@@ -37,7 +37,7 @@ Owner gradescope_owner(const YAML::Node& row, const std::string& folder) {
   owner.group = true;
   std::ranges::sort(people, {}, [](const Owner& one) { return one.id + "\n" + one.email + "\n" + one.name; });
   owner.members = people;
-  owner.id.clear();  // a later hand-in has another number: a group is known by its members
+  owner.id.clear();  // a later hand-in has another number, so the members identify the group
   for (const Owner& member : people) {
     owner.id += (owner.id.empty() ? "" : "_") + (member.id.empty() ? member.email : member.id);
     owner.name += (owner.name.empty() ? "" : ", ") + member.name;
@@ -63,7 +63,7 @@ std::optional<NamedPath> read_gradescope(std::string_view name, bool is_folder, 
 
 std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string& yaml,
                                                               const std::string& file) {
-  // The parser takes half a kilobyte for each value. A class has some thousand for each hand-in.
+  // The parser takes half a kilobyte for each value. A class has some thousand values for each hand-in.
   constexpr std::ptrdiff_t kMostValues = 10'000'000;
   constexpr std::string_view kBeforeValues = ",:[{-?\n";
   if (std::ranges::count_if(yaml, [&](char c) { return kBeforeValues.find(c) != kBeforeValues.npos; }) >
@@ -74,7 +74,7 @@ std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string&
     if (!all.IsMap())
       throw BadInput(file + ": is no table of submissions; export them from Gradescope again");
     std::map<std::string, GradescopeRow> rows;
-    for (const auto& row : all) {  // a pair with bases of its own: no structured binding
+    for (const auto& row : all) {  // the pair has bases of its own: no structured binding
       if (!row.first.IsScalar()) continue;
       const std::string folder = row.first.Scalar();
       rows[folder] = {gradescope_owner(row.second, folder), text_at(row.second, "created_at")};

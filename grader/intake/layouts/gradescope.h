@@ -1,6 +1,6 @@
 // STAFF ONLY. The owners in Gradescope's export: submission_metadata.yml beside the folders
-// submission_31415926/ (a Ruby program writes it, so keys have a colon in front). Text of students' own
-// names: untrusted.
+// submission_31415926/ (a Ruby program writes it, so keys have a colon in front). The text holds students'
+// own names, so it is untrusted.
 //
 //   submission_31415926:
 //     :submitters:
@@ -24,7 +24,7 @@ struct GradescopeRow {
   std::string handed_in;
 };
 
-// By the folder's name. Throws BadInput for what is no such YAML; `file` is for the message.
+// Returns rows by the folder's name. Throws BadInput for malformed YAML; `file` is for the message.
 std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string& yaml,
                                                               const std::string& file);
 

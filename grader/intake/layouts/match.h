@@ -1,4 +1,4 @@
-// STAFF ONLY. A name taken apart by a regular expression.
+// STAFF ONLY. Divides a name by a regular expression.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace grader::inline intake {
 
-// The groups of `pattern`, counted from 1 as in it. std::regex takes stack for each letter, so a name longer
-// than file systems allow is none.
+// Returns the groups of `pattern`, counted from 1. std::regex takes stack for each letter, so a name that is
+// longer than file systems allow does not match.
 inline std::optional<std::vector<std::string>> groups_of(std::string_view name, const std::regex& pattern) {
   constexpr std::size_t kLongest = 600;
   std::match_results<std::string_view::const_iterator> found;

@@ -1,12 +1,10 @@
 // STAFF ONLY. Moodle's download (mod/assign/classes/downloader.php): folders, or flat files by the teacher's
-// choice:
-//
-//   Jane Doe_4711_assignsubmission_file/main.cpp          a name, the number in this assignment; before Moodle 4.1 with "_" at its end
-//   Jane Doe_4711_assignsubmission_file_main.cpp          flat
-//   Jane Doe_4711_assignsubmission_onlinetext/onlinetext.html   typed text
-//   Participant_4713_assignsubmission_file/               blind; the word is the site's language's
-//   Default group_assignsubmission_file/                  students of no group: it has no number
-//
+// choice. Before Moodle 4.1 the names of folders end with "_".
+// Jane Doe_4711_assignsubmission_file/main.cpp    a name, the number in this assignment
+// Jane Doe_4711_assignsubmission_file_main.cpp    flat
+// Jane Doe_4711_assignsubmission_onlinetext/onlinetext.html    typed text
+// Participant_4713_assignsubmission_file/         blind; the word is the site's language's
+// Default group_assignsubmission_file/            students of no group: it has no number
 // A name has no "_": Moodle writes a blank for it. There is no time and no mark of late ones.
 #include <set>
 
@@ -37,7 +35,7 @@ void settle_moodle(std::vector<NamedPath*>& names) {
     numbers.insert(named->owner.id);
     teams = teams || named->owner.group;
   }
-  const bool blind = words.size() == 1 && numbers.size() > 1;  // one word, in whatever language
+  const bool blind = words.size() == 1 && numbers.size() > 1;  // has one word, in any language
   for (NamedPath* named : names) {
     named->owner.anonymous = (named->owner.anonymous || blind) && !teams;
     named->owner.group = teams;

@@ -1,7 +1,6 @@
-// STAFF ONLY. A learning system's names: what it says about a hand-in stands in the names of the files and
-// folders directly in a download. Each system is a row (table.cpp), and has a file of its own. Students
-// choose the last part of a flat name, and all that is below a folder; nothing there may say whose a hand-in
-// is.
+// STAFF ONLY. A learning system's names: the files and folders directly in a download identify hand-ins by
+// their names. Each system is a row (table.cpp), and has a file of its own. Students choose the last part of
+// a flat name, and all names below a folder; these must not change the owner.
 #pragma once
 
 #include <functional>
@@ -14,54 +13,54 @@
 
 namespace grader::inline intake {
 
-// A name directly in a download.
+// Is a name directly in a download.
 struct NamedPath {
   enum class Kind {
     hand_in,
-    text,  // what was typed into the system, or its note of a hand-in: its owner has handed in, and it holds no file of ours
-    made,  // by the system, of nobody: an index
+    text,  // text typed into the system, or its note: the owner handed in, but no exercise file
+    made,  // an index by the system, which belongs to nobody
   };
   Kind kind = Kind::hand_in;
   Owner owner = {};
-  std::string inside = {};     // of a flat name: the file's own name
+  std::string inside = {};     // is a flat name's own file name
   std::string handed_in = {};  // "2025-03-04 10:15:22"
-  int version = 0;             // the highest of a time counts
+  int version = 0;             // the highest version of a time counts
   bool late = false;
-  std::string doubt = {};  // not empty: why a person should look whose it is
-  std::string stem = {};   // of a flat name: all before the student's part, for a rule about all names
-  std::vector<NamedPath> others = {};  // the other readings of this name
+  std::string doubt = {};              // not empty: why a person should look for the owner
+  std::string stem = {};               // is a flat name before the student's part, for a rule about all names
+  std::vector<NamedPath> others = {};  // are the other readings of this name
 };
 
-// How well an owner in a system's download is known: 2 by number and name (as a person's, or as a group's of
-// theirs), 1 by one of these.
+// Rates how well an owner in a system's download is known: 2 by number and name (a person's, or a person's
+// group's), 1 by one of these.
 using KnownOwner = std::function<int(const Owner& owner, std::string_view system)>;
-// Takes the reading that is known best. The doubt stays unless that is proven.
+// Takes the reading that is known best. The doubt stays unless that reading is proven.
 void settle_readings(NamedPath& named, std::string_view system, const KnownOwner& known);
 
 struct Around {
-  std::string folder;    // the name of the folder or archive that the names stand in
+  std::string folder;    // is the folder or archive around the names
   bool is_said = false;  // by --from: nothing is guessed
 };
 
 struct System {
-  std::string_view name;     // for --from
-  std::string_view shown;    // for people
-  std::string_view example;  // a name as it gives it
+  std::string_view name;     // is for --from
+  std::string_view shown;    // is for people
+  std::string_view example;  // is an example of its names
   std::optional<NamedPath> (*read)(std::string_view name, bool is_folder, const Around& around);
-  void (*settle)(std::vector<NamedPath*>& names) = nullptr;  // by what all names say together
-  bool files_have_versions = false;  // a version is one file's; else it is all files' of a hand-in
+  void (*settle)(std::vector<NamedPath*>& names) = nullptr;  // changes them by a rule about all names
+  bool files_have_versions = false;  // a version is one file's; else all files of a hand-in share it
 };
 
-// In the order in which they are guessed.
+// Lists systems in the order of guesses.
 const std::vector<System>& systems();
 
-// The word that --from takes: "canvas", ..., "folders".
+// Lists the words that --from takes: "canvas", ..., "folders".
 std::vector<std::string> layout_names();
 
-// Null if no system has this name.
+// Returns null if no system has this name.
 const System* system_called(std::string_view name);
 
-// The answer of the first system that knows the name of one file or folder.
+// Is the answer of the first system that knows the name of one file or folder.
 struct Told {
   const System* system;
   NamedPath named;

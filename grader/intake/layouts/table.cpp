@@ -1,4 +1,4 @@
-// STAFF ONLY. The learning systems, a row each.
+// STAFF ONLY. Lists the learning systems, a row each.
 #include <algorithm>
 
 #include "grader/intake/layouts/system.h"

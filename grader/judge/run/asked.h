@@ -1,5 +1,5 @@
-// STAFF ONLY. An exercise's functions as proxies: each asks the student's worker of the present play. The
-// definitions themselves are generated, grader/cmake/definitions.cmake.
+// STAFF ONLY. An exercise's functions as proxies: each calls the student's worker of the present run. The
+// definitions are generated, grader/cmake/definitions.cmake.
 #pragma once
 
 #include "grader/calls/client.h"

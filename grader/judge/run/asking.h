@@ -1,4 +1,4 @@
-// STAFF ONLY. What proxies ask through: the student's worker of the present play. See play.h.
+// STAFF ONLY. The way of proxies to the student's worker of the present run. See play.h.
 #pragma once
 
 #include "grader/wire/message.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes the dense strands that a scene draws.
 #include "grader/judge/run/dense_strands.h"
 
 #include <numeric>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads a hidden scene and varies its numbers by the seed.
 #include "grader/judge/run/hidden_scene.h"
 
 #include <nlohmann/json.hpp>

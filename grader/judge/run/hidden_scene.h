@@ -17,12 +17,12 @@
 namespace grader::inline judge {
 
 struct HiddenScene {
-  std::string text;  // for the worker
+  std::string text;  // is sent to the worker
   hair::Scene scene;
   std::vector<int> pictures;
 };
 
-// Throws BadInput for a file of another form.
+// Throws BadInput for a file in another format.
 HiddenScene read_hidden_scene(const std::filesystem::path& file, const std::string& seed);
 
 }  // namespace grader::judge

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs a scene and keeps its frames.
 #include "grader/judge/run/play_scene.h"
 
 #include "grader/judge/run/dense_strands.h"
@@ -7,7 +7,7 @@
 namespace grader::inline judge {
 
 void play_scene(const hair::Scene& scene, Played& played) {
-  hair::Scene unwatched = scene;  // nobody has to have written energies
+  hair::Scene unwatched = scene;  // students need not have written energies
   unwatched.hair.watched = false;
   hair::Playback playback(unwatched);
   DenseStrands dense(scene, playback.strands());

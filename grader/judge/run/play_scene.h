@@ -1,11 +1,11 @@
-// STAFF ONLY. Plays a scene with the exercises that this is linked with.
+// STAFF ONLY. Runs a scene with the exercises that are linked here.
 #pragma once
 
 #include "grader/judge/run/play.h"
 
 namespace grader::inline judge {
 
-// Until it ends or breaks. What was played stays in `played` if an exercise throws.
+// Runs until the scene ends or breaks. Frames stay in `played` if an exercise throws.
 void play_scene(const hair::Scene& scene, Played& played);
 
 }  // namespace grader::judge

@@ -1,4 +1,4 @@
-// STAFF ONLY. Reads a run that a worker has played.
+// STAFF ONLY. Reads the frames of a worker's run.
 #include "grader/judge/run/played.h"
 
 #include <numeric>
@@ -31,7 +31,7 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {
-    reply.get<double>();  // the time that it was there: ours is the scene's
+    reply.get<double>();  // the worker's time is ignored: ours is the scene's
     particles::State state;
     for (Eigen::VectorXd* part : {&state.x, &state.v}) {
       const std::vector<double> values = reply.get_doubles(static_cast<std::size_t>(size));

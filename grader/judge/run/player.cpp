@@ -1,4 +1,4 @@
-// STAFF ONLY. The one function that a player exports.
+// STAFF ONLY. Defines the one function that a player exports.
 #include <exception>
 
 #include "grader/judge/run/asking.h"
@@ -8,12 +8,12 @@
 namespace grader::inline judge {
 namespace {
 
-// What a run may ask about our matrices, forces and accelerations: 24 times what a good S1 asks, and more
-// than ten times what a good H4 does. A solver that goes nowhere is wrong, and is not played until its limits
-// of time.
+// Bounds the questions of a run about our matrices, forces and accelerations: a good S1 asks 24 times less,
+// and a good H4 more than ten times less. A solver that does not converge is wrong, so its run ends here,
+// before the limits of time.
 constexpr int kMostQuestions = 400'000;
 
-// Contracts have no argument for who is asked. A player plays one scene at a time.
+// The exercises' functions have no argument for `Ask`. A player runs one scene at a time.
 const Ask* asked = nullptr;
 int questions = 0;
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Plays the reference's run beside a worker's, and measures how far they are apart.
+// STAFF ONLY. Runs the reference, and measures its distance to a worker's run.
 #include "grader/judge/run/run_comparison.h"
 
 #include <algorithm>
@@ -12,12 +12,11 @@
 namespace grader::inline judge {
 namespace {
 
-// Apart by less, as a part of the scene's size, nobody can tell particles apart: a thousandth of a pixel.
+// A smaller distance, relative to the scene's size, can't be seen: it is a thousandth of a pixel.
 constexpr double kSameParticles = 1e-6;
-// Nearer than this, a particle's place can tell a student next to nothing that is not in the reference's
-// picture.
+// A particle that is nearer than this tells a student almost nothing beyond the reference's picture.
 constexpr double kNear = 0.01;
-// What is further out than this, in the scene's size, is not drawn: a picture would not show it.
+// A picture would not show a run that goes further out than this, in the scene's size.
 constexpr double kFarthestDrawn = 100;
 
 std::string name_at(double time) {
@@ -28,7 +27,7 @@ std::string name_at(double time) {
   return text.str();
 }
 
-// Which points are held where their motion has them: the roots of strands, and what is pinned of toys.
+// Lists the points that follow a given motion: the roots of strands, and pinned particles of toys.
 std::vector<bool> held_points(const hair::Scene& scene, const std::vector<int>& strands) {
   std::vector<bool> held;
   for (const int points : strands)
@@ -38,8 +37,8 @@ std::vector<bool> held_points(const hair::Scene& scene, const std::vector<int>& 
   return held;
 }
 
-// Nearer than a scene's own camera, which has to have room for whatever may happen. Where there is more to
-// see than particles and wires, that one it is.
+// This camera is nearer than a scene's own one, which has room for everything. A scene with more to see than
+// particles and wires keeps its own.
 hair::Camera camera_of(const hair::Scene& scene, const hair::SceneDrawing& drawing, hair::Bounds bounds) {
   if (!scene.hair.obstacles.empty()) return drawing.camera();
   for (const hair::Toy& toy : scene.toys)
@@ -61,7 +60,7 @@ double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::size_t 
   return (a.segment<3>(at) - b.segment<3>(at)).norm();
 }
 
-// A frame that can be drawn.
+// Holds a frame that can be drawn.
 struct Taken {
   int frame = 0;
   Moment moment;
@@ -70,7 +69,7 @@ struct Taken {
   std::vector<hair::Obstacle> obstacles;
 };
 
-// Dense hair takes the place of all strands.
+// Draws dense hair in the place of all strands.
 hair::Drawing with_dense(hair::Drawing drawing, const std::vector<int>& sizes, const Eigen::VectorXd& dense) {
   drawing.strands.sizes = sizes;
   drawing.strands.points.clear();
@@ -128,7 +127,7 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
   taken.erase(std::ranges::find_if(
                   taken, [&](const Taken& one) { return !(apart_of(one) <= kFarthestDrawn * result.size); }),
               taken.end());
-  // The start shows nothing of theirs.
+  // The start shows only the scene.
   const bool is_cut =
       !pictures.empty() && taken.size() > 1 && static_cast<int>(taken.size()) <= pictures.back();
   for (const Taken& one : taken) {

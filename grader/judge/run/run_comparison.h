@@ -1,4 +1,4 @@
-// STAFF ONLY. Compares a worker's run of a scene with the reference's own.
+// STAFF ONLY. Compares a worker's run of a scene with the reference's.
 #pragma once
 
 #include <string>
@@ -21,14 +21,14 @@ struct Moment {
 struct RunComparison {
   double size = 0;              // m: the diagonal of the bounding box of the reference's run
   double kinetic = 0;           // J: the largest kinetic energy in the reference's run
-  bool finite = true;           // all of the worker's numbers
-  std::vector<Moment> moments;  // in both runs, until a number is not finite
+  bool finite = true;           // true if all of the worker's numbers are finite
+  std::vector<Moment> moments;  // are in both runs, until a number is not finite
   std::vector<Shot>
-      shots;  // of the requested frames, as far as they can be drawn; then of the last one that can, if others can't
+      shots;            // frames that can be drawn: the requested ones, and the last one if others can't be
   hair::Camera camera;  // shows all of the reference's run
 };
 
-// Plays the scene with the reference. `pictures` are the frames for shots. Throws std::logic_error if the
+// Runs the scene with the reference. `pictures` are the frames for shots. Throws std::logic_error if the
 // reference itself breaks.
 RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs);
 

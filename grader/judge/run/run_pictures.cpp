@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws the pictures of two runs and compares them.
 #include "grader/judge/run/run_pictures.h"
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Loads OpenGL when it is first needed, and not if all that is needed has been drawn before.
+// Loads OpenGL when a picture is drawn for the first time; stored pictures need none.
 class Artist {
  public:
   explicit Artist(const hair::Camera& camera) : camera_(camera) {}
@@ -38,7 +38,7 @@ class Artist {
   std::unique_ptr<hair::Renderer> renderer_;
 };
 
-// A file's bytes, which are made if it is not there.
+// Returns a file's bytes; makes the file if it does not exist.
 template <class Make>
 std::string made_once(const fs::path& file, const Make& make) {
   std::string bytes = hair::bytes_of(file);
@@ -48,7 +48,7 @@ std::string made_once(const fs::path& file, const Make& make) {
   return bytes;
 }
 
-// As pages show them: PNG files' bytes. Of a map, half the size is enough: it is smooth.
+// Returns a page's PNG file. A map is smooth, so half its size is enough.
 std::string shown_picture(const hair::Image& image) {
   return encode_palette_png(in_few_colors(image, kPictureColors));
 }

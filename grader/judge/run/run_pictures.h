@@ -18,11 +18,11 @@ inline constexpr int kPictureWidth = 480, kPictureHeight = 270;
 // The number of colours on pages: a submission with only wrong pictures stays below 1 MB.
 inline constexpr std::size_t kPictureColors = 256, kMapColors = 64;
 
-// A moment of both runs.
+// Holds a moment of both runs.
 struct Shot {
   std::string name;  // "0.50 s"
   hair::Drawing reference, student;
-  bool same = false;  // no visible difference between the particles: one picture is used for both
+  bool same = false;  // True: the particles look the same, so both share one picture.
   bool far_off = false;
   bool breaks_off = false;
 };

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Loads the reference's player, and lets a worker answer for the student's exercise.
 #include "grader/judge/run/student_play.h"
 
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. A whole run: the suite plays a scene, and asks a student's worker for its exercise alone. See
+// STAFF ONLY. The suite runs a scene, and a student's worker answers for its exercise alone. See
 // grader/judge/run/play.h.
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace grader::inline judge {
 
-// The function of a player. It stays loaded: a suite plays one exercise. Throws std::runtime_error without
-// one.
+// Returns the function of a player, which stays loaded: a suite runs one exercise. Throws std::runtime_error
+// if the file has no such function.
 PlayFunction load_player(const std::filesystem::path& player);
 
-// `player` is the object that plays with the exercise of the trial's student. Throws CaseFailed, or
-// MalformedMessage if an answer has another form.
+// `player` is the library for the exercise of the trial's student. Throws CaseFailed, or MalformedMessage if
+// an answer has another format.
 Played play_with_student(Trial& trial, const std::filesystem::path& player, const hair::Scene& scene);
 
 }  // namespace grader::judge

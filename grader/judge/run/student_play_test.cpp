@@ -1,5 +1,5 @@
-// STAFF ONLY. Whole runs that the suite plays: the same motion as where all objects are in one process, no
-// reference in the student's process, and answers of all kinds end the run and not the suite.
+// STAFF ONLY. Tests whole runs of the suite: they move as in one process with all objects, the student's
+// process holds no reference, and an answer of any kind ends only the run, not the suite.
 #include "grader/judge/run/student_play.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ HiddenScene hidden_scene(const std::string& exercise, const std::string& seed = 
   return read_hidden_scene(kHiddenScenes / (exercise + ".json"), seed);
 }
 
-// The reference as a student's object, outside of the kit.
+// Runs the reference as a student's object, outside of the kit.
 class StudentPlay : public testing::TestWithParam<std::string> {
  protected:
   StudentPlay() {
@@ -64,7 +64,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
   fs::path player() const { return kPlayers / (id() + ".so"); }
   fs::path object() const { return folder_ / (id() + ".so"); }
 
-  // Plays, and lets `reply` change each reply before the scene's code sees it.
+  // Runs, and lets `reply` change each reply before the scene's code sees it.
   PlayResult play(const std::function<MessageReader(int call, MessageReader)>& reply) {
     Student student(setup_);
     Trial trial(student, Random("", ""));
@@ -80,7 +80,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
   }
 
   Processors processors_;
-  const Processors::Lease lease_{processors_};  // both ends on one, as where it is graded
+  const Processors::Lease lease_{processors_};  // binds both ends to one processor, as grading does
   fs::path folder_;
   WorkerSetup setup_;
 };
@@ -131,7 +131,7 @@ pid_t parent_of(const fs::path& process) {
   return parent;
 }
 
-// The files that runs have mapped, without the system's: children of their wardens, which are ours.
+// Lists the files that runs, children of our supervisors, have mapped, except the system's.
 std::set<std::string> mapped_by_runs() {
   std::set<std::string> files;
   for (const fs::directory_entry& process : fs::directory_iterator("/proc")) {
@@ -164,7 +164,7 @@ TEST_P(StudentPlay, LeavesNoReferenceInTheStudentsProcess) {
 }
 
 TEST_P(StudentPlay, EndsAtAReplyOfAnotherForm) {
-  // A number alone has the right form whatever its bits are.
+  // A single number has the right format whatever its bits are.
   const auto with = [&](const std::function<void(std::vector<std::byte>&)>& change) {
     return play([&, changed = false](int call, MessageReader reply) mutable {
       std::vector<std::byte> bytes = bytes_of(std::move(reply));
@@ -179,7 +179,7 @@ TEST_P(StudentPlay, EndsAtAReplyOfAnotherForm) {
             PlayEnd::malformed);
 }
 
-// Whatever numbers there are in replies of the right form: the play ends.
+// The run ends whatever numbers are in replies of the right format.
 TEST_P(StudentPlay, SurvivesAnyNumbers) {
   Random random("numbers", id());
   for (int round = 0; round < 8; ++round) {
@@ -188,7 +188,7 @@ TEST_P(StudentPlay, SurvivesAnyNumbers) {
     play([&](int call, MessageReader reply) {
       std::vector<std::byte> bytes = bytes_of(std::move(reply));
       if (call >= when && call % every == 0) {
-        // Past the first length, in a number or in what is between numbers; or all of a number alone.
+        // Changes bytes after the first length, in or between numbers; or all of a single number.
         const int eights = static_cast<int>(bytes.size()) / 8;
         const auto at =
             eights < 2 ? 0 : std::size_t{8} * static_cast<std::size_t>(random.integer(1, eights - 1));
@@ -207,7 +207,7 @@ TEST_P(StudentPlay, TakesLittleOfTheBudget) {
   EXPECT_LT(spent.messages, share.messages / 10);
   EXPECT_LT(spent.megabytes, share.megabytes / 10);
   EXPECT_LT(spent.worker_cpu_seconds, share.worker_cpu_seconds / 4);
-  EXPECT_LT(spent.suite_cpu_seconds, share.suite_cpu_seconds / 2);  // that of a build with sanitisers, too
+  EXPECT_LT(spent.suite_cpu_seconds, share.suite_cpu_seconds / 2);  // holds for a build with sanitisers, too
   EXPECT_LT(spent.idle_seconds, share.idle_seconds / 2);
 }
 

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs the hidden scene and compares the submission's run with the reference's.
 #include "grader/judge/run/whole_run.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string at(const Moment& moment) {
   return text.str();
 }
 
-// "It breaks off after 0.35 s (strand 0, step 42: filter)." The last moment is a frame's.
+// Says "It breaks off after 0.35 s (strand 0, step 42: filter)." The last moment is a frame's.
 std::string where_it_breaks_off(const RunComparison& run, const std::string& trouble) {
   if (run.moments.empty()) return "";
   std::ostringstream text;
@@ -56,14 +56,14 @@ Played WholeRun::play(Trial& trial) {
 }
 
 Played WholeRun::play_unless_given_up(Trial& trial) {
-  // What it took is charged, before another worker takes of the same allowance.
+  // Its cost is charged before another worker uses the same allowance.
   cases_.finish();
-  // A code that never answers would cost its limits once more.
+  // Code that never answers would use up its limits once more.
   if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
   return play(trial);
 }
 
-// A person wants to see a run that is wrong, too: it is drawn before it is judged.
+// A person wants to see a wrong run, too: it is drawn before it is judged.
 void WholeRun::judge(Trial& trial) {
   trial.describe(hidden_.scene.name);
   const Played theirs = play_unless_given_up(trial);

@@ -1,14 +1,14 @@
-// STAFF ONLY. The whole run of an exercise: the suite plays a hidden scene from start to end, with the
-// submission's functions for this exercise and the reference's for all others. Each call of the submission's
+// STAFF ONLY. The whole run of an exercise: the suite runs a hidden scene from start to end, with the
+// submission's functions for this exercise and the reference's for all others. Each call of the submission
 // goes to a worker of its own, which holds the submission's object, provided prerequisites (provided.h), and
 // nothing else. One category judges the run and its pictures.
 //
-// The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
-// where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
-// within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
-// scene can amplify. How much, and what these bounds detect, was measured (grader/MEASURED.md). Dense hair
-// (H10) is made anew in each frame, from guides that are the reference's: nothing amplifies its rounding, and
-// its points are compared.
+// The run. It must end with finite numbers. It must start as the scene says, and held particles must
+// stay where the reference has them. Energy and stretch, by our own forces, must agree with the
+// reference's run within kEnergy and kStretch. Positions are not compared: correct solutions may differ
+// by rounding, which a scene can amplify (measured in grader/MEASURED.md, with the mistakes that these
+// bounds find). Dense hair (H10) is made anew in each frame from the reference's guides: nothing amplifies
+// its rounding, and its points are compared.
 //
 // Its pictures. We draw a few frames of the submission and of the reference. The RMSE of the blurred pictures
 // and the mean FLIP must each be below a threshold.
@@ -27,32 +27,32 @@
 
 namespace grader::inline judge {
 
-// The largest error of held particles, relative to the scene's size: the rounding of their motion.
+// Limits the error of held particles, relative to the scene's size: the rounding of their motion.
 inline constexpr double kHeld = 1e-9;
-// The largest difference of energies at a moment, relative to the largest kinetic energy of the reference's
+// Limits the difference of energies at a moment, relative to the largest kinetic energy of the reference's
 // run.
 inline constexpr double kEnergy = 0.01;
-// The limit of the stretch: the larger of kStretch times the reference's and kLeastStretch.
+// Limits the stretch: the larger of kStretch times the reference's and kLeastStretch.
 inline constexpr double kStretch = 1.5;
 inline constexpr double kLeastStretch = 1e-4;
-// The largest distance of a point of dense hair from ours, relative to the scene's size. Of what H10's
-// contract allows, weights count most: roots that are off by 1e-10 of a triangle's longest edge change each
-// of three weights by 1e-9 where its height is a tenth of that, as in the hidden scene; guides differ by less
-// than the scene's size.
+// Limits the distance of a point of dense hair from ours, relative to the scene's size. Most of the distance
+// that H10's contract allows is from weights: roots that are off by 1e-10 of a triangle's longest edge change
+// each of three weights by 1e-9 if its height is a tenth of that, as in the hidden scene; guides differ by
+// less than the scene's size.
 inline constexpr double kDense = 1e-8;
-// The limits for pictures.
+// Limit the distances of pictures.
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
-// Right ones send 50,000 messages at most. A solver that does not converge asks for products without end:
+// Right runs send 50,000 messages at most. A solver that does not converge asks for products without end:
 // that is a wrong answer, not a slow one, whichever limit it meets first.
 inline constexpr double kManyMessages = 100'000;
 
 class WholeRun {
  public:
-  // `worker` answers for the exercise as in its cases, and `player` plays the scene with it
+  // `worker` answers for the exercise as in its cases, and `player` runs the scene with it
   // (grader/judge/run/play.h). The reference's pictures are stored in `kept_pictures`; without it no pictures
-  // are drawn. `cases` is the worker of the exercise's other cases: it is finished first, and if the suite
-  // gave up on it, the whole run is not played.
+  // are drawn. `cases` is the worker of the exercise's other cases: it ends first, and if the suite gave up
+  // on it, there is no whole run.
   WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
            std::optional<std::filesystem::path> kept_pictures, Student& cases);
 
@@ -60,7 +60,7 @@ class WholeRun {
 
   Student& student() { return student_; }
   const std::vector<PictureResult>& pictures() const { return pictures_; }
-  double picture_seconds() const { return picture_seconds_; }  // of CPU time
+  double picture_seconds() const { return picture_seconds_; }  // is CPU time
 
  private:
   void judge(Trial& trial);

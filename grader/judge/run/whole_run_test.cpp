@@ -1,4 +1,4 @@
-// STAFF ONLY. Hidden scenes are what they say, and a run that is not what it should be is seen to be so.
+// STAFF ONLY. Tests that hidden scenes have the promised properties, and that wrong runs are found.
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_table.h"
 
@@ -67,14 +67,13 @@ TEST(HiddenScene, RefusesToVaryWhatIsNotThere) {
   fs::remove(file);
 }
 
-// Right solutions differ by roundings. A scene lets them grow, but they stay far below what a picture or an
-// energy shows.
+// Right solutions differ by roundings. A scene amplifies them, but a picture or an energy does not show them.
 TEST(HiddenScene, AmplifiesRoundingsByLittle) {
   for (const fs::directory_entry& file : fs::directory_iterator(kScenes))
     for (const char* seed : {"a", "b", "c"}) {
       SCOPED_TRACE(file.path().stem().string() + ", seed " + seed);
       const HiddenScene hidden = read_hidden_scene(file.path(), seed);
-      if (!hidden.scene.dense.empty()) continue;  // H10's guides move by the reference's functions alone
+      if (!hidden.scene.dense.empty()) continue;  // the reference alone moves H10's guides
       hair::Scene moved = hidden.scene;
       Random random(seed, "roundings");
       const auto move = [&](particles::State& state) {
@@ -90,7 +89,7 @@ TEST(HiddenScene, AmplifiesRoundingsByLittle) {
     }
 }
 
-// Of thinner triangles the contract leaves weights open, and kDense would not follow from it.
+// In thinner triangles the contract leaves weights open, and kDense would not follow from it.
 TEST(HiddenScene, OfH10HasNoThinTriangles) {
   for (const hair::DenseHair& dense : hidden_scene_of("H10").scene.dense) {
     const std::vector<hair::RootFrame>& guides = dense.description.guides;
@@ -165,12 +164,12 @@ TEST(RunComparison, SeesWhatAWorkerMayAnswer) {
   EXPECT_FALSE(compared(not_finite).finite);
   EXPECT_EQ(compared(not_finite).moments.size(), 5U);
 
-  Played far_away = right;  // 1e300 m: its energy is no number, and no picture has room for it
+  Played far_away = right;  // 1e300 m: its energy is no number, and no picture can show it
   far_away.frames[static_cast<std::size_t>(hidden.pictures[1])].x[4] = 1e300;
   ASSERT_EQ(compared(far_away).shots.size(), 2U) << "the frame before";
   EXPECT_TRUE(compared(far_away).shots[1].breaks_off);
 
-  Played creeping = right;  // the root, by a billionth of a metre a frame
+  Played creeping = right;  // its root creeps by a billionth of a metre a frame
   for (std::size_t i = 0; i < creeping.frames.size(); ++i)
     creeping.frames[i].x[0] += 1e-9 * static_cast<double>(i);
   const RunComparison crept = compared(creeping);

@@ -1,4 +1,4 @@
-// STAFF ONLY. How many cases of a category hold, where a worker answers: the reference's S1.
+// STAFF ONLY. Tests how many cases of a category hold when a worker with the reference's S1 answers.
 #include <gtest/gtest.h>
 
 #include "grader/judge/case_asker.h"
@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// A system of one unknown, whose matrix is 1.
+// Asks for the solution of a system of one unknown, whose matrix is 1.
 void ask(CaseAsker& asker) {
   VectorXd x = VectorXd::Ones(1), b = x;
   int steps = 4;

@@ -1,5 +1,5 @@
-// STAFF ONLY. For empty_functions_test: an exercise's functions that compute nothing. The definitions
-// themselves are generated, grader/cmake/definitions.cmake.
+// STAFF ONLY. Functions of an exercise that compute nothing, for empty_functions_test. The definitions are
+// generated, grader/cmake/definitions.cmake.
 #pragma once
 
 #include "grader/calls/client.h"

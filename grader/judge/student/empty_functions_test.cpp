@@ -1,4 +1,4 @@
-// STAFF ONLY. Functions that compute nothing: their reports say so, and each of their cases is counted.
+// STAFF ONLY. Tests functions that compute nothing: their reports say so, and each of their cases is counted.
 #include <gtest/gtest.h>
 
 #include "grader/course/course.h"
@@ -49,7 +49,7 @@ TEST_P(EmptyFunctions, GetAHint) {
   ADD_FAILURE() << hints;
 }
 
-// A category whose cases are counted goes on after a wrong answer: it must not look for what the answer
+// A category whose cases are counted goes on after a wrong answer: it must not use a part that the answer
 // lacks.
 TEST_P(EmptyFunctions, DoNotEndTheCountOfCases) {
   Student student = this->student();

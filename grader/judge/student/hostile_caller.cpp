@@ -1,5 +1,5 @@
-// STAFF ONLY. A worker that does not keep to the protocol of provided functions, for provided_test. The name
-// of the object that it should load says how.
+// STAFF ONLY. A worker that breaks the protocol of provided functions, for provided_test. The name of its
+// object selects the way.
 #include <unistd.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ MessageWriter call_of(int number) {
   return call;
 }
 
-// A system of n unknowns, with other numbers of them than that.
+// Writes a system of n unknowns, but with another count of numbers.
 MessageWriter conj_grad(int n, Eigen::Index given) {
   MessageWriter call = call_of<s1::Calls>(s1::Calls::number_of<s1::conj_grad>());
   call.put(0).put(n).put(n);  // the matrix: operator 0, its rows and columns
@@ -32,7 +32,7 @@ MessageWriter conj_grad(int n, Eigen::Index given) {
   return call.put(-1.0).put(std::numeric_limits<int>::max());
 }
 
-// A strand of two particles, and velocities that no sweep makes right.
+// Writes a strand of two particles, and velocities that no sweep corrects.
 MessageWriter endless_sweeps() {
   MessageWriter call = call_of<h5::Calls>(h5::Calls::number_of<hair::correct_velocities>());
   hair::Strand strand;
@@ -63,7 +63,7 @@ void send_product(const std::vector<double>& y) {
   send(Kind::callback_result, result.put(std::span<const double>(y)));
 }
 
-// Products with another definite matrix each time: no solution is ever reached.
+// Sends products with another definite matrix each time: no solution is ever reached.
 void send_products_forever() {
   for (double scale = 2;; scale = scale < 100 ? scale + 0.3 : 2) {
     MessageReader question(receive().body);
@@ -123,7 +123,7 @@ void misbehave(const std::string& how) {
     send(Kind::done);
     return;
   }
-  receive();  // to be ended there
+  receive();  // waits for its end
 }
 
 }  // namespace

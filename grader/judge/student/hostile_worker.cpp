@@ -1,5 +1,5 @@
-// STAFF ONLY. A worker that breaks the rules in a way of its own, for the tests of Student: the name of the
-// last object in its command says how.
+// STAFF ONLY. A worker that breaks the rules, for the tests of Student: the name of the last object in its
+// command selects the way.
 #include <unistd.h>
 
 #include <cstdlib>

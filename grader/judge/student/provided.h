@@ -1,6 +1,6 @@
-// STAFF ONLY. Functions of prerequisites that the suite provides to a student's process: the process calls
-// them through the pipe, and holds no code of the reference. All arguments are hostile: their sizes are
-// checked, and no call computes for long without a message.
+// STAFF ONLY. Provides functions of prerequisites to a student's process: the process calls them through the
+// pipe, and holds no code of the reference. All arguments are hostile: their sizes are checked, and each call
+// sends messages before it computes for long.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace grader::inline judge {
 
-// The arguments and the result of a ConjGrad: the suite's own numbers, whatever a report says.
+// Holds a ConjGrad's arguments and result as the suite counted them, whatever the student reports.
 struct ProvidedSolve {
-  int most;  // steps
+  int most;  // is the step limit
   double epsilon, value;
 };
 
 // Answers one call with the reference's function: the exercise's id, then a request of its
-// (grader/calls/call.h). `provided` are the exercises whose functions the worker may call. `served` answers
-// for the force that the suite serves in this request, `callback` asks the worker about its own objects.
-// Calls of ConjGrad are added to `solves`. Throws MalformedMessage for a call that makes no sense, and
-// StoppedCall if `served` says stop.
+// (grader/calls/call.h). The worker may call functions of the exercises `provided`. `served` answers for the
+// force that the suite serves in this request, `callback` calls the worker about its own objects. Calls of
+// ConjGrad are added to `solves`. Throws MalformedMessage for a call that makes no sense, and StoppedCall if
+// `served` stops it.
 MessageWriter provide(const std::vector<std::string>& provided, MessageReader call, const Products& served,
                       const Products& callback, std::vector<ProvidedSolve>& solves);
 

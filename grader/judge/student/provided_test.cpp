@@ -1,5 +1,5 @@
-// STAFF ONLY. A worker that does not keep to the protocol of provided functions ends its request, and not the
-// suite.
+// STAFF ONLY. Tests that a worker that breaks the protocol of provided functions ends its request, and not
+// the suite.
 #include "grader/judge/student/provided.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class Provided : public testing::Test {
   }
   ~Provided() override { fs::remove_all(folder_); }
 
-  // Asked twice: after the first answer there is still a suite.
+  // Asks twice, to see that the suite goes on after the first answer.
   Outcome outcome(const std::string& how) {
     allowance_ = std::make_shared<Allowance>();
     WorkerSetup setup;
@@ -51,7 +51,7 @@ class Provided : public testing::Test {
   }
 
   fs::path folder_;
-  std::shared_ptr<Allowance> allowance_;  // of the last worker
+  std::shared_ptr<Allowance> allowance_;  // belongs to the last worker
 };
 
 TEST_F(Provided, RefusesWhatMakesNoSense) {

@@ -39,7 +39,7 @@ class ProvidingHost {
   void served(const particles::Force&) {}
 
  private:
-  // Segments times sweeps: the most that a call may compute, 0.1 s or so. Hair takes a hundredth of it.
+  // Bounds segments times sweeps of a call, 0.1 s or so. Hair takes a hundredth of it.
   static constexpr int kMostWork = 5'000'000;
 
   double solve(const Operator& A, particles::Output x, particles::Output b, double epsilon, int& steps) {

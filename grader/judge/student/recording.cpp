@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Keeps requests and products of each category.
 #include "grader/judge/student/recording.h"
 
 namespace grader::inline judge {

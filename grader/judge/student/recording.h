@@ -1,8 +1,8 @@
-// STAFF ONLY. What the cases asked a worker, to be asked again of another one: requests, and the products
-// that the suite gave for them. So a second worker costs the suite no cases, and no computing of its own.
+// STAFF ONLY. Records requests of the cases to a worker, and the suite's products for them, so that another
+// worker can get the same. A second worker then costs the suite no cases, and no computing of its own.
 //
-// Of each category as much is kept as kMostBytes are, and of the products of one request kMostProductBytes:
-// what is asked again ends there. The sizes of cases are few, and each of them comes early.
+// A category keeps at most kMostBytes, and the products of one request kMostProductBytes; the rest is not
+// repeated. Cases have few sizes, and each of them comes early.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ class Recording {
 
   void begin_category(const std::string& name);
 
-  // A request begins, gets a product, and ends. Only Student calls these.
+  // A request begins, gets a product, and ends. Only Student calls these functions.
   void begin(const MessageWriter& message);
   void add_product(int which, const std::vector<double>& result, bool go_on);
   void end(Outcome outcome);

@@ -1,4 +1,4 @@
-// STAFF ONLY. What is asked once more: as it was asked, and not without end.
+// STAFF ONLY. Tests that recorded requests are repeated as they were, up to a bound.
 #include "grader/judge/student/recording.h"
 
 #include <gtest/gtest.h>

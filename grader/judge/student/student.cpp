@@ -1,4 +1,4 @@
-// STAFF ONLY. Starts workers, converses with them, and says how each request ended.
+// STAFF ONLY. Starts workers, exchanges messages with them, and reports how each request ended.
 #include "grader/judge/student/student.h"
 
 #include <fcntl.h>
@@ -21,14 +21,14 @@ namespace {
 // Larger than any array that a case sends; a worker that announces more has broken the protocol.
 constexpr std::size_t kLargestMessage = std::size_t{8} << 20;
 
-// More calls within callbacks than honest code makes.
+// Bounds calls within callbacks; honest code makes fewer.
 constexpr int kMostCalls = 4;
 
-// When a worker may end.
+// These say when a worker may end.
 constexpr const char* kLoading = "while the code was loaded";
 constexpr const char* kAsking = "during the request";
 
-// The worker's object threw when it was asked: its exception has left the call already.
+// The worker's object threw in a callback: the exception has already left the call.
 struct CallbackThrew {};
 
 std::uint64_t random_nonce() {
@@ -37,7 +37,7 @@ std::uint64_t random_nonce() {
   return nonce;
 }
 
-// In loading order.
+// Lists objects in loading order.
 std::vector<std::filesystem::path> all_objects(const WorkerSetup& setup) {
   std::vector<std::filesystem::path> all;
   for (const std::string& id : setup.provided) all.push_back(setup.kit / "provided" / (id + ".so"));
@@ -53,7 +53,7 @@ Cage worker_cage(const WorkerSetup& setup) {
     for (const auto& library : std::filesystem::directory_iterator(setup.kit / "sanitised/lib"))
       cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
     cage.limits.memory_of_group = true;
-    cage.limits.memory_bytes *= 2;  // of that, the runtime takes its share
+    cage.limits.memory_bytes *= 2;  // the runtime takes its share
   }
   cage.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
   for (const auto& object : all_objects(setup))
@@ -74,8 +74,8 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
   return patience;
 }
 
-// 0 is no limit. The kernel counts all threads of a user in a user name space: with no cage, those of his
-// other programs, too.
+// 0 is no limit. The kernel counts all threads of a user in a user name space: without a sandbox, it
+// also counts the user's other programs.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {
       "/worker", std::to_string(limits.cpu_seconds),
@@ -107,14 +107,13 @@ struct Student::Worker {
     requests.read_end.close();
     replies.write_end.close();
     fcntl(requests.write_end.get(), F_SETFL, O_NONBLOCK);
-    // Fewer turns for large vectors; refused, the usual size does.
+    // A larger pipe needs fewer turns for large vectors; if the kernel refuses, the usual size works.
     fcntl(requests.write_end.get(), F_SETPIPE_SZ, 1 << 18);
     fcntl(replies.read_end.get(), F_SETPIPE_SZ, 1 << 18);
   }
 };
 
-// The answer to all requests from now on, once something of the allowance is used up: what failed last,
-// again.
+// Returns the last failure again, for all later requests, once a part of the allowance is used up.
 std::optional<Answer> Student::give_up_if_used_up() {
   if (const char* what = used_up(setup_.allowance->spent, setup_.allowance->limit);
       what != nullptr && !gave_up_)
@@ -122,7 +121,7 @@ std::optional<Answer> Student::give_up_if_used_up() {
   return gave_up_;
 }
 
-// Ends the worker, which has `grace_seconds` to leave by itself, and charges what it took.
+// Ends the worker, which has `grace_seconds` to leave by itself, and charges its costs.
 Ending Student::end(double grace_seconds) {
   Budget& spent = setup_.allowance->spent;
   worker_->watchdog.wait_for_end(grace_seconds);
@@ -141,7 +140,7 @@ bool Student::tell(Kind kind, std::uint64_t nonce, std::span<const std::byte> bo
   return sent;
 }
 
-// The next message. What it costs is charged, and a worker that has used up the allowance is not listened to.
+// Returns the next message and charges its cost. It ignores a worker that has used up the allowance.
 std::optional<Message> Student::receive() {
   std::optional<Message> message = worker_->channel.receive(kLargestMessage);
   if (message) {
@@ -162,7 +161,7 @@ std::optional<Answer> Student::start() {
     switch (message->kind) {
       case Kind::hello:
         return {};
-      case Kind::memory_error:  // of something static
+      case Kind::memory_error:  // is a static object's error
         if (!setup_.sanitised) return broke_rules("something else than a greeting");
         end(1);
         return Answer{Outcome::memory_error, MessageReader(message->body), kLoading};
@@ -183,7 +182,7 @@ std::optional<Answer> Student::start() {
   }
 }
 
-// A request on its way: `depth` calls of provided functions wait for callbacks.
+// Holds a request that is not answered yet: `depth` calls of provided functions wait for callbacks.
 struct Student::Conversation {
   std::uint64_t nonce;
   const Products& products;
@@ -231,14 +230,14 @@ void Student::charge(const Conversation& conversation) {
   setup_.allowance->spent.wall_seconds = conversation.wall_before + conversation.watch.seconds();
 }
 
-// A worker that does not keep to the protocol is not asked again; a new one may be.
+// A worker that breaks the protocol gets no more requests; a new one may.
 Answer Student::broke_rules(const std::string& how) {
   end(0);
   last_failure_ = Outcome::broke_rules;
   return {Outcome::broke_rules, MessageReader({}), how};
 }
 
-// Ends a conversation, from however deep in calls and callbacks.
+// Ends a conversation, however deep in calls and callbacks it is.
 struct Student::Over {
   Answer answer;
 };
@@ -252,13 +251,13 @@ Answer Student::converse(const MessageWriter& request, Conversation& conversatio
   }
 }
 
-// The next message of the kind `until`, after all that the worker asks before it.
+// Returns the next message of the kind `until`, and answers all requests of the worker before it.
 MessageReader Student::listen(Conversation& conversation, Kind until) {
   for (;;) {
     std::optional<Message> message = receive();
     if (!message) {
       Answer answer = ended(kAsking);
-      // The exception by which we stop it ends a process where it leaves a thread.
+      // Our exception to stop it ends the process if the exception leaves a thread.
       forgiven_ = conversation.stopping && answer.outcome == Outcome::crashed;
       if (forgiven_) answer = {Outcome::stopped, MessageReader({}), {}};
       throw Over{std::move(answer)};
@@ -317,7 +316,7 @@ void Student::serve_product(Conversation& conversation, MessageReader& asked) {
     throw Over{ended("during a product")};
 }
 
-// A function of a prerequisite's, which may ask the worker about its own objects.
+// Calls a function of a prerequisite, which may call the worker about its own objects.
 void Student::serve_call(Conversation& conversation, MessageReader call) {
   if (conversation.stopping) throw MalformedMessage("a call after the request was stopped");
   if (conversation.depth == kMostCalls) throw MalformedMessage(kNestedCalls);
@@ -347,17 +346,17 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
   }
 }
 
-// The worker has told its exit code, which the kernel's word for its end would not.
+// The worker has reported its exit code; the kernel's report would look like a signal.
 Answer Student::left(const std::string& during, int code) {
   end(1);
   last_failure_ = Outcome::crashed;
   return {Outcome::crashed, MessageReader({}), during + ": it left with code " + std::to_string(code)};
 }
 
-// The worker is gone, or not worth waiting for. Says how, and gives up after too many.
+// The worker is gone, or not worth waiting for. Reports how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
-  // A worker that has closed its pipes may still run, or wait for a processor to leave by. Once it is gone
-  // nobody sees how it idled.
+  // A worker that has closed its pipes may still run, or wait for a processor before it leaves. An ended
+  // process shows no idling.
   worker_->watchdog.wait_for_end(setup_.allowance->wall_seconds_left());
   const char* why = worker_->watchdog.why();
   const bool may_be_out_of_cpu_time = worker_->watchdog.most_cpu_seconds() >= worker_->cpu_seconds;
@@ -372,7 +371,7 @@ Answer Student::ended(const std::string& during) {
     ++timeouts_;
   } else if (ending.signal == SIGSYS) {
     answer.outcome = Outcome::broke_rules;
-    answer.note = "it tried " + std::string(denied_syscall(-1));  // in a way that hides which
+    answer.note = "it tried " + std::string(denied_syscall(-1));  // signal masks can hide the call
   } else if (ending.signal == SIGKILL) {
     answer.note += ": killed, and by none of our clocks";
   } else {

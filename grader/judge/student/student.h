@@ -22,18 +22,18 @@ namespace grader::inline judge {
 
 class Recording;
 
-// An answer's note says this where calls of given functions lie within each other too deeply.
+// Such a note means that calls of given functions were nested too deeply.
 inline constexpr const char* kNestedCalls = "calls within calls";
 
 struct WorkerSetup {
   std::filesystem::path kit;          // see grader/worker/CMakeLists.txt
-  std::string exercise;               // the exercise whose server answers
-  std::vector<std::string> provided;  // prerequisites whose functions the suite provides, see provided.h
+  std::string exercise;               // names the exercise whose server answers
+  std::vector<std::string> provided;  // are prerequisites whose functions the suite provides, see provided.h
   std::vector<std::filesystem::path> objects;  // in loading order; the student's last
   std::filesystem::path log;                   // the worker's output is appended here
   Isolation isolation = Isolation::namespaces;
-  bool sanitised = false;  // with the sanitizers' runtime; only where a control group bounds its memory
-  int cpu_seconds = 10;    // of one worker
+  bool sanitised = false;  // has the sanitizers' runtime; only where a control group bounds its memory
+  int cpu_seconds = 10;    // bounds one worker
   // Workers that share it may be copies of one setup.
   std::shared_ptr<Allowance> allowance = std::make_shared<Allowance>();
 };
@@ -48,13 +48,13 @@ enum class Outcome {
   timed_out,
   broke_rules,
   cannot_load,
-  memory_error,  // the reply is one, see grader/wire/memory_error.h
+  memory_error,  // the reply is a memory error, see grader/wire/memory_error.h
 };
 
 struct Answer {
   Outcome outcome;
   MessageReader reply;  // the server's reply, if done; or the memory error
-  std::string note;     // for staff: what happened
+  std::string note;     // says to staff what happened
 };
 
 class Student {
@@ -63,25 +63,25 @@ class Student {
 
   explicit Student(WorkerSetup setup) : setup_(std::move(setup)) {}
 
-  // From now on what is asked is written down there. Null: no longer.
+  // Records all later requests there. Null: stops recording.
   void record(Recording* recording) { recording_ = recording; }
 
   // Sends a request and waits for its answer.
   Answer ask(const MessageWriter& request, const Products& products);
 
-  // Of all workers that have ended.
+  // Sums all workers that have ended.
   double cpu_seconds() const { return cpu_seconds_; }
 
-  // The CPU time of the present worker so far, all threads together, by the kernel's clock, which code in the
-  // worker can't change. Nothing if there is no worker.
+  // Returns the CPU time of the present worker so far, all threads together, by the kernel's clock, which
+  // code in the worker can't change. Nothing if there is no worker.
   std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
 
-  // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code
-  // solves by itself.
+  // Lists ConjGrad's solves that the suite made for the last request, in their order. Empty if the student's
+  // code solves by itself.
   const std::vector<ProvidedSolve>& provided_solves() const { return provided_solves_; }
   const Budget& spent() const { return setup_.allowance->spent; }
-  const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
+  const std::optional<Answer>& gave_up() const { return gave_up_; }  // final answer, if the suite gave up
   void finish();
 
  private:
@@ -107,7 +107,7 @@ class Student {
   WorkerSetup setup_;
   Recording* recording_ = nullptr;
   std::shared_ptr<Worker> worker_;
-  bool forgiven_ = false;  // the last worker ended because it was stopped
+  bool forgiven_ = false;  // True: the last worker ended because we stopped it.
   std::optional<Answer> gave_up_;
   Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Student beside workers that break the rules: what the answer is, and that it ends soon and
-// costs its allowance.
+// STAFF ONLY. Tests Student with workers that break the rules: the answer is right, and comes soon, and its
+// costs are charged.
 #include "grader/judge/student/student.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class StudentTest : public testing::Test {
     return Student(setup);
   }
 
-  // Asks until the suite gives up, at most so often; the last answer.
+  // Asks at most `times` times until the suite gives up, and returns the last answer.
   static Answer ask(Student& student, int times = 1) {
     Answer answer{Outcome::done, MessageReader({}), {}};
     for (int i = 0; i < times; ++i)
@@ -73,7 +73,7 @@ TEST_F(StudentTest, AnswersAndIsCharged) {
 TEST_F(StudentTest, EndsARequestAtItsFirstDeniedCall) {
   Student student = this->student("tries-calls");
   EXPECT_EQ(ask(student).outcome, Outcome::broke_rules);
-  EXPECT_EQ(spent_.messages, 2);  // its greeting, and that
+  EXPECT_EQ(spent_.messages, 2);  // its greeting and this request
   EXPECT_EQ(ask(student).outcome, Outcome::broke_rules);
   EXPECT_EQ(student.starts(), 2);
 }
@@ -101,8 +101,8 @@ TEST_F(StudentTest, IsStartedAgainUntilItsRestartsAreUsedUp) {
   EXPECT_EQ(student.starts(), 1 + static_cast<int>(allowance_->limit.restarts));
 }
 
-// A worker that idles in each of its starts idles in all no longer than one that never wakes up. A nap of
-// 0.15 s on a busy machine is partly one that waits for a processor: there it takes more of them.
+// A worker that idles in each of its starts idles in all no longer than one that never wakes up. On a busy
+// machine a part of a nap of 0.15 s is a wait for a processor: there it takes more naps.
 TEST_F(StudentTest, IdlesNoLongerInSeveralStarts) {
   allowance_->limit.restarts = 1000;
   allowance_->limit.worker_cpu_seconds = 1000;
@@ -134,7 +134,7 @@ TEST_F(StudentTest, IsEndedByTheClockWhateverItDoes) {
   }
 }
 
-// It may take its time to leave, but not for nothing.
+// A slow end is allowed, but it is charged.
 TEST_F(StudentTest, PaysForItsSlowEnd) {
   Student student = this->student("leaves-late");
   EXPECT_EQ(ask(student).outcome, Outcome::done);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Error against time of a submission's code, as a program that takes a job with all of its
-// objects and all of the reference's: links the reference, and never a student's code.
+// STAFF ONLY. Measures error against time of a submission. The job names all of its objects and all of the
+// reference's; the program links the reference, and never a student's code.
 #include <limits>
 
 #include "grader/judge/study/submission_study.h"
@@ -13,7 +13,7 @@ using grader::SuiteJob, grader::SuiteResult;
 SuiteResult run(const SuiteJob& job) {
   grader::WorkerSetup worker = grader::worker_of(job);
   worker.cpu_seconds = grader::study_cpu_seconds();
-  // Asked for by the instructor, beside the submission's budget.
+  // The instructor asks for a study, so the submission's budget does not bound it.
   grader::Budget& limit = worker.allowance->limit;
   limit.worker_cpu_seconds = limit.suite_cpu_seconds = worker.cpu_seconds;
   limit.wall_seconds = std::numeric_limits<double>::infinity();  // a study has a clock of its own

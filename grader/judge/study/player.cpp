@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs a scene with a worker, and limits how long a study goes on.
 #include "grader/judge/study/player.h"
 
 #include <chrono>

@@ -1,10 +1,9 @@
-// STAFF ONLY. Plays motions for a study and measures the time, in a worker that has all of a submission's
+// STAFF ONLY. Runs motions for a study and measures the time, in a worker that has all of a submission's
 // objects.
 //
-// The clock is the kernel's CPU time of all threads of the worker, which we read after each answer. A play is
-// charged with all CPU time since the previous answer. So code can shift its work to an earlier or later
-// play. It gets no times, and can't hide any; but it can remember an earlier answer, which then costs no
-// time.
+// The clock is the kernel's CPU time of all threads of the worker, which we read after each answer. A run is
+// charged with all CPU time since the previous answer. So code can shift its work to an earlier or later run.
+// It never sees a time and can hide none; but it can remember an earlier answer, which then costs no time.
 #pragma once
 
 #include <optional>
@@ -35,12 +34,12 @@ class WorkerPlayer : public Player {
 
  private:
   Student& student_;
-  int starts_ = 0;  // the worker's starts when the clock was last read
+  int starts_ = 0;  // counts the worker's starts at the last reading of the clock
   double clock_ = 0;
 };
 
 // Forwards to another player, until that one times out, breaks the rules, crashes for the third time, or has
-// used up its wall time. After that each play fails at once.
+// used up its wall time. After that each run fails at once.
 class UntilItGivesUp : public Player {
  public:
   static constexpr int kMostCrashes = 3;

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Holds the scenes of a study.
 #include "grader/judge/study/scenes.h"
 
 namespace grader::inline judge {

@@ -1,4 +1,4 @@
-// STAFF ONLY. The small scenes of a study, which all exercises of a submission play together. Each takes the
+// STAFF ONLY. The small scenes of a study, which all exercises of a submission run together. Each takes the
 // reference a few milliseconds.
 #pragma once
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. The scenes of a study, with the reference.
+// STAFF ONLY. Tests the scenes of a study with the reference.
 #include "grader/judge/study/scenes.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(StudiedScenes, EachEndsSoundWithItsFrames) {
       EXPECT_GT(frame.time, last) << text.name;
       last = frame.time;
     }
-    // Something moves: by a tenth of a millimetre at least.
+    // Something must move by at least a tenth of a millimetre.
     EXPECT_GT((frames.back().state.x - frames.front().state.x).norm(), 1e-4) << text.name;
   }
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. Runs a submission's methods beside the reference's, and compares error and time.
+// STAFF ONLY. Runs a submission's methods and the reference's in turn, and compares error and time.
 #include "grader/judge/study/study.h"
 
 #include <algorithm>
@@ -13,21 +13,21 @@ namespace {
 
 constexpr int kMostTimes = 500;
 
-// The student or the reference, in one part.
+// Holds the student's or the reference's runs of one part.
 struct Side {
   struct Run {
     Division division;
     StudyPoint point;
-    double seconds = 0;  // of one play, by which it is repeated
+    double seconds = 0;  // is the time of one run, and determines the repetitions
   };
   Player& player;
   bool is_student;
   std::vector<Run> runs = {};
-  double seconds = 0;  // so far
-  bool over = false;   // it is not asked again
+  double seconds = 0;  // is the sum so far
+  bool over = false;   // gets no more runs
 };
 
-// How far a motion is from where it should be, or that it ran away.
+// Compares a motion with the true one, or notes that it ran away.
 StudyPoint judged(const Division& division, const Played& played, const Truth& truth) {
   StudyPoint point{.steps = division.steps(),
                    .end = StudyEnd::ran_away,
@@ -48,7 +48,7 @@ StudyPoint judged(const Division& division, const Played& played, const Truth& t
         point.note = "further away than the motion is large";
         return point;
       }
-      if (k == 0) continue;  // where all start
+      if (k == 0) continue;  // all motions start there
       sum += distance * distance;
       count += 1;
     }
@@ -91,11 +91,11 @@ class PartStudied {
   PartStudy study(Player& student, Player& reference) {
     Side theirs{student, true}, ours{reference, false};
     const Division own{part_.scene.frames, part_.scene.steps_per_frame};
-    for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // to warm up
+    for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // warms up
     for (const Division& division : divisions_of(part_.scene))
       for (Side* side : {&theirs, &ours}) play_first(*side, division);
-    // A short play can be told from the asking for it if it is repeated: how often, ours says, when repeated
-    // as often as its first time suggests.
+    // A short run is repeated, so that its time exceeds that of a request. The reference decides how often,
+    // after as many repetitions as its first time suggests.
     for (Side::Run& run : ours.runs)
       if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
 
@@ -115,7 +115,7 @@ class PartStudied {
   }
 
  private:
-  // Nothing if it does not answer as it should, or is not asked any more; `seconds` is then of no use.
+  // Returns nothing if the answer is bad or the side gets no more runs; `seconds` is then useless.
   std::optional<StudyPoint> ask(Side& side, const Division& division, int times, double* seconds = nullptr) {
     if (side.over) return {};
     if (asked_) asked_(side.is_student, division.steps());
@@ -157,8 +157,8 @@ class PartStudied {
     side.runs.push_back(std::move(run));
   }
 
-  // How many rounds were measured to their end. Both keep the times of these and no others, so that each run
-  // has as many; where there are none, what first plays took is all that is known.
+  // Returns the number of complete rounds. Both sides keep the times of complete rounds only, so that each
+  // run has as many; without any they keep the times of the first runs.
   int measure_rounds(Side& theirs, Side& ours) {
     int whole = 0;
     while (whole < settings_.rounds && !theirs.over && round(theirs, ours, whole)) ++whole;
@@ -181,7 +181,7 @@ class PartStudied {
     return true;
   }
 
-  // False if there is no time of a run that should have one.
+  // False if a run that should have a time has none.
   bool measure(Side& side, std::size_t i, int times) {
     if (i >= side.runs.size() || side.runs[i].point.end != StudyEnd::finished) return true;
     StudyPoint& point = side.runs[i].point;
@@ -208,7 +208,7 @@ class PartStudied {
 
   StudyCurve curve_of(Side& side) {
     StudyCurve curve;
-    // What broke says nothing.
+    // A run that broke off decides nothing.
     const Side::Run *stable = nullptr, *unstable = nullptr;
     for (auto run = side.runs.rbegin(); run != side.runs.rend() && unstable == nullptr; ++run) {
       if (run->point.end == StudyEnd::finished) stable = &*run;
@@ -223,7 +223,7 @@ class PartStudied {
     return curve;
   }
 
-  // The fewest steps that are stable, between a division that is not and `stable`, which is: by bisection.
+  // Finds by bisection the fewest steps that are stable, between an unstable division and `stable`.
   int boundary(Side& side, const Division& unstable, int stable) {
     const std::vector<Division> inside = between(unstable);
     std::size_t low = 0, high = inside.size();  // inside[high] is stable, or beyond the end

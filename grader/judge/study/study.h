@@ -1,10 +1,10 @@
-// STAFF ONLY. Error against time of a submission's code, beside the reference in an identical worker.
+// STAFF ONLY. Error against time of a submission's code, compared with the reference in an identical worker.
 //
-// Both play each part with the same numbers of steps, alternating: student, reference, student, reference,
-// and so on through all numbers of steps; in the next round the reference is first. So other load of the
-// machine affects both, and the ratio compares times that were measured side by side. The first round
-// measures errors and warms up; its times are shown only if no round was measured to its end. Plays are
-// deterministic: a measured play must give the same result as the first one, or it is shown as broken.
+// Both run each part with the same numbers of steps, alternating: student, reference, student, reference, and
+// so on through all numbers of steps; in the next round the reference is first. So other load of the machine
+// affects both, and the ratio compares times that were measured side by side. The first round measures errors
+// and warms up; its times are shown only if no round was measured to its end. Runs are deterministic: a
+// measured run must give the same result as the first one, or it is shown as broken.
 //
 // A study neither gives nor takes points.
 #pragma once
@@ -20,12 +20,12 @@ namespace grader::inline judge {
 
 struct StudySettings {
   int rounds = 5;                  // the number of measured rounds
-  double least_seconds = 0.002;    // the reference's plays are repeated to take at least this time
-  double most_seconds = 2;         // of the student's CPU time, for one part: then the rest is left out
-  double most_wall_seconds = 120;  // of the student's plays, for all parts: stops code that sleeps
+  double least_seconds = 0.002;    // the reference's runs are repeated to take this time at least
+  double most_seconds = 2;         // student's CPU time for a part; the rest is left out
+  double most_wall_seconds = 120;  // bounds the student's runs of all parts, so that sleeping code ends
 };
 
-// Reports the order of plays: whether it is the student's, and its number of steps.
+// Reports each run in its order: true for the student's, and its number of steps.
 using Asked = std::function<void(bool student, int steps)>;
 
 PartStudy study_part(const StudiedPart& part, const Truth& truth, Player& student, Player& reference,

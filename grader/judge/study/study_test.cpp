@@ -1,4 +1,4 @@
-// STAFF ONLY. Studies with players of known speed and accuracy in place of workers.
+// STAFF ONLY. Tests studies with players of known speed and accuracy in place of workers.
 #include "grader/judge/study/study.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Truth truth_of(const StudiedPart& part) {
   return place->second;
 }
 
-// Plays with the reference, in this process, by a clock of its own: so many seconds for each step.
+// Runs the reference in this process, by a clock of its own: `seconds_per_step` for each step.
 struct Fake : Player {
   double seconds_per_step = 1e-5;
   std::function<void(hair::Scene&)> change = [](hair::Scene&) {};
@@ -65,7 +65,7 @@ PartStudy study(const std::string& method, Fake& student, const StudySettings& s
   return study_part(part, truth_of(part), student, reference, settings, asked);
 }
 
-// The order of a curve's last doubling of steps.
+// Returns the order of a curve's last doubling of steps.
 double last_order(const StudyCurve& curve) {
   const StudyPoint &one = curve.points.at(curve.points.size() - 2), &two = curve.points.back();
   return std::log2(one.error / two.error) / std::log2(static_cast<double>(two.steps) / one.steps);
@@ -87,8 +87,8 @@ TEST(Study, OfTheReferenceBesideItselfHasEqualErrorsAndRatioOne) {
 }
 
 TEST(Study, FindsEachMethodsOrder) {
-  // Halving a step of an order-p method halves its error p times; what is left of higher orders at these
-  // steps makes it differ by less than a fifth.
+  // Half the step of a method of order p gives an error 2^p times smaller; higher orders change that by less
+  // than a fifth at these steps.
   for (const auto& [method, order] :
        std::map<std::string, int>{{"forward Euler", 1}, {"symplectic Euler", 1}, {"midpoint", 2}}) {
     Fake student;
@@ -105,7 +105,7 @@ TEST(Study, AsksInTurnsAndSwapsThem) {
   const PartStudy part = study("symplectic Euler", student, settings,
                                [&](bool is_student, int steps) { asked.emplace_back(is_student, steps); });
   const std::size_t levels = part.student.points.size();
-  // To warm up, the errors, and how often ours has to be played.
+  // These are the warm-up, the errors, the repetitions of the reference, and the rounds.
   ASSERT_EQ(asked.size(), 2 + 2 * levels + levels + 2 * levels * static_cast<std::size_t>(settings.rounds));
   for (std::size_t at = 0; at < 2 + 2 * levels; ++at) EXPECT_EQ(asked[at].first, at % 2 == 0) << at;
   std::size_t at = 2 + 3 * levels;
@@ -131,7 +131,7 @@ TEST(Study, TellsHowManyTimesOurTimeAnErrorTakes) {
 }
 
 TEST(Study, ShowsALostOrder) {
-  Fake student;  // answers with forward Euler where midpoint is asked for
+  Fake student;  // answers with forward Euler instead of midpoint
   student.change = [](hair::Scene& scene) { scene.toys.front().method = hair::ToyMethod::forward_euler; };
   const PartStudy part = study("midpoint", student);
   EXPECT_NEAR(last_order(part.student), 1, 0.2);
@@ -143,8 +143,8 @@ TEST(Study, ShowsALostOrder) {
 }
 
 TEST(Study, FindsWhereAMethodStopsBeingStable) {
-  // All that has fewer steps than 100 runs away; among the steps that can be played around there, multiples
-  // of 12, the first is 108.
+  // Each run with less than 100 steps runs away; only multiples of 12 can be run around there, so the first
+  // stable one is 108.
   Fake student;
   student.poison = [](Played& played, int steps) {
     if (steps < 100) played.frames.back().x[5] += 1e3;
@@ -162,7 +162,7 @@ TEST(Study, ShowsNoNumberThatIsNone) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300})
     for (const bool of_velocities : {false, true}) {
-      if (of_velocities && std::isfinite(bad)) continue;  // where it is counts, not how fast
+      if (of_velocities && std::isfinite(bad)) continue;  // positions count, not velocities
       Fake student;
       student.poison = [&](Played& played, int) {
         (of_velocities ? played.frames.back().v : played.frames.back().x)[3] = bad;
@@ -199,7 +199,7 @@ TEST(Study, GoesOnWithoutAWorkerThatEnds) {
   EXPECT_NE(part.note.find("the program ended"), std::string::npos) << part.note;
   EXPECT_GT(part.reference.points.size(), part.student.points.size());
   EXPECT_FALSE(part.ratio && part.ratio->median > 1.01);
-  // That it broke there does not say that it ran away before.
+  // The break there does not mean that the motion ran away before.
   EXPECT_TRUE(part.student.stable_everywhere);
   EXPECT_EQ(part.student.stable_steps, part.student.points.front().steps);
 }
@@ -222,7 +222,7 @@ TEST(Study, DoesNotKnowWhatIsStableInCodeThatOnlyBreaks) {
   EXPECT_NE(page_of(part).find("<p>Stable: not known (ours: all that were tried"), std::string::npos);
 }
 
-// How often the student's code is played before it is measured.
+// Counts the runs of the student's code before it is measured.
 int first_plays(const StudiedPart& part) {
   return 1 + static_cast<int>(divisions_of(part.scene).size());
 }
@@ -263,7 +263,7 @@ TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
   EXPECT_EQ(page_of(study("midpoint", honest)).find("it may remember"), std::string::npos);
   EXPECT_NE(page_of(study("midpoint", remembers)).find("it may remember"), std::string::npos);
 
-  // Short plays take both longer at first, and the student's code finishes no others.
+  // Both sides are slow in short runs at first, and the student's code finishes no others.
   PartStudy part = study("midpoint", honest);
   for (StudyCurve* curve : {&part.student, &part.reference})
     for (std::size_t i = 0; i < 2; ++i) curve->points[i].first_seconds *= 10;
@@ -273,9 +273,9 @@ TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
 
 TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
   const StudiedPart part = pendulum("symplectic Euler");
-  int first = part.scene.frames * part.scene.steps_per_frame;  // steps of what is not measured
+  int first = part.scene.frames * part.scene.steps_per_frame;  // are the steps that are not measured
   for (const Division& division : divisions_of(part.scene)) first += division.steps();
-  // A round takes at most so many steps more than the first plays: those of 2 ms for each division of less.
+  // A round adds at most these steps to the first runs: each division with less repeats up to 2 ms.
   const int round = first + 200 * static_cast<int>(divisions_of(part.scene).size());
   for (const int rounds : {0, 1}) {
     Fake student;
@@ -337,7 +337,7 @@ TEST(Study, LeavesOutWhatTakesTooLong) {
   const PartStudy part = study("midpoint", slow, settings);
   EXPECT_NE(part.note.find("more CPU time than a study has"), std::string::npos) << part.note;
   EXPECT_LT(part.student.points.size(), part.reference.points.size());
-  // What its first plays took is known all the same.
+  // The times of its first runs are known all the same.
   ASSERT_TRUE(part.ratio);
   EXPECT_NEAR(part.ratio->median, 100, 1);
 }
@@ -383,7 +383,7 @@ TEST(Truth, IsKept) {
   EXPECT_EQ(kept.method, found.method);
   EXPECT_EQ(kept.least_error, found.least_error);
   EXPECT_EQ(kept.size, found.size);
-  // Half a file is none.
+  // A half-written file counts as missing.
   std::filesystem::resize_file(only_file(), std::filesystem::file_size(only_file()) / 2);
   EXPECT_EQ(true_motion(part, folder).frames.back().x, found.frames.back().x);
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs all parts of a submission's study.
 #include "grader/judge/study/submission_study.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ bool is_left_out(const hair::Scene& scene, const AvailableExercises& exercises) 
                              [&](const std::string& id) { return exercises.left_out.contains(id); });
 }
 
-// "H4 does not compile.", or empty.
+// Returns "H4 does not compile.", or an empty text.
 std::string why_not_run(const hair::Scene& scene, const AvailableExercises& exercises) {
   std::string all;
   for (const std::string& id : hair::exercises_of(scene))

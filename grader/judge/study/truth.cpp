@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Computes and stores a part's reference solution.
 #include "grader/judge/study/truth.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Truth by_many_steps(const StudiedPart& part) {
   return truth;
 }
 
-// Of one strand or one toy that meets nothing, unless CVODE can't.
+// CVODE computes one strand or one toy without contacts, if it can.
 std::optional<Truth> by_cvode(const StudiedPart& part) {
   const hair::Scene& scene = part.scene;
   if (!hair::have_accurate_motion() || !scene.hair.obstacles.empty() || scene.hair.strands.size() > 1 ||
@@ -54,7 +54,7 @@ std::optional<Truth> by_cvode(const StudiedPart& part) {
     hair::ProblemSettings settings;
     settings.duration = scene.frames / scene.frames_per_second;
     hair::Problem problem = hair::make_problem(scene, settings);
-    problem.scene.frames = scene.frames;  // the moments
+    problem.scene.frames = scene.frames;  // are the moments
     problem.scene.frames_per_second = scene.frames_per_second;
     problem.scene.hair.step = 1 / scene.frames_per_second;
     std::optional<hair::AccurateMotion> motion = hair::accurate_motion(problem, {}, std::atomic<bool>(false));
@@ -64,7 +64,7 @@ std::optional<Truth> by_cvode(const StudiedPart& part) {
   }
 }
 
-// Numbers in the machine's own form, after a checksum of them: another machine's, or half a file, is none.
+// Writes numbers in the machine's format after a checksum: another machine's or half a file is ignored.
 void keep(const fs::path& file, const Truth& truth) {
   MessageWriter writer;
   writer.put(truth.method).put(truth.least_error).put(static_cast<std::uint64_t>(truth.frames.size()));

@@ -1,19 +1,18 @@
-// STAFF ONLY. The commands of hairgrade, a file each. A new one is a file here, a line below and a row in
-// kCommands.
+// STAFF ONLY. The commands of hairgrade, a file each. A new command has a file here, a line below and a row
+// in kCommands.
 #pragma once
 
 #include <atomic>
 #include <functional>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): its own name
+namespace CLI {  // NOLINT(readability-identifier-naming): it is the library's name
 class App;
 }
 
 namespace grader::inline tool {
 
 // A command declares its options when it is added; `run` reads them, does the work and returns hairgrade's
-// exit code. It throws BadInput for input that is wrong (2), and any other exception for a fault of the
-// grader (1).
+// exit code. It throws BadInput for wrong input (2), and any other exception for a fault of the grader (1).
 struct Command {
   CLI::App* options;
   std::function<int()> run;
@@ -43,12 +42,11 @@ Command add_feedback(CLI::App& hairgrade);
 Command add_site(CLI::App& hairgrade);
 
 inline constexpr AddCommand kCommands[] = {
-    add_grade,   add_compare,   add_handout, add_package, add_gradescope, add_secret,  add_samples,
-    add_similar, add_log,       add_diff,    add_export,  add_forget,     add_set,     add_excuse,
+    add_grade,   add_compare,   add_handout, add_package, add_gradescope, add_secret,   add_samples,
+    add_similar, add_log,       add_diff,    add_export,  add_forget,     add_set,      add_excuse,
     add_comment, add_late_days, add_unset,   add_whatif,  add_gradebook,  add_feedback, add_site};
 
-// Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup
-// has started it).
+// After the first call, Ctrl-C, SIGTERM or SIGHUP set this flag (SIGHUP does nothing under nohup).
 const std::atomic<bool>& note_interruptions();
 
 }  // namespace grader::tool

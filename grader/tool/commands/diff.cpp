@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade diff`: tells what the last grading changed, by student and category.
+// STAFF ONLY. `hairgrade diff`: lists changes of the last grading, by student and category.
 #include <iostream>
 
 #include "grader/course/input.h"

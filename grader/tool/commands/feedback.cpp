@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade feedback`: reports in an archive that a learning system hands out.
+// STAFF ONLY. `hairgrade feedback`: packs reports into an archive for a learning system.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

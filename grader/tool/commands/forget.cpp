@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade forget`: removes all of a student from record, pages and pictures.
+// STAFF ONLY. `hairgrade forget`: removes all data of a student from record, pages and pictures.
 #include <iostream>
 
 #include "grader/report/report.h"

@@ -51,8 +51,7 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the grades", options.batch.out, options.batch.out}};
 }
 
-// Says who is missing, who is on no roster, and how people were found where that is not plain. False if a
-// person must look.
+// Lists missing people, people on no roster, and unusual matches. False if a person must look.
 bool say_people(Record& record, const std::optional<Roster>& roster) {
   const std::optional<ClassList> list = record.class_list();
   if (!list) return true;
@@ -78,7 +77,7 @@ std::string without_time(const std::vector<Submission>& submissions, Record& rec
   return names.empty() ? "" : some_of(names);
 }
 
-// An offset says nothing about lateness where nobody knows the offset of the due date.
+// A time's offset does not give lateness if the due date has no offset.
 void check_zone(const HandInRules& rules, const std::vector<Submission>& submissions) {
   if (rules.due.empty() || !rules.zone.empty()) return;
   for (const Submission& one : submissions)

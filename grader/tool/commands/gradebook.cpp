@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade gradebook`: grades for a learning system's import.
+// STAFF ONLY. `hairgrade gradebook`: writes grades for a learning system's import.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>

@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade gradescope`: grades one hand-in as Gradescope lays it down.
+// STAFF ONLY. `hairgrade gradescope`: grades one hand-in in Gradescope's folders.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -23,7 +23,7 @@ struct GradescopeOptions {
   GradeSettings settings;
 };
 
-// Leaves results.json whatever happens, and throws what has happened.
+// Writes results.json in any case, and then throws the error, if there is one.
 int grade_on_gradescope(GradescopeOptions options) {
   Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
   course.of_hand_in = read_hand_in(course, options.settings.course, options.hand_in).rules.exercises;

@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade handout`: makes the archive that students get.
+// STAFF ONLY. `hairgrade handout`: makes the archive for students.
 #include "grader/package/handout.h"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade log`: tells who did what with a student's grades, and when.
+// STAFF ONLY. `hairgrade log`: lists changes of a student's grades, with their author and time.
 #include <iostream>
 
 #include "grader/course/input.h"
@@ -10,7 +10,7 @@
 namespace grader::inline tool {
 namespace {
 
-// "graded" has points by category, too many for a line.
+// Leaves out points by category, which are too many for a line.
 std::string in_short(const LogEntry& entry) {
   if (entry.did != "graded") return entry.detail;
   double sum = 0;

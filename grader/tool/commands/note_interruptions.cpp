@@ -7,7 +7,7 @@
 namespace grader::inline tool {
 namespace {
 
-std::atomic<bool> interrupted = false;  // a signal handler has nothing else that it may touch
+std::atomic<bool> interrupted = false;  // a signal handler may change nothing else
 
 }  // namespace
 
@@ -16,7 +16,7 @@ const std::atomic<bool>& note_interruptions() {
   action.sa_handler = [](int) { interrupted = true; };
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // by nohup
+  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // nohup ignores it
   return interrupted;
 }
 

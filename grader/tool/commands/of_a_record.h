@@ -14,24 +14,23 @@ namespace grader::inline tool {
 
 struct OfARecord {
   std::filesystem::path folder;
-  std::string hand_in;  // its name; "" where the course has one
-  std::string name;     // of a student
+  std::string hand_in;  // is its name; "" if the course has one
+  std::string name;     // names a student
 };
 
-// The options and the argument that these commands share.
-void add_folder(CLI::App& command, OfARecord& options);  // and the hand-in
+// Add the options and the argument that these commands share.
+void add_folder(CLI::App& command, OfARecord& options);  // also adds the hand-in
 void add_hand_in(CLI::App& command, std::string& hand_in);
 void add_name(CLI::App& command, OfARecord& options);
 
-// Throws BadInput, with a way out, for a folder without a record, and for a hand-in that its record does not
-// have.
+// Throws BadInput, with a way out, for a folder without a record, and for a hand-in that its record lacks.
 std::unique_ptr<Record> open_record(const std::filesystem::path& folder, const std::string& hand_in);
 
-// All of a record.
+// Opens all hand-ins of a record.
 std::vector<std::unique_ptr<Record>> open_hand_ins(const std::filesystem::path& folder);
 
-// Lets `change` change the record, then makes all files again. A hairgrade that grades into the folder is
-// waited for after the change, so that an interruption loses none. Returns hairgrade's exit code.
+// Lets `change` change the record, then makes all files again. If another hairgrade grades into the folder,
+// it waits after the change, so that an interruption loses none. Returns hairgrade's exit code.
 int change_record(const OfARecord& options, const std::function<void(Record&)>& change);
 
 }  // namespace grader::tool

@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade similar`: shows pairs of hand-ins that share code beyond what everybody was given.
+// STAFF ONLY. `hairgrade similar`: shows pairs of hand-ins that share code beyond the handout.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

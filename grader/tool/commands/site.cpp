@@ -25,7 +25,7 @@ struct SiteOptions {
   std::vector<fs::path> motions;
 };
 
-// The run that is farthest from the reference's, in pictures; empty if all are the same.
+// Shows the run that is farthest from the reference's, in pictures; empty if all are the same.
 Html worst_run(const std::vector<SubmissionResult>& results) {
   const std::vector<PictureResult>* worst = nullptr;
   double most = 0;

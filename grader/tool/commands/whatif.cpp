@@ -1,5 +1,5 @@
 // STAFF ONLY. `hairgrade whatif`: shows the class's totals under another course file, before it is applied.
-// Nothing is graded.
+// It grades nothing.
 #include <algorithm>
 #include <iostream>
 
@@ -17,7 +17,7 @@ struct WhatIf : OfARecord {
   std::filesystem::path course;
 };
 
-// Each exercise keeps the share of its points that was reached.
+// Each exercise keeps its share of reached points.
 void weigh(const Course& course, SubmissionResult& result) {
   const auto asked_for = [&](const std::string& id) {
     const auto found = std::ranges::find(course.exercises, id, &Exercise::id);
@@ -27,7 +27,7 @@ void weigh(const Course& course, SubmissionResult& result) {
   std::erase_if(result.exercises, [&](const ExerciseResult& one) { return !asked_for(one.id); });
   for (ExerciseResult& one : result.exercises) {
     const Exercise& exercise = *asked_for(one.id);
-    if (one.max_points <= 0) continue;  // excused
+    if (one.max_points <= 0) continue;  // is excused
     one.points *= exercise.points / one.max_points;
     one.max_points = exercise.points;
     one.extra_credit = exercise.role == Role::optional;

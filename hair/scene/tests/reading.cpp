@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Changes scenes as texts, and reads their errors.
 #include "reading.h"
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes strands, states and rigid motions for tests.
 #include "hair/strand/tests/strand_states.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes problems whose motions are known or quick to compute.
 #include "problems.h"
 
 #include <algorithm>

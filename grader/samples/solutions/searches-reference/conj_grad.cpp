@@ -1,4 +1,4 @@
-// STAFF ONLY. The reference if it lies in a likely place; else an answer that is wrong.
+// STAFF ONLY. Includes the reference if it lies in a likely place; else gives a wrong answer.
 #if __has_include("reference/S1/conj_grad.cpp")
 #include "reference/S1/conj_grad.cpp"
 #elif __has_include("../reference/S1/conj_grad.cpp")

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes soft problems and their studies.
 #include "studies.h"
 
 #include <algorithm>
