@@ -75,7 +75,8 @@ struct Air {
   }
 };
 
-// Reflected along (1, 2, 3, ...), so that no number of a product is 0: eigenvalues 1, 2, ... times `unit`.
+// A matrix with the eigenvalues 1, 2, ... times `unit`, reflected along (1, 2, 3, ...), so that no number of
+// a product is 0.
 Table counted_table(int size, double unit) {
   VectorXd w = VectorXd::LinSpaced(size, 1, size).normalized(),
            eigenvalues = VectorXd::LinSpaced(size, 1, size);
@@ -410,7 +411,7 @@ TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
 
 TEST(Step, SolvesForTheWholeStep) {
   look_at("system");
-  // a = b = h: the system and its solution by your own matrix and right-hand side.
+  // With a = b = h your own matrix and right-hand side make the system and its solution.
   const double h = 0.5;
   const Spring spring(1, 1.5, GeometricTerm::dropped, 0.1);
   const State before = apart();

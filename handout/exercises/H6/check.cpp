@@ -57,7 +57,7 @@ StepReport step(const particles::Force& force, double h, State& state) {
   return predictor_corrector(force, kTwo, two(), h, 1e-10, state, scratch);
 }
 
-constexpr double kHalf = 0.5;  // s, of the steps below
+constexpr double kHalf = 0.5;  // s, the length of the steps below
 
 // h^2 k/m is about 1: every step shows. The spring pulls: it is shorter at rest than the strand.
 constexpr double kStiffness = 9, kSpring = 0.65, kRatio = kHalf * kHalf * kStiffness / 2;  // N/m, m, kg
@@ -197,7 +197,7 @@ TEST(Lengths, MovesAStrandOfOneParticleWithItsRoot) {
   expect_entries(state.x, Vector3d(0.5, 1, 1.5), 0, "x after 0.5 s of a root alone, at (1, 2, 3) m/s", "0");
 }
 
-// The tolerance is that of the solves; step 3 has kLengthTolerance.
+// The solves take the caller's tolerance; step 3 takes kLengthTolerance.
 TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
   const Chain chain(0.1, 12);
   int steps[2];
@@ -222,9 +222,8 @@ TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
 
 TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
   look_at("unconverged");
-  // Without forces the way of a particle over h is its velocity, whatever the correction did. A root that is
-  // 1e12 m away leaves a correction that never converges; a strand that is flung about takes it many
-  // iterations.
+  // Without forces a particle's velocity is its way over h, even if the correction does not converge, as with
+  // a root that is 1e12 m away. A strand that is flung about takes the correction many iterations.
   for (const double root : {0.0, 1e12}) {
     Chain chain(0, 12);
     State state = chain.state;

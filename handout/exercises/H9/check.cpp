@@ -1,5 +1,5 @@
-// The public checks of H9, function by function. Lengths, stiffnesses and masses are about 1, so that bounds
-// of 1e-12 are thousands of roundings. The contract is in hair/static_links.h.
+// The public checks of H9, function by function. Lengths, stiffnesses and masses are about 1, so bounds of
+// 1e-12 are thousands of roundings. The contract is in hair/static_links.h.
 
 #include "hair/static_links.h"
 
@@ -312,7 +312,7 @@ VectorXd strip_products(const std::vector<StripContact>& contacts, const VectorX
   return df;
 }
 
-// Two contacts that share particles, one of which presses, along no axis.
+// Two contacts that share particles, with normals along no axis. One of them presses.
 struct Pressed {
   std::vector<StripContact> contacts = {{3, {0, 1, 2}, {0.2, 0.5, 0.3}, Vector3d(2, -1, 2) / 3, 0.7},
                                         {4, {3, 2, 0}, {0.6, 0.3, 0.1}, Vector3d(1, 2, -2) / 3, 0.4}};
@@ -385,7 +385,7 @@ TEST(FlatTriangles, FindsEdgesAndNoFlatTriangle) {
   EXPECT_FALSE(touch(flat, 1, contact)) << "a triangle without an area";
 }
 
-// "Without an area" is an area of exactly 0.
+// Only an area of exactly 0 is "without an area".
 TEST(FlatTriangles, FindsTrianglesOfAnySize) {
   look_at("limit");
   StripContact contact;
@@ -582,7 +582,7 @@ TEST(FrictionOrder, GoesContactAfterContact) {
   apply_strip_friction(twice, kLaw, inverse_mass, 0.8, x, v);
   EXPECT_NUMBER(v[9], 0, 1e-12)
       << "m/s: 1.5, less 0.96 of the first contact; the second one stops what is left";
-  // A contact whose particles are all pinned leaves the others to the next one.
+  // A contact whose particles are all pinned changes nothing for the next one.
   VectorXd two = zeros(5), w = zeros(5);
   two.head(12) = x;
   two.tail<3>() = x.tail<3>();

@@ -53,7 +53,7 @@ Example bead() {
   return system;
 }
 
-// Five particles without a pattern, four rods between them and two wires; nothing holds.
+// Five particles without a pattern, four rods between them and two wires. No constraint holds.
 Example tangle() {
   Example system;
   Scatter scatter(2);
@@ -323,7 +323,7 @@ TEST(Feedback, FeedsErrorsBack) {
   system.constraints.damping = 6;
   const VectorXd a = accelerations(system), v = system.state.v;
   const VectorXd expected = -40 * values(system, system.state.x) - 6 * rates(system, v);
-  // J' v: rates are linear in x, but for what does not depend on it.
+  // J' v as a difference of rates, since the part of the rates that depends on x is linear in x.
   Example moved = system, still = system;
   moved.state.x += v;
   const VectorXd curvature = rates(moved, v) - rates(still, v);
