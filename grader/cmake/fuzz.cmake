@@ -2,8 +2,8 @@
 # is a test there, of a minute. Other presets know their sources, so that .ci/nightly looks at them, and build
 # nothing.
 #
-#   hair_fuzz(NAME SOURCES ... LIBRARIES ...)   a program of ours, build/fuzz/programs/NAME; hair/io/fuzz/fuzz.h says what its
-#                                               sources define
+#   hair_fuzz(NAME SOURCES ... LIBRARIES ...)   a program of ours, build/fuzz/programs/NAME, whose sources
+#                                               define what hair/io/fuzz/fuzz.h says
 option(HAIR_FUZZ "Link the fuzz programs; asks for clang++ and -fsanitize=fuzzer-no-link" OFF)
 if(HAIR_FUZZ)
   enable_testing()

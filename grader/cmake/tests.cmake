@@ -7,8 +7,8 @@
 # .ci/nightly runs all of them, optimised and with sanitisers.
 #
 #   hair_test(NAME [SANITISED] [SLOW CASES] SOURCES ... LIBRARIES ...)
-#       a GoogleTest program of our own and its test, both called NAME: quick, or sanitised. Cases that take long are a test of their
-#       own, NAME.slow: SLOW names them as --gtest_filter does
+#       a GoogleTest program of our own and its test, both called NAME: quick, or sanitised. Cases that take
+#       long are a test of their own, NAME.slow: SLOW names them as --gtest_filter does
 #   hair_program_test(LABEL NAME PROGRAM ARGUMENT...)
 #       the test NAME, which starts the target PROGRAM with these arguments
 #   hair_command_test(LABEL NAME PROGRAM COMMAND...)
@@ -29,7 +29,8 @@ endfunction()
 
 # What tests is compiled in a quarter less time when it is not optimised as far as what is tested.
 set(HAIR_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
-hair_precompiled(test PROGRAM HEADERS ${HAIR_USUAL_HEADERS} <gtest/gtest.h> LIBRARIES GTest::gtest Eigen3::Eigen)
+hair_precompiled(test PROGRAM HEADERS ${HAIR_USUAL_HEADERS} <gtest/gtest.h> LIBRARIES GTest::gtest
+                 Eigen3::Eigen)
 if(HAIR_PRECOMPILED)
   target_compile_options(hair_precompiled_test PRIVATE ${HAIR_TEST_OPTIONS})
 endif()
