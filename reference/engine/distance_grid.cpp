@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Fills a solid's grid of distances, and looks them up.
 #include "reference/engine/distance_grid.h"
 
 #include <algorithm>

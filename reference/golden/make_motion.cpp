@@ -1,6 +1,5 @@
-// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json
-// OUT.json. It has positions alone, of few strands where there are many (hair/view/motion.h), and hairlab's
-// page plays it.
+// STAFF ONLY. Makes the handout's file of a scene's run by the reference: make_motion SCENE.json OUT.json. It
+// has only positions, and only a part of many strands (hair/view/motion.h). hairlab's page plays it.
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -13,7 +12,7 @@
 
 namespace {
 
-// Of dense hair as many strands as the page shows.
+// The scene with as many strands of dense hair as the page shows.
 hair::Scene thinned(hair::Scene scene) {
   const std::size_t most = hair::kMostPointsShipped / static_cast<std::size_t>(scene.frames + 1);
   for (hair::DenseHair& dense : scene.dense) {
