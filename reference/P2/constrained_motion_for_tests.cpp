@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Solves for the constraint forces, and builds the tables.
 #include "reference/P2/constrained_motion_for_tests.h"
 
 namespace reference_tests {
