@@ -179,7 +179,7 @@ void straight_products(Trial& trial) {
 
 void no_direction(Trial& trial) {
   Random& random = trial.random;
-  // No joint: without a segment there is nothing to clamp, and a clamped segment of length 0 has no angle.
+  // There is no joint: one particle has no segment to clamp, and a clamped segment of length 0 has no angle.
   for (int kind : {0, 1, 2}) {
     const int count = kind == 0 ? 1 : 2;
     Posed posed{even_strand(random, count), random_vector(random, 3 * count), "without a joint"};
@@ -243,7 +243,7 @@ void fold(Trial& trial) {
     trial.expect(ask_product(trial, back, dx.head<6>(), function).isZero(0),
                  "there is a product at the fold");
 
-  // Next to it the force is finite: as at a right angle, with the angle in proportion.
+  // Next to the fold the force is finite, and in proportion to the angle as at a right angle.
   const Plane plane(random);
   const double tip = tip_share(trial, plane.bent_by(1.5));
   expect_size(trial, std::abs(tip), 1, "the force");

@@ -79,7 +79,7 @@ void solve(Trial& trial) {
   for (int size : {3, 15, 60}) {
     const System system = system_of(random, size, 1, 30, random.uniform(0.5, 2));
     const Solution solution = solve(trial, system, kTolerance, most_of(system));
-    // No eigenvalue is below 1: dv is off by no more than the residual.
+    // No eigenvalue is below 1, so dv is off by no more than the residual.
     trial.expect_at_most(system.residual(solution.dv), 1e-2 * system.rhs.norm(), "the residual of the system",
                          {solution.dv, system.A.llt().solve(system.rhs), 3, system.rhs});
     trial.expect(solution.rhs == system.rhs, "the right-hand side is changed");

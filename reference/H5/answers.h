@@ -36,7 +36,7 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x);
 
-// The motion of all particles and the expected one, which agree if they differ by at most `part` of the larger.
+// The motion of all particles and the expected one. They agree within `part` of the larger one.
 Compared motions(const Corrected& corrected, const VectorXd& expected, double part);
 
 // `slack` is the factor by which the tolerance may be exceeded.
@@ -48,8 +48,8 @@ void expect_lengths(Trial& trial, int function, const Strand& strand, double tol
 // that.
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
 
-// Compares with the reference's correction, up to the effect of the tolerance: if each segment keeps a rate r
-// of the tolerance's size, that is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
+// Compares with the reference's correction, up to the effect of the tolerance: if each segment keeps a rate
+// r of the tolerance's size, that is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                        double tolerance);
 

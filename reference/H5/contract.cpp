@@ -103,7 +103,7 @@ void expect_tolerance_inclusive(Trial& trial) {
   expect_left_alone(trial, "correct_velocities", v, correct_velocities(trial, strand, x, v, 0.25));
 }
 
-// Numbers that are none are not converged; it ends.
+// With NaN or infinity the call ends, and is not converged.
 void expect_numbers(Trial& trial) {
   Random& random = trial.random;
   const double nan = std::numeric_limits<double>::quiet_NaN();

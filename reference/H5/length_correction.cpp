@@ -115,8 +115,8 @@ double rounding_error(const Strand& strand, Input x) {
   return std::min(0x1p-51 * x.cwiseAbs().maxCoeff() / strand.rest_length.minCoeff(), 1e-3);
 }
 
-// Newton's method is done in a few steps or far from where it works: with a root that was flung away, or
-// masses that differ by 1e6. It then gives way to `place`.
+// Newton's method ends in a few steps, or does not work, as with a root that was flung away, or masses that
+// differ by 1e6. It then gives way to `place`.
 constexpr int kMostNewtonSteps = 30;
 constexpr double kSmallestPart = 0x1p-10;
 

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes trees of links for tests, and their forces by Newton's and Euler's laws.
 #include "reference/H7/link_trees_for_tests.h"
 
 #include <numbers>

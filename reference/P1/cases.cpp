@@ -231,8 +231,8 @@ void either_sign(Trial& trial) {
     }
 }
 
-// Equal particles move equally, one of them or a thousand. A linear force has no unit of its own, and powers
-// of two round nothing.
+// Equal particles move equally, one of them or a thousand. A linear force has no unit of its own, and
+// powers of two round nothing.
 void sizes_and_units(Trial& trial) {
   for (const Method* method : usable_methods(trial)) {
     Pendulums pendulums(trial.random);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Constraints that rigid motion carries along, that repeat or contradict each other, and the ends
-// of their solves. The public checks test the promises of particles/constraint_forces.h.
+// STAFF ONLY. Constraints that rigid motion carries along, that repeat or contradict each other, and the
+// ends of their solves. The public checks test the promises of particles/constraint_forces.h.
 
 #include "particles/constraint_forces.h"
 

@@ -140,8 +140,8 @@ double normal_residual(const Matrix& table, const std::vector<double>& x, std::v
   return norm(table.transposed().times(b));
 }
 
-// x solves A'A x = A'b up to epsilon and rounding, and so is close to `expected`. `smallest` is a lower bound
-// of A's smallest singular value.
+// x solves A'A x = A'b up to epsilon and rounding, and so is close to `expected`. `smallest` is a lower
+// bound of A's smallest singular value.
 void expect_solves(Trial& trial, const std::string& name, const Matrix& table, std::vector<double> b,
                    std::vector<double> expected, double smallest) {
   // With ||A'b|| = 1 a relative epsilon is the same. The meaning of epsilon is for steps_and_products.

@@ -103,8 +103,8 @@ class NearHead {
     return {hn::LoadU(tag, number(first, k)), hn::LoadU(tag, number(first + 1, k)),
             hn::LoadU(tag, number(first + 2, k))};
   }
-  // Stores whole vectors; the next ones overwrite the lanes that are too many. Some processors take hundreds
-  // of cycles to store the lanes that a mask picks.
+  // Stores whole vectors; the next ones overwrite the lanes that are too many. Some processors take
+  // hundreds of cycles to store the lanes that a mask picks.
   template <class D, class M>
   HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
     hn::StoreU(hn::Compress(a.x, which), tag, number(first, k));

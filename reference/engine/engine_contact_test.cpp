@@ -123,11 +123,11 @@ TEST_P(Engine, PushesHairOutOfATurnedHeadAsGivenCodeDoes) {
 // Compares a whole step, with bending, with given code's. The bound on their distance has four parts:
 //
 //   - The matrix A is at least M, since springs and drag add nothing negative: a residual r is an error of at
-//     most |r| / m in v and h |r| / m in x, with the least mass m. ConjGrad reports its residual; the engine's is
-//     bounded by rounding.
-//   - The correction projects in the metric of masses, which are m to 2 m: in our metric an error grows at most
-//     by sqrt 2. It also turns the segments' directions by 2 error / l0. These directions carry at most the sum
-//     of all corrected lengths, n s l0 with the largest stretch s, which makes 2 n s times the error more.
+//     most |r| / m in v and h |r| / m in x, with the least mass m. ConjGrad reports its residual; rounding
+//     bounds the engine's.
+//   - The correction projects in the metric of masses, which are m to 2 m: in our metric an error grows at
+//     most by sqrt 2. It also turns the segments' directions by 2 error / l0. These directions carry at most
+//     all corrected lengths together, n s l0 with the largest stretch s: 2 n s times the error more.
 //   - Pushing out of a ball from less than half of its radius, and friction, each at most double an error.
 //   - A push ends as in the tests above.
 //

@@ -1,6 +1,6 @@
 // STAFF ONLY. The factorisation A = L D L^T of a strand's matrix, a block column at a time, and the solve
-// with it. Each column is eliminated as soon as it is complete, so the active part of the matrix is a front
-// of three points, which stays in registers. Source: I. S. Duff and J. K. Reid, "The Multifrontal Solution of
+// with it. Each column is eliminated as soon as it is complete. The active part of the matrix is a front of
+// three points, which stays in registers. Source: I. S. Duff and J. K. Reid, "The Multifrontal Solution of
 // Indefinite Sparse Symmetric Linear Equations" (ACM TOMS 9, 1983); for L D L^T: G. H. Golub and C. F. Van
 // Loan, "Matrix Computations" (2013), section 4.1.2.
 #if defined(HAIR_REFERENCE_ENGINE_FRONT_H_) == defined(HWY_TARGET_TOGGLE)

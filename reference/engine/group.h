@@ -58,8 +58,8 @@ struct StepConstants {
   double push[3];  // h gravity + h drag wind
   double drag;     // h drag
   double stretch;  // h^2 EA / lambda: times 1/l0^2 it is h^2 k / m of a segment
-  double bend,
-      clamp;  // h^2 EI / lambda: times 1/l0^2 it is h^2 k / m of a joint, m^2; the root's joint is twice as stiff
+  // h^2 EI / lambda: times 1/l0^2 it is h^2 k / m of a joint, m^2. The root's joint is twice as stiff.
+  double bend, clamp;
   double length_tolerance;
   double friction, contact_depth;
   GridView grid;

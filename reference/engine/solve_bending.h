@@ -4,7 +4,8 @@
 // The energy depends on the segments' vectors e. With its second derivatives H_ss and X_s = H_{s+1,s}, point
 // i between the segments i - 1 and i has
 //
-//   A_ii = m + H_{i-1,i-1} + H_ii - X_{i-1} - X_{i-1}^T,   A_{i+1,i} = X_{i-1} + X_i - H_ii,   A_{i+2,i} = -X_i,
+//   A_ii = m + H_{i-1,i-1} + H_ii - X_{i-1} - X_{i-1}^T,
+//   A_{i+1,i} = X_{i-1} + X_i - H_ii,   A_{i+2,i} = -X_i,
 //
 // and the force dE/de_i - dE/de_{i-1}.
 #if defined(HAIR_REFERENCE_ENGINE_SOLVE_BENDING_H_) == defined(HWY_TARGET_TOGGLE)
