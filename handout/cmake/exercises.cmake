@@ -1,7 +1,6 @@
 # Builds exercises from exercises.json, the one list of them.
 #
-#   HAIR_EXERCISES                 the ids of the course's exercises, in the file's order; the staff's build has
-#                                  all
+#   HAIR_EXERCISES                 the ids of the course's exercises, in the file's order (staff: of all)
 #   HAIR_LEFT_OUT                  the ids of the others
 #   HAIR_<id>_<FIELD>              file, header, role, prerequisites, libraries, functions of each. In a
 #                                  function's signature, Input, Output and Scratch (particles/vectors.h) are
