@@ -58,7 +58,7 @@ Named as_matrix(Eigen::Index rows) {
 std::string bound_in_words(double expected, double scale) {
   std::ostringstream text;
   text << "1e-6 of the largest expected entry, " << expected << ", + 2^-36 of " << scale
-       << ": what central differences leave, see checks/derivative.h";
+       << ": the error of central differences, see checks/derivative.h";
   return text.str();
 }
 

@@ -22,7 +22,7 @@ std::string count_in_words(std::size_t count, const std::string& noun) {
 
 // Words of an assertion or of a sanitizer, which show how a check broke off, and the hint for them.
 struct Ending {
-  const char *words, *told;
+  const char *words, *hint;
 };
 constexpr const char* kOutside =
     "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a branch "
@@ -44,7 +44,7 @@ constexpr Ending kEndings[] = {
 
 std::string hint_of_place(const std::string& text) {
   for (const Ending& one : kEndings)
-    if (text.find(one.words) != std::string::npos) return one.told;
+    if (text.find(one.words) != std::string::npos) return one.hint;
   return "";
 }
 

@@ -224,7 +224,7 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block, Numb
     case Looks::zero:
       return std::string("all of it is ") + kZero;
     case Looks::unchanged:
-      return "the input, or what stood there before, unchanged: never written, nothing done, or undone "
+      return "the input, or the values from before, unchanged: never written, nothing done, or undone "
              "again?";
     case Looks::filled:
       return "wrong where 1000 stands, as before the call: never written?";

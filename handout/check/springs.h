@@ -181,7 +181,7 @@ struct Springs {
       expected.tail(alone.x.size()) = of_alone;
       expect_entries(
           actual, expected, bound,
-          what + " of two springs, the first without a length, beside that of the second alone, x = " +
+          what + " of two springs, the first without a length, compared with that of the second alone, x = " +
               particles_in_words(both.x),
           "rounding");
     };
@@ -283,8 +283,8 @@ struct Springs {
                      df = product(c, Term::dropped, dx).segment<3>(3 * (i + apart));
       expect_entries(df, u * u.dot(df), 64 * kU * sizes(c).product,
                      "the dropped product at particle " + std::to_string(i + apart) + ", where particle " +
-                         std::to_string(i) +
-                         " alone moves, beside its part along that spring, x = " + particles_in_words(c.x),
+                         std::to_string(i) + " alone moves, compared with its part along that spring, x = " +
+                         particles_in_words(c.x),
                      "64 u of k (1 + " + length + "0/" + length + "): rounding");
     }
   }

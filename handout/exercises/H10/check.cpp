@@ -413,7 +413,7 @@ TEST(Units, InAnyUnitByCarryAlong) {
     other.points *= unit;
     const GuideFrames frames = carried(other);
     const std::string where =
-        " of a curl, all lengths times " + in_powers_of_2(unit) + ", beside the same in metres";
+        " of a curl, all lengths times " + in_powers_of_2(unit) + ", compared with the same in metres";
     expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
     for (std::size_t i = 0; i < 12; ++i)
       expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
@@ -443,8 +443,7 @@ TEST(CarriedTurns, DoesNotTwist) {
                    "the direction that R_" + std::to_string(i) + " takes along a curl", "the contract's");
     const Vector3d axis = before.cross(now);
     expect_entries(R * axis, axis, 1e-10,
-                   "what is across both directions, which R_" + std::to_string(i) + " keeps",
-                   "the contract's");
+                   "the direction across both, which R_" + std::to_string(i) + " keeps", "the contract's");
     before = now;
   }
 }
@@ -539,7 +538,7 @@ TEST(Wisps, GoesAlongWithTheFrames) {
   for (int i = 0; i < 3; ++i)
     expect_point(
         child.segment<3>(3 * i), Vector3d(0, 0, i) + frames.turns[i] * between,
-        "point " + std::to_string(i) + " of a wisp's strand: what is between the roots, turned by turns_i");
+        "point " + std::to_string(i) + " of a wisp's strand: the difference of the roots, turned by turns_i");
 }
 
 // A strand beside a curl keeps the distance that it has at the root, and curls, too.

@@ -233,7 +233,7 @@ TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
                    force(strand_of(VectorXd::Ones(4)), with_corner(4, joint)), 64 * kU * 4 * pi,
                    "the force of a right angle between rest lengths whose mean is " +
                        std::to_string(mean_at(joint)) +
-                       " m, times that, beside the force with rest lengths of 1 m",
+                       " m, times that, compared with the force with rest lengths of 1 m",
                    "64 u of k phi / |e|: rounding");
 }
 
@@ -452,7 +452,7 @@ TEST(StraightProducts, IsExactForAStraightStrand) {
     for (int i = 0; i < 6; ++i) c.x.segment<3>(3 * i) = 0.1 * i * direction;
     expect_entries(product_spd(c.strand, c.x, dx), product(c.strand, c.x, dx), 1e-4 * 4 * 100,
                    "the semi-definite product of a strand along " + particles_in_words(direction) +
-                       ", against your exact one; dx = " + particles_in_words(dx),
+                       ", compared with your exact one; dx = " + particles_in_words(dx),
                    "1e-4 of k / |e|^2. A bend that is nothing but rounding has no axis: choose one");
   }
 }
@@ -494,11 +494,12 @@ TEST(NoDirection, BesideASegmentOfLengthZero) {
   for (const Answer& answer : std::span(kAnswers).subspan(1)) {
     VectorXd expected(21);
     expected << answer.of(front.strand, front.x, dx.head(12)), answer.of(behind.strand, behind.x, dx.tail(9));
-    expect_entries(answer.of(whole.strand, whole.x, dx), expected, 512 * kU * 200,
-                   std::string(answer.name) +
-                       " of 7 particles, where particles 3 and 4 are in the same place, beside those of "
-                       "particles 0 to 3 and of particles 4 to 6 as strands of their own",
-                   "512 u of k pi / |e|^2: rounding");
+    expect_entries(
+        answer.of(whole.strand, whole.x, dx), expected, 512 * kU * 200,
+        std::string(answer.name) +
+            " of 7 particles, where particles 3 and 4 are in the same place, compared with those of "
+            "particles 0 to 3 and of particles 4 to 6 as strands of their own",
+        "512 u of k pi / |e|^2: rounding");
   }
 }
 
@@ -518,10 +519,10 @@ TEST(Extremes, OfAHairAsOfAWire) {
     hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
     const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
     for (const Answer& answer : kAnswers)
-      expect_entries(
-          answer.of(hair, c.x, dx) * 0x1p30, answer.of(c.strand, c.x, dx), answer.bound,
-          "2^30 times " + std::string(answer.name) + " for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
-          answer.source_of_bound);
+      expect_entries(answer.of(hair, c.x, dx) * 0x1p30, answer.of(c.strand, c.x, dx), answer.bound,
+                     "2^30 times " + std::string(answer.name) +
+                         " for EI = 3.7e-9 N m^2, compared with that for EI = 4 N m^2",
+                     answer.source_of_bound);
   }
 }
 

@@ -145,7 +145,7 @@ void moves_by_impulses_along_the_segments(Correction correction, const Strand& s
     expect_impulses_along(
         strand, x, x - before, 1e-9, "kg m",
         std::string(", where lengths were ") + (all_too_long ? "too long" : "off") + " by 1e-6 m",
-        "what directions change, times a correction of 1e-5 kg m");
+        "the change of directions, times a correction of 1e-5 kg m");
   }
 }
 
@@ -170,7 +170,7 @@ void reports_what_it_did(Correction correction, const VectorXd& before,
     const CorrectionReport report = correction(strand, 1e-9, most, after);
     EXPECT_COUNT(report.iterations, most);
     EXPECT_EQ(report.converged, most == needed);
-    EXPECT_NUMBER(report.error, error(strand, after), 64 * kU) << "the error of what is returned";
+    EXPECT_NUMBER(report.error, error(strand, after), 64 * kU) << "the error of the returned values";
     EXPECT_EQ(after == before, most == 0) << "only with no iteration nothing changes";
   }
   const VectorXd kept = right;
@@ -229,7 +229,7 @@ void works_in_every_unit(Correction correction) {
     SCOPED_TRACE("segments of some " + ::testing::PrintToString(unit) + " m, tolerance 1e-8");
     EXPECT_LE(largest_error(strand, x), 1e-8 + 64 * kU) << "the largest |l - l0| / l0 that is left";
     EXPECT_TRUE(report.converged);
-    expect_entries(x / unit, known, 1e-9, "x over that length, beside x of segments of some metres",
+    expect_entries(x / unit, known, 1e-9, "x over that length, compared with x of segments of some metres",
                    "powers of two don't round");
   }
 }

@@ -182,7 +182,7 @@ TEST(SecondSolve, IsTheSameWithAPreconditioner) {
   EXPECT_GT(plain.v.norm(), 0.1);
   expect_entries(preconditioned.v, plain.v, 1e-7,
                  "v of 8 particles in a row, springs of 1e-3 N/m that know their band, "
-                 "beside v with springs that do not",
+                 "compared with v with springs that do not",
                  source);
   expect_entries(preconditioned.x, plain.x, 1e-7 * kTick, "x of the same", source);
 }
@@ -243,7 +243,7 @@ TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
     const VectorXd way = (state.x - chain.state.x) / kTick;
     EXPECT_GE((state.v - before).tail(33).norm(), 0.1 * (way - before).tail(33).norm())
         << "how much v changes after " << input
-        << " without forces, beside a tenth of what the way over h asks";
+        << " without forces, compared with a tenth of what the way over h asks";
   }
 }
 

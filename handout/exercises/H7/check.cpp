@@ -121,7 +121,7 @@ const VectorXd kRates = vector({1.5, 0.7, -2, 0.9});
 
 // Central differences over 1e-5 s: errors of 1e-10 times the third derivative, and of 1e-16 / 1e-5.
 constexpr double kStep = 1e-5, kByDifferences = 1e-7;
-const std::string kSource = "1e-7: what central differences over 1e-5 s leave";
+const std::string kSource = "1e-7: the error of central differences over 1e-5 s";
 
 // ---- Calls
 
@@ -237,7 +237,7 @@ TEST(Velocities, AreThoseOfThePlaces) {
   const Passes passes = pass_1(placed(kQ).links, kRates);
   for (int i = 1; i <= 4; ++i)
     expect_vector(passes[i].v.linear, (after.position[i] - before.position[i]) / (2 * kStep), kByDifferences,
-                  "v of link " + std::to_string(i) + ", beside how its place changes", kSource);
+                  "v of link " + std::to_string(i) + ", compared with how its place changes", kSource);
   expect_vector(passes[1].v.angular, Vector3d(0, 0, 1.5), 1e-14, "omega of link 1, which turns about z",
                 "1e-14");
   expect_vector(passes[2].v.angular, Vector3d(0, 0, 1.5), 1e-14,
@@ -258,9 +258,10 @@ TEST(Velocities, BeginAtTheBase) {
 
 TEST(Trees, GoFromParentToChild) {
   const Passes passes = pass_1(two_pendulums(), vector({3, 5}));
-  expect_vector(passes[2].v.angular, Vector3d(0, 5, 0), 1e-14,
-                "omega of a pendulum that hangs from the base, beside another one that turns at 3 rad/s",
-                "1e-14");
+  expect_vector(
+      passes[2].v.angular, Vector3d(0, 5, 0), 1e-14,
+      "omega of a pendulum that hangs from the base, compared with another one that turns at 3 rad/s",
+      "1e-14");
 }
 
 // By (4.23) with q" = 0, c^_i is the change of v^_i that does not come from the parent's acceleration.
@@ -275,7 +276,7 @@ TEST(MovingJoints, AccelerateWhatMovesOnACurve) {
   for (int i = 1; i <= 4; ++i) {
     const hair::SpatialMotion parents = i == 1 ? hair::SpatialMotion() : to_child(change(i - 1), links[i].r);
     const hair::SpatialMotion c = change(i) + (-1.0) * parents;
-    const std::string name = " of link " + std::to_string(i) + ", beside how its v^ changes";
+    const std::string name = " of link " + std::to_string(i) + ", compared with how its v^ changes";
     expect_vector(now[i].c.angular, c.angular, 10 * kByDifferences, "the first half of c^" + name, kSource);
     expect_vector(now[i].c.linear, c.linear, 10 * kByDifferences, "the second half of c^" + name, kSource);
   }
@@ -412,7 +413,8 @@ TEST(Trees, GoFromChildToParent) {
   for (const Links& alone : {pendulum(1, 0.5, 0.3, 9.81), pendulum(2, 0.4, -1.2, 9.81)})
     expected += pass_2(alone, one(0), pass_1(alone, one(0)))[0].inertia.M;
   EXPECT_LE((both[0].inertia.M - expected).norm(), 1e-13)
-      << "M of I^A of a base from which two pendulums hang, beside the sum of those of either alone; it is\n"
+      << "M of I^A of a base from which two pendulums hang, compared with the sum of those of either alone; "
+         "it is\n"
       << both[0].inertia.M << "\nand not\n"
       << expected;
 }
@@ -427,8 +429,9 @@ TEST(Trees, AddUpWhereTwoLinksHangFromOne) {
     return pass_2(links, rates, pass_1(links, rates))[0];
   };
   const LinkPass one = base_of(first), other = base_of(second), sum = base_of(both);
-  const std::string of = " of a base from which two links hang, beside the sum of those with one link each",
-                    source = "1e-12: rounding";
+  const std::string
+      of = " of a base from which two links hang, compared with the sum of those with one link each",
+      source = "1e-12: rounding";
   expect_matrix(sum.inertia.M, one.inertia.M + other.inertia.M, 1e-12, "M of I^A" + of, source);
   expect_matrix(sum.inertia.H, one.inertia.H + other.inertia.H, 1e-12, "H of I^A" + of, source);
   expect_matrix(sum.inertia.J, one.inertia.J + other.inertia.J, 1e-12, "J of I^A" + of, source);
@@ -470,7 +473,7 @@ TEST(AddedBySteps, LeaveEulersTermAlone) {
   for (int i = 1; i <= 4; ++i)
     expect_vector(added[i].bias.torque, plain[i].bias.torque, 1e-13,
                   "the torque in Z^ of link " + std::to_string(i) +
-                      " of 4, where a step adds to its inertia.J, beside that without",
+                      " of 4, where a step adds to its inertia.J, compared with that without",
                   "1e-13");
 }
 

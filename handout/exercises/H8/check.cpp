@@ -254,9 +254,10 @@ TEST(CentreLine, GoesOnFromItsStart) {
   const MaterialFrame root = some_root(), alone = hair::frame_at({}, kCurvature, 0.7),
                       end = hair::frame_at(root, kCurvature, 0.7);
   expect_vector(end.position, root.position + root.axes * alone.position, 1e-13,
-                "the point at 0.7 m, beside start.position + start.axes (the same of a start at 0)", "1e-13");
+                "the point at 0.7 m, compared with start.position + start.axes (the same of a start at 0)",
+                "1e-13");
   expect_matrix(end.axes, root.axes * alone.axes, 1e-13,
-                "the frame at 0.7 m, beside start.axes (the same of a start at 0)", "1e-13");
+                "the frame at 0.7 m, compared with start.axes (the same of a start at 0)", "1e-13");
 }
 
 namespace {
@@ -458,9 +459,10 @@ TEST(OtherUnits, OfElementsOfAnyLength) {
   for (const double scale : {0x1p-40, 0x1p40}) {
     const HelixJacobian J = hair::jacobian_at({}, 0.3 / scale * kCurvature, scale);
     expect_entries((J.turns / scale).reshaped(), one.turns.reshaped(), 1e-10,
-                   "turns / s of an element of " + number(scale) + " m, beside that of 1 m", "1e-10");
+                   "turns / s of an element of " + number(scale) + " m, compared with that of 1 m", "1e-10");
     expect_entries((J.moves / (scale * scale)).reshaped(), one.moves.reshaped(), 1e-10,
-                   "moves / s^2 of an element of " + number(scale) + " m, beside that of 1 m", "1e-10");
+                   "moves / s^2 of an element of " + number(scale) + " m, compared with that of 1 m",
+                   "1e-10");
   }
 }
 
@@ -556,7 +558,7 @@ TEST(BareElements, OfElementsWithoutPoints) {
   std::erase_if(bare.points,
                 [](const HelixPoint& point) { return point.element == 0 || point.element == 2; });
   expect_entries(mass_of(bare).reshaped(), mass_of(light).reshaped(), 1e-11,
-                 "M where elements 0 and 2 have no points, beside M where their points have no mass",
+                 "M where elements 0 and 2 have no points, compared with M where their points have no mass",
                  "1e-11");
 }
 

@@ -223,9 +223,10 @@ TEST(Matrix, IsTheTableOfItsProducts) {
     const VectorXd unit = VectorXd::Unit(rows, k);
     VectorXd change = forces(system, unit);
     for (int i = 0; i < 5; ++i) change.segment<3>(3 * i) *= i == 4 ? 0 : 1 / system.particles.mass[i];
-    expect_numbers(product(system, unit), rates(system, change), 1e-13,
-                   "J W J^T e_k against your own rates of W times your own forces; particle 4 is pinned",
-                   "some 50 roundings of numbers up to 10");
+    expect_numbers(
+        product(system, unit), rates(system, change), 1e-13,
+        "J W J^T e_k, compared with your own rates of W times your own forces; particle 4 is pinned",
+        "some 50 roundings of numbers up to 10");
   }
 }
 
