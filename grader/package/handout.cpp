@@ -223,9 +223,9 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
 
 void accept_files(const HandoutSources& sources, const Course& course) {
   std::string list =
-      "# The files of the handout with all exercises, beside those that exercises.json names, as somebody "
-      "accepted them:\n# \"hairgrade handout --accept\" writes this list. Its headers and the exercises' "
-      "are those that students' code is compiled\n# with in grading.\n";
+      "# The accepted files of the handout with all exercises, without those that exercises.json names.\n"
+      "# \"hairgrade handout --accept\" writes this list. In grading, students' code is compiled with these "
+      "headers and\n# the exercises'.\n";
   for (const std::string& path : without_exercises(whole_handout(sources, course), course))
     list += path + "\n";
   hair::write_file(packed_list(sources), list);

@@ -95,19 +95,19 @@ const std::vector<Room>& rooms() {
       {"grader/sandbox", {"namespaces, limits,", "system call filter"}, 1, 0},
       {"grader/course", {"exercises, roles,", "points: a JSON file"}, 3, 0},
       {"grader/tool", {"hairgrade: starts all,", "collects, retries"}, 4, 0},
-      {"grader/intake", {"reads archives,", "finds whose files", "these are"}, 0, 1, true},
+      {"grader/intake", {"reads archives,", "finds the owner", "of each file"}, 0, 1, true},
       {"grader/compile", {"a file becomes", "a shared object"}, 1, 1, true},
       {"grader/worker", {"student's object,", "and a server made", "of reference/*/calls.h"}, 2, 1, true},
-      {"grader/judge", {"asks, compares with", "reference/, where", "the cases lie, too"}, 3, 1},
+      {"grader/judge", {"calls, compares with", "reference/, which has", "the cases, too"}, 3, 1},
       {"grader/result", {"points, costs, studies:", "fields declared once"}, 4, 1},
       {"grader/record", {"one SQLite file a class,", "from which all files", "are made"}, 5, 1},
       {"grader/report", {"pages, feedback,", "tables"}, 5, 0},
       {"grader/similar", {"code that several", "hand-ins share"}, 0, 2},
-      {"grader/roster", {"who should be there,", "whose a hand-in is"}, 4, 2},
-      {"grader/gradebook", {"what goes back to", "learning systems"}, 5, 2},
-      {"grader/judge/run", {"whole runs: a scene", "with one exercise", "asked of the worker"}, 2, 2},
-      {"grader/compare", {"how far a picture is", "from another"}, 3, 2},
-      {"hair/scene", {"JSON becomes plain", "data, or one line", "says what is wrong"}, 1, 3},
+      {"grader/roster", {"expected people,", "owners of hand-ins"}, 4, 2},
+      {"grader/gradebook", {"grades and feedback", "for learning systems"}, 5, 2},
+      {"grader/judge/run", {"whole runs: a scene", "with one exercise", "run by the worker"}, 2, 2},
+      {"grader/compare", {"the difference of", "two pictures"}, 3, 2},
+      {"hair/scene", {"JSON becomes plain", "data, or an error", "of one line"}, 1, 3},
       {"hair/simulation", {"only the parts that", "the scene needs; uses", "solver/, particles/"}, 2, 3},
       {"hair/render", {"off screen, by OSMesa:", "strands, light, shadow"}, 3, 3},
       {"hair/io", {"files, PNG, figures,", "pages"}, 4, 3},
@@ -118,7 +118,7 @@ const std::vector<Room>& rooms() {
 
 const std::vector<Arrow>& arrows() {
   static const std::vector<Arrow> all = {
-      {"grader/sandbox", "grader/compile", "cages"},
+      {"grader/sandbox", "grader/compile", "isolates"},
       {"grader/course", "grader/judge", "weights"},
       {"grader/tool", "grader/result", "puts together"},
       {"grader/intake", "grader/compile", "S1.cpp"},
@@ -132,7 +132,7 @@ const std::vector<Arrow>& arrows() {
       {"grader/intake", "grader/similar", "files"},
       {"grader/worker", "grader/judge/run", "calls, answers", true},
       {"grader/judge", "grader/compare", "pictures of both"},
-      {"grader/judge/run", "hair/simulation", "plays"},
+      {"grader/judge/run", "hair/simulation", "runs"},
       {"grader/compare", "hair/render", "draws"},
       {"hair/scene", "hair/simulation", "Scene"},
       {"hair/simulation", "hair/render", "states"},
@@ -154,7 +154,7 @@ std::string architecture() {
   xml.leaf("title", {}, "The way of data: from an archive to a page, and from a scene to a picture");
   xml.empty("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "#ffffff"}});
   say(xml, kLeft, 28, "From an archive to a page, above; from a scene to a picture, below", "start", "bold");
-  say(xml, kLeft, 48, "Dashed: strangers' bytes and code, in a cage. All else is ours.", "start");
+  say(xml, kLeft, 48, "Dashed: strangers' bytes and code, in a sandbox. The rest is ours.", "start");
   for (const Arrow& arrow : arrows()) draw(xml, arrow);
   for (const Room& room : rooms()) draw(xml, room);
   xml.close();

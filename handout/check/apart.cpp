@@ -20,7 +20,7 @@
 namespace checks {
 namespace {
 
-// A child tells its parent each event as a letter, a length and so many bytes.
+// A child reports each event to its parent as a letter, a length and so many bytes.
 constexpr char kStarts = 's', kFails = 'f', kPointsTo = 'r', kHints = 'h', kPasses = 'p', kEnds = 'e';
 
 void tell(int out, char event, const std::string& text) {
@@ -100,7 +100,7 @@ void run_checks_of(const std::string& filter, unsigned seconds, int events) {
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   listeners.Append(new Teller(events, seconds));
-  [[maybe_unused]] const int failed = RUN_ALL_TESTS();  // the events tell it
+  [[maybe_unused]] const int failed = RUN_ALL_TESTS();  // the events report it
 }
 
 struct Ended {
@@ -138,7 +138,7 @@ Ended run_in_a_child(unsigned seconds, const std::function<void(int events)>& wo
   return ended;
 }
 
-// Fills in what the events tell; returns the check in the middle of which they end, or null.
+// Fills in the checks' results from the events. Returns the check that did not end, or null.
 Finding* take_events(const std::string& events, const std::vector<Finding*>& checks) {
   Finding* current = nullptr;
   std::size_t at = 0, length = 0;
@@ -166,7 +166,7 @@ Finding* take_events(const std::string& events, const std::vector<Finding*>& che
   return current;
 }
 
-// From `words` to the end of their line; "" if they stand nowhere.
+// The text from `words` to the end of their line; "" if the text does not have them.
 std::string line_with(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
@@ -188,7 +188,7 @@ bool is_a_sanitizers(const std::string& written) {
          written.find("runtime error: ") != std::string::npos;
 }
 
-// Without an assertion's long line, of which the findings tell.
+// The text that the program itself wrote: without an assertion's long line, which is in the findings.
 std::string own_lines(const std::string& written) {
   if (is_a_sanitizers(written)) return "";
   std::string own;

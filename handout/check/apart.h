@@ -1,4 +1,5 @@
-// Runs checks in a process of their own: one that breaks off or never ends takes no other with it.
+// Runs checks in a process of their own, so that a check that breaks off or never ends leaves the others
+// alone.
 #pragma once
 
 #include <functional>
@@ -21,8 +22,8 @@ void run_apart(std::vector<Finding*> checks, unsigned seconds = kMostSeconds);
 // it throws none.
 std::string not_implemented_by(const std::function<void()>& call, unsigned seconds = kMostSeconds);
 
-// The sentence for a process that ended in the middle of a check: by a signal (0: none), with the text that
-// it wrote to the standard error. A sanitizer's report becomes its first line, and the line of your file.
+// A sentence about a process that ended in the middle of a check, from its signal (0: none) and its text on
+// the standard error. A sanitizer's report becomes its first line, and the line of your file.
 std::string how_it_ended(int signal, const std::string& written);
 
 }  // namespace checks

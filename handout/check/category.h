@@ -16,13 +16,13 @@ struct Row {
 struct Category {
   std::string id, title;  // "Velocities", "Pass 1: velocities"
   double points = 0;
-  std::vector<std::string> functions;  // that it asks; none: it is asked in grading alone
+  std::vector<std::string> functions;  // its checks call these; empty if only grading has its checks
   std::vector<Row>
       rows;  // a failure points to the first, unless its check names another (look_at in check.h)
 };
 
-// The category of a test suite: it has its id, or, of a suite with parameters, "Midpoint/Integrator", one of
-// its parts has it. Null: there is none.
+// The category whose id is the name of this test suite. A suite with parameters, "Midpoint/Integrator", has
+// the id as one part of its name. Null if no category has it.
 inline const Category* category_of(const std::vector<Category>& categories, const std::string& suite) {
   const std::size_t stroke = suite.rfind('/');
   const auto found = std::ranges::find(categories, suite.substr(stroke + 1), &Category::id);  // npos + 1 is 0

@@ -18,8 +18,8 @@
 #include "hint.h"
 #include "solver/matrix_market.h"
 
-// The sanitizers ask for this: memory that nobody frees is no error here, and costs nothing in grading. What
-// nobody sets holds 0xfe, however much it is, as in grading.
+// The sanitizers call this for their options. As in grading, memory that is never freed is no error, and all
+// memory that is never set holds 0xfe.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
   return "detect_leaks=0:detect_container_overflow=0:print_legend=0:"
@@ -169,7 +169,7 @@ std::set<std::string> unwritten(const Functions& functions) {
   return missing;
 }
 
-// The first function of a suite's category that is among `names`; "": there is none.
+// The first function of a suite's category that is among `names`; "" if none is.
 std::string asked_of(const std::vector<Category>& categories, const std::string& suite,
                      const std::set<std::string>& names) {
   const Category* category = category_of(categories, suite);
@@ -205,8 +205,8 @@ std::vector<Finding> all_checks(const std::vector<Category>& categories,
   return findings;
 }
 
-// The function that this suite's checks wait for: one that they ask with, or that this one waits for itself;
-// or "". The checks of its first category count: who fails a special case can go on.
+// The function that this suite's checks wait for: one that they call, or one that this in turn waits for; or
+// "". Only the checks of the function's first category count, so a special case that fails stops nobody.
 std::string waits_for(const std::string& suite, const std::vector<Category>& categories,
                       const Functions& functions, const std::vector<Finding>& findings) {
   for (const Function& function : functions) {

@@ -1,6 +1,6 @@
-// Shared by the public checks: a matrix that counts its products, vectors in words, an error beside its
-// bound, the data in golden/, a main program that names the functions that are not written yet and tells of
-// the first failure, and how often a function is asked that must always answer the same.
+// The public checks share this: a matrix that counts its products, vectors in words, comparisons that print
+// an error with its bound, the data in golden/, and a main program that names the functions that are not
+// written yet and reports the first failure.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ namespace checks {
 
 using Vector = std::vector<double>;
 
-// A run of a few seconds calls each function hundreds of times. None may keep anything from call to call.
+// The checks repeat a call so often, since a run of a few seconds calls each function hundreds of times, and
+// no function may keep anything from call to call.
 inline constexpr int kManyCalls = 1000;
 
 // Passes products on to another matrix and counts them.
@@ -43,7 +44,7 @@ struct System {
   solver::SparseMatrix A;
   Vector b;
   Vector solution;
-  double smallest;  // no more than the smallest eigenvalue of what is solved: of A, or of A'A
+  double smallest;  // at most the smallest eigenvalue of A, or of A'A if that is solved
 };
 
 Vector product(solver::SparseMatrix& A, Vector x);
@@ -66,7 +67,7 @@ double residual_gap(double norm_of_A, double e, const Vector& solution, const Ve
 void note_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block = 1,
                std::span<const double> before = {});
 
-// A number, within a bound; and a count of steps, products or calls. Both keep a hint of what they got.
+// Compare a number, within a bound, and a count of steps, products or calls. Both keep a hint from the value.
 #define EXPECT_NUMBER(actual, expected, bound) EXPECT_PRED_FORMAT3(::checks::is_near, actual, expected, bound)
 #define EXPECT_COUNT(actual, expected) EXPECT_PRED_FORMAT2(::checks::counts, actual, expected)
 testing::AssertionResult is_near(const char* words, const char* expected_words, const char* bound_words,
@@ -99,16 +100,16 @@ struct Function {
   std::vector<std::string> needs = {};
 };
 
-// Runs the tests, whose suites are named as the categories' ids. Of a function that is not implemented it
-// says so, in one line, and fails; the categories that ask it wait. Each suite runs in a process of its own
-// (apart.h), and digest.h tells what they found. With any of GoogleTest's own options (--gtest_filter=...)
-// this is a plain GoogleTest program, for a debugger.
+// Runs the tests, whose suites are named as the categories' ids. If a function is not implemented it says so
+// in one line, and fails; the categories that ask it wait. Each suite runs in a process of its own (apart.h),
+// and digest.h reports what they found. With any of GoogleTest's own options (--gtest_filter=...) this is a
+// plain GoogleTest program, for a debugger.
 //
-//   --full      tells all failures, each whole
-//   --tell      ends with 0 whatever it found: for the target check-X, so that the build tool adds nothing
+//   --full      reports all failures, each whole
+//   --tell      ends with 0 even after failures, so that the build tool adds nothing to the target check-X
 //
-// HAIR_RESULT names a file for the numbers of checks and failures; HAIR_SHOW says how to see what the
-// exercise does.
+// HAIR_RESULT names a file for the numbers of checks and failures; HAIR_SHOW is the command that shows the
+// exercise at work.
 int run_checks(int argc, char** argv, const std::string& exercise, const std::vector<Category>& categories,
                const std::vector<Function>& functions);
 

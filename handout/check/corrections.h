@@ -1,5 +1,5 @@
-// The strands that the checks of H5 correct, what is wrong with them, and each of H5's functions as one of
-// what it corrects.
+// The strands that the checks of H5 correct, measures of their errors, and H5's three functions with one
+// signature.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@ inline hair::Strand strand_of(int count) {
   return ordinary_strand(source, count);
 }
 
-// At rest lengths, bent, each particle but the root then off by up to `size`.
+// A bent strand with its rest lengths, whose particles are then moved by up to `size`, but for the root.
 inline Eigen::VectorXd bent(const hair::Strand& strand, double size, double bend = 0.5) {
   Scatter source(strand.count());
   Eigen::VectorXd x = ordinary_positions(source, strand, 1, 1, bend);
@@ -34,7 +34,7 @@ inline double largest_error(const hair::Strand& strand, const Eigen::VectorXd& x
   return largest;
 }
 
-// Each of the three functions, as one of what it corrects.
+// The signature that the three functions get here: `x` is the vector that is corrected.
 using Correction = hair::CorrectionReport (*)(const hair::Strand&, double tolerance, int most,
                                               Eigen::VectorXd& x);
 
@@ -49,7 +49,7 @@ inline hair::CorrectionReport correct(const hair::Strand& strand, double toleran
   return correct_lengths(strand, tolerance, most, x, scratch);
 }
 
-// The rate at which the worst segment is stretched, m/s, where lengths are right.
+// The largest rate at which a segment is stretched, m/s, in a strand whose lengths are right.
 inline double largest_rate(const hair::Strand& strand, const Eigen::VectorXd& v) {
   const Eigen::VectorXd x = bent(strand, 0);
   double largest = 0;

@@ -21,7 +21,7 @@ double largest(const VectorXd& x) {
   return x.size() == 0 ? 0 : x.lpNorm<Eigen::Infinity>();
 }
 
-// How the worst of so many entries is named, and how all of them are shown.
+// Names for the worst entry of a vector, and the way to show all of its entries.
 struct Named {
   std::function<std::string(Eigen::Index entry)> entry;
   std::function<std::string(const VectorXd& all)> all;
@@ -58,7 +58,7 @@ Named as_matrix(Eigen::Index rows) {
 std::string bound_in_words(double expected, double scale) {
   std::ostringstream text;
   text << "1e-6 of the largest expected entry, " << expected << ", + 2^-36 of " << scale
-       << ": what central differences leave, see checks/derivative.h";
+       << ": the error of central differences, see checks/derivative.h";
   return text.str();
 }
 
@@ -72,7 +72,7 @@ VectorXd force_by_differences(const Energy& energy, const VectorXd& x, double le
       moved[i] = after;
       const double energy_after = energy(moved);
       moved[i] = before;
-      // Over what the coordinates really differ by, rounded as they are.
+      // The coordinates are rounded, so the divisor is their real difference.
       return (energy_after - energy(moved)) / (after - before);
     };
     const double h = kStep * length;

@@ -1,16 +1,15 @@
-// What the checks of forces share: derivatives by central differences, and an error beside its bound for
-// each.
+// Central differences for the checks of forces, and comparisons that print each error with its bound.
 //
 //   D(h) = (g(x + h) - g(x - h)) / 2h = g'(x) + h^2 g'''/6 + ...,    g'(x) = (4 D(h/2) - D(h)) / 3 + O(h^4)
 //
 // With h = 2^-14 (6e-5) of `length`, the length over which g changes by its own size, the second formula
-// (Richardson's) is off by no more than rounding is; and what g rounds by is divided by h, and so becomes
-// 2^-38 (4e-12) of g's size over `length`. So what is compared agrees to
+// (Richardson's) is off by no more than rounding is. Rounding of g is divided by h, and so becomes 2^-38
+// (4e-12) of g's size over `length`. So both values agree to
 //
-//   1e-6 of the largest entry + 2^-36 of `scale`,
+//   1e-6 of the largest entry + 2^-36 of `scale`.
 //
-// where `scale` is the size that an entry has when lengths and angles are off by all of themselves: the
-// second part is for what should be 0, but rounds.
+// An entry has the size `scale` when lengths and angles are off by all of themselves. The second part of the
+// bound is for entries that should be 0, but round.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +20,7 @@
 namespace checks {
 
 using Energy = std::function<double(const Eigen::VectorXd& x)>;
-using Field = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;  // of forces, at positions x
+using Field = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;  // the forces at positions x
 using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd& dx)>;
 
 // -dE/dx, entry by entry.
@@ -39,14 +38,14 @@ void expect_force(const Eigen::VectorXd& actual, const Energy& energy, const Eig
 void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eigen::VectorXd& x,
                     const Eigen::VectorXd& dx, double length, double scale);
 
-// No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst.
-// Three entries are a vector's, more are those of particles. `before`, if given: the input, or what stood
-// there before the call.
+// No entry of `actual` is off by more than `bound`. A failure names the entries by `what`, and shows the
+// worst one. Three entries are a vector, more are particles. `before`, if given, is the input, or the
+// output's numbers before the call.
 void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
                     const std::string& what, const std::string& source_of_bound,
                     const Eigen::VectorXd& before = {});
 
-// The same of joints' rates, curvatures and other numbers that belong to no particle.
+// The same for joints' rates, curvatures and other numbers that belong to no particle.
 void expect_numbers(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
                     const std::string& what, const std::string& source_of_bound);
 
@@ -62,7 +61,7 @@ void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expecte
 void expect_balanced(const Eigen::VectorXd& force, const Eigen::VectorXd& x, double bound,
                      const std::string& source_of_bound);
 
-// `add` adds to what its argument holds, which is called `name`.
+// `add` adds to its argument, and keeps the numbers in it. Failures call the argument `name`.
 void expect_added(const std::function<void(Eigen::VectorXd&)>& add, const Eigen::VectorXd& before,
                   double bound, const std::string& name);
 

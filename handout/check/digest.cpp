@@ -8,9 +8,9 @@
 namespace checks {
 namespace {
 
-constexpr std::size_t kMostLetters = 160;  // of a line
-constexpr int kMostLines = 6;              // of the first failure's message
-constexpr std::size_t kMostNames = 300;    // letters of the names of all others
+constexpr std::size_t kMostLetters = 160;  // a line is cut after these
+constexpr int kMostLines = 6;              // the first failure's message has no more
+constexpr std::size_t kMostNames = 300;    // letters for the names of all others
 
 bool is_wrong(const Finding& one) {
   return one.state == Finding::State::failed || one.state == Finding::State::broke_off;
@@ -20,10 +20,9 @@ std::string count_in_words(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-// A check that broke off has these words in it, of an assertion of Eigen's or the library's, or of the
-// sanitizer.
+// Words of an assertion or of a sanitizer, which show how a check broke off, and the hint for them.
 struct Ending {
-  const char *words, *told;
+  const char *words, *hint;
 };
 constexpr const char* kOutside =
     "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a branch "
@@ -45,11 +44,11 @@ constexpr Ending kEndings[] = {
 
 std::string hint_of_place(const std::string& text) {
   for (const Ending& one : kEndings)
-    if (text.find(one.words) != std::string::npos) return one.told;
+    if (text.find(one.words) != std::string::npos) return one.hint;
   return "";
 }
 
-// The input stands first, then what came.
+// The lines of a failure, the input first.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> all;
   std::istringstream lines(text);
@@ -120,7 +119,7 @@ struct Stand {
   }
 };
 
-// A line: the categories that fail, and the points of all others.
+// Writes one line: the categories that fail, and the points of all others.
 void sum_up_categories(std::ostream& out, const Asked& asked, const std::vector<Finding>& findings) {
   std::string failing;
   double passing = 0, waiting = 0, alone = 0;

@@ -12,11 +12,11 @@ namespace checks {
 
 struct Asked {
   std::string exercise;  // "H2"
-  std::string program;   // that was started
+  std::string program;   // its path
   std::vector<Category> categories;
 };
 
-// The row of its category that a check points to, or "-"; null: there is none.
+// The row with the id that a check names ("-": no row). Null if the category has none of this id.
 const Row* row_of(const Category& category, const std::string& row);
 
 // At most fifteen lines. With `full`: all failures, each whole, and all categories.

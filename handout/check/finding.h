@@ -11,12 +11,12 @@ struct Finding {
 
   std::string suite, name;  // "Forces", "AreBalanced"
   std::string file;         // "check.cpp"
-  int line = 0;             // of its TEST
+  int line = 0;             // its TEST stands here
   State state = State::waits;
-  std::vector<std::string> failures;  // GoogleTest's messages; of one that broke off how it ended
-  std::string hint;                   // of its numbers, if they show one
-  std::string row;                    // of its category's rows, if it names one
-  std::string waits_for;              // a function whose checks have to pass before; empty if none has to
+  std::vector<std::string> failures;  // GoogleTest's messages, or how the check broke off
+  std::string hint;                   // a likely mistake, if the wrong numbers show one
+  std::string row;                    // the id of its category's row, if it names one
+  std::string waits_for;              // the function whose checks must pass first, if any
 
   std::string full_name() const { return suite + "." + name; }
 };

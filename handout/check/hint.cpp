@@ -19,12 +19,12 @@ bool was_never_set(double value) {
   return bits == 0xfefefefefefefefe;
 }
 
-// Sums and products of that are as large: -5e303.
+// Sums and products of unset memory are as large: -5e303.
 bool is_made_of_it(double value) {
   return std::isfinite(value) && std::abs(value) > 1e290;
 }
 
-// On the stack there is often a rest of something else: 4.7e-310.
+// Unset memory on the stack often holds the rest of something else: 4.7e-310.
 bool is_a_rest(double value) {
   return value != 0 && std::abs(value) < 1e-290;
 }
@@ -81,7 +81,8 @@ bool is_plain(double factor) {
   return false;
 }
 
-// Numbers of so many sizes are not by chance all the same multiple of others; three are one vector's.
+// This many numbers of different sizes are not by chance the same multiple of others. Three may be one
+// vector.
 constexpr std::size_t kManySizes = 4;
 
 std::size_t sizes_in(Numbers numbers, double rounding) {
@@ -102,17 +103,17 @@ Hint factor_of(Numbers actual, Numbers expected, double bound) {
   for (const double value : expected) largest = std::max(largest, std::abs(value));
   for (const double value : expected) of_size += std::abs(value) > 1e-3 * largest ? 1 : 0;
   if (!(squared > 0) || !std::isfinite(squared) || of_size < 2)
-    return {};  // of one number there is always a factor
+    return {};  // one number alone always has a factor
   const double factor = dot(actual, expected) / squared;
   for (std::size_t i = 0; i < actual.size(); ++i)
     if (!(std::abs(actual[i] - factor * expected[i]) <= 2 * bound + 1e-6 * std::abs(factor) * largest))
       return {};
-  if (!is_plain(factor) || std::abs(factor - 1) < 1e-3) return {};  // 1: not exact, that is all
+  if (!is_plain(factor) || std::abs(factor - 1) < 1e-3) return {};  // near 1 the values are only inexact
   const bool sign = std::abs(factor + 1) < 1e-4;
   return sign || sizes_in(expected, 1e-3 * largest) >= kManySizes ? Hint{Looks::a_factor, factor} : Hint{};
 }
 
-// All blocks are right but some at one end.
+// The hint if all wrong blocks are at one end.
 Hint end_of(const Blocks& blocks, int block) {
   const std::vector<bool>& right = blocks.right;
   const auto wrong = std::ranges::count(right, false);
@@ -134,7 +135,7 @@ Hint signs_of(Numbers actual, Numbers expected, double bound) {
   return actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{Looks::a_factor, -1};
 }
 
-// At least two are wrong, and all of these are what stood there before the call.
+// At least two numbers are wrong, and all wrong ones still have their values from before the call.
 bool is_filled(Numbers actual, Numbers expected, double bound) {
   int wrong = 0;
   for (std::size_t i = 0; i < actual.size(); ++i)
@@ -223,7 +224,7 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block, Numb
     case Looks::zero:
       return std::string("all of it is ") + kZero;
     case Looks::unchanged:
-      return "the input, or what stood there before, unchanged: never written, nothing done, or undone "
+      return "the input, or the values from before, unchanged: never written, nothing done, or undone "
              "again?";
     case Looks::filled:
       return "wrong where 1000 stands, as before the call: never written?";

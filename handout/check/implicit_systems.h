@@ -42,7 +42,7 @@ struct Chain {
   }
 };
 
-// Springs, and the band of those between neighbours; with a reach of 2, of those between neighbours'
+// Springs that know the band of their matrix: that of neighbours, and with a reach of 2 that of neighbours'
 // neighbours, too.
 class BandedSprings : public particles::DampedSprings {
  public:
@@ -87,7 +87,7 @@ class ThickAir : public particles::Force {
   }
 };
 
-// A matrix as it stands, which counts its products.
+// A matrix that is given as a table, and counts its products.
 class Table : public implicitMatrix {
  public:
   explicit Table(const Eigen::MatrixXd& entries) : A(entries) {}

@@ -1,8 +1,8 @@
-// Ordinary inputs: these checks, and those of grading, ask about them wherever a special value is not what
-// they are about. No number is 1, no two are equal, nothing grows evenly, and no direction lies along an
-// axis. So a factor that is left out, or a value that is a neighbour's, changes the answer.
+// Ordinary inputs: these checks, and those of grading, use them unless they are about a special value. No
+// number is 1, no two are equal, nothing grows evenly, and no direction lies along an axis. So a missing
+// factor, or a neighbour's value, changes the answer.
 //
-// Numbers come out of a `source`: of a Scatter here, of the secret's in grading. Each statement draws once,
+// Numbers come from a `source`: a Scatter here, the secret's source in grading. Each statement draws once,
 // since compilers evaluate two draws of one expression in either order.
 #pragma once
 
@@ -31,7 +31,7 @@ class Scatter {
   std::uint32_t state_;
 };
 
-// At least a twentieth of `high - low` away from 1 and from `other`.
+// A number that is at least a twentieth of `high - low` away from 1 and from `other`.
 template <class Source>
 double ordinary_number(Source& source, double low, double high, double other = 1) {
   const double apart = (high - low) / 20;
@@ -40,7 +40,7 @@ double ordinary_number(Source& source, double low, double high, double other = 1
   return value;
 }
 
-// Neighbours differ, too.
+// Numbers of which neighbours differ, too.
 template <class Source>
 Eigen::VectorXd ordinary_numbers(Source& source, int count, double low, double high) {
   Eigen::VectorXd values(count);
@@ -60,7 +60,7 @@ Eigen::Vector3d ordinary_direction(Source& source) {
   }
 }
 
-// Free ones.
+// Particles that are all free.
 template <class Source>
 particles::Particles ordinary_particles(Source& source, int count) {
   return {ordinary_numbers(source, count, 0.4, 3), std::vector<char>(static_cast<std::size_t>(count), 0)};
@@ -72,7 +72,8 @@ particles::State ordinary_state(Source& source, int count) {
   return {std::move(x), ordinary_numbers(source, 3 * count, -2, 2)};
 }
 
-// Masses, rest lengths and rigidities; clamped or not, its tangent at the root is a direction of no axis.
+// A strand with ordinary masses, rest lengths and rigidities. Its root tangent lies along no axis, clamped or
+// not.
 template <class Source>
 hair::Strand ordinary_strand(Source& source, int count) {
   hair::Strand strand;

@@ -1,4 +1,4 @@
-// The checks that H1 and H3 share: their springs differ in the particles that they join, and in names.
+// The checks that H1 and H3 share. Their springs differ in the particles that they join, and in names.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ struct Springs {
   // All springs are 1 m long at rest: k is the rigidity.
   Strand metres(int count) const { return strand_of(VectorXd::Constant(count - 1, 1.0 / apart)); }
 
-  // Its springs are longer and shorter than at rest, every way.
+  // A strand bent every way, with springs that are longer and shorter than at rest.
   static Case bent(int count, int which) {
     Scatter numbers(which);
     Case c{ordinary_strand(numbers, count), {}};
@@ -106,7 +106,7 @@ struct Springs {
   static Vector3d along() { return {2, -3, 6}; }
   static Vector3d across() { return {3, 2, 0}; }
 
-  // At the spring's ends: this, and its opposite at the tip.
+  // All zeros, but for this vector at the spring's root end, and its opposite at the tip.
   static VectorXd at_ends(const Case& c, const Vector3d& of_root) {
     VectorXd all = VectorXd::Zero(c.x.size());
     all.head<3>() = of_root;
@@ -181,7 +181,7 @@ struct Springs {
       expected.tail(alone.x.size()) = of_alone;
       expect_entries(
           actual, expected, bound,
-          what + " of two springs, the first without a length, beside that of the second alone, x = " +
+          what + " of two springs, the first without a length, compared with that of the second alone, x = " +
               particles_in_words(both.x),
           "rounding");
     };
@@ -191,7 +191,7 @@ struct Springs {
              128 * kU * sizes(alone).product, "the product");
   }
 
-  // On a line, each segment longer than at rest by a fifth: all springs pull alike.
+  // A straight strand, each segment longer than at rest by a fifth, so that all springs pull alike.
   Case evenly_stretched(const Strand& strand) const {
     Scatter numbers(strand.count());
     const Vector3d u = ordinary_direction(numbers);
@@ -283,8 +283,8 @@ struct Springs {
                      df = product(c, Term::dropped, dx).segment<3>(3 * (i + apart));
       expect_entries(df, u * u.dot(df), 64 * kU * sizes(c).product,
                      "the dropped product at particle " + std::to_string(i + apart) + ", where particle " +
-                         std::to_string(i) +
-                         " alone moves, beside its part along that spring, x = " + particles_in_words(c.x),
+                         std::to_string(i) + " alone moves, compared with its part along that spring, x = " +
+                         particles_in_words(c.x),
                      "64 u of k (1 + " + length + "0/" + length + "): rounding");
     }
   }
@@ -312,7 +312,7 @@ struct Springs {
                    8 * kU * (1 + 4 * sizes(c).product), "df");
   }
 
-  // All answers, in other units of length and with other rigidities.
+  // Compares all answers in other units of length and with other rigidities.
   void expect_any_unit() const {
     const Case c = bent(6, 9);
     const VectorXd dx = scattered_vector(18, 3);

@@ -1,5 +1,5 @@
-// What the checks of H4 and H6 share: two particles and a spring between them, the first one pinned, and how
-// its revolution comes out.
+// A pinned particle, a spring and a second particle that turns around the first: the system, its revolution,
+// and what is measured of it, for the checks of H4 and H6.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@
 
 namespace checks {
 
-// A spring of stiffness k (N/m) and rest length l0 between particles 0 and 1, and drag -c v on both. Counts.
+// A spring of stiffness k (N/m) and rest length l0 between particles 0 and 1, and drag -c v on both. It
+// counts its evaluations and products.
 class Spring : public particles::Force {
  public:
   Spring(double k, double l0, hair::GeometricTerm term, double c = 0) : k_(k), l0_(l0), c_(c), term_(term) {}
@@ -62,7 +63,7 @@ using StepOf =
     std::function<void(const particles::Force&, const particles::Particles&, double h, particles::State&)>;
 
 struct Revolution {
-  double momentum;  // L/L0, the angular momentum about the anchor that is left
+  double momentum;  // L/L0, the part of the angular momentum about the anchor that is left
   double length;    // the largest |l - l0| / l0 after a step
   double radial;    // the largest velocity along the spring after a step, m/s
 };

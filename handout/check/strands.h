@@ -33,8 +33,8 @@ struct Case {
   Eigen::VectorXd x;
 };
 
-// Where lengths are in a unit of their own, all numbers are those of before times a power of two. `power`: of
-// the unit, in the answer. Only a length of 0 is 0.
+// In another unit of length, 2^unit m, the answer is the same, times the unit to the `power` that the answer
+// has. So no length but 0 counts as 0.
 template <class Answer>
 void expect_in_units(const Answer& answer, const Case& c, std::initializer_list<int> units, int power,
                      double relative, const std::string& what) {
@@ -50,7 +50,7 @@ void expect_in_units(const Answer& answer, const Case& c, std::initializer_list<
   }
 }
 
-// The same for a rigidity, of which every answer is a multiple.
+// The same for a rigidity: every answer is proportional to it.
 template <class Answer>
 void expect_in_proportion(const Answer& answer, const Case& c, double hair::Strand::*rigidity,
                           const std::string& name, const std::string& what) {

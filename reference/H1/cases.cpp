@@ -13,7 +13,7 @@ const Springs& springs() {
   return all;
 }
 
-// 10,000 particles on a line, all segments alike: each end moves as that of a strand of 5 does.
+// In 10,000 particles on a line with equal segments each end behaves like that of a strand of 5.
 void long_strand(Trial& trial) {
   Random& random = trial.random;
   const Strand few = even_strand(random, 5);
@@ -24,7 +24,7 @@ void long_strand(Trial& trial) {
   const double strain = random.uniform(0.3, 0.6);
   const Posed brief = straight_pose(few, (1 + strain) * few.rest_length, direction, "5 particles"),
               lengthy = straight_pose(many, (1 + strain) * many.rest_length, direction, "10,000 particles");
-  // Their coordinates round by u of the longer strand's length.
+  // Coordinates round by u of the longer strand's length.
   const double rounding = 64 * kUnit * few.stretch_rigidity * largest(lengthy.x);
   StrandForce filtered = springs();
   filtered.products = {springs().products[static_cast<int>(GeometricTerm::filtered)]};

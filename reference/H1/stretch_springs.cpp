@@ -21,12 +21,12 @@ struct Segment {
     if (length > 0) direction = e / length;
   }
 
-  int first, second;  // where its particles' numbers begin
+  int first, second;  // its particles' numbers begin here
   double rest_length, stiffness, length;
   Vector3d direction = Vector3d::Zero();
 };
 
-// 1 - l0/l, as far as `term` lets it through.
+// 1 - l0/l, or less of it, as `term` says.
 double geometric(GeometricTerm term, const Segment& s) {
   if (term == GeometricTerm::dropped) return 0;
   const double share = 1 - s.rest_length / s.length;

@@ -1,5 +1,4 @@
-// STAFF ONLY. What physics and geometry ask of H1. What hair/stretch_springs.h promises the public checks
-// ask.
+// STAFF ONLY. H1 obeys physics and geometry. The public checks test the promises of hair/stretch_springs.h.
 
 #include "hair/stretch_springs.h"
 
@@ -31,7 +30,7 @@ VectorXd stretch_product(const Strand& strand, const VectorXd& x, const VectorXd
   return result;
 }
 
-// k (1 + l0/l) of the spring that has most of it: what a product's entry can be.
+// The largest k (1 + l0/l) of all springs, which bounds a product's entry.
 double stiffest_stretch(const StrandState& s) {
   return 2 * s.strand.stretch_rigidity / s.strand.rest_length.minCoeff() * (1 + 1.5 / s.shortest);
 }
@@ -42,8 +41,8 @@ TEST(StretchSprings, TurnWithARigidMotion) {
     const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
     const double E = stretch_energy(s.strand, s.x);
     SCOPED_TRACE(s.name);
-    // Positions of a few metres round by 8 u, lengths by 16 u, energies by EA / l0 of that and their own
-    // rounding.
+    // Positions of a few metres round by 8 u, lengths by 16 u, energies by EA / l0 times that, and by their
+    // own rounding.
     EXPECT_NEAR(stretch_energy(s.strand, x), E, 64 * kUnit * (std::sqrt(E * 50 * 6) * 10 + E) + 1e-28);
     EXPECT_LE((stretch_force(s.strand, x) - motion.vectors(stretch_force(s.strand, s.x))).norm(),
               1e3 * 64 * kUnit / s.shortest);
@@ -56,14 +55,15 @@ TEST(StretchSprings, TurnWithARigidMotion) {
 
 // A strand whose points are at r(s) has E = EA/2 int (|r'| - 1)^2 ds.
 TEST(StretchSprings, ApproachTheContinuumsEnergyToSecondOrder) {
-  // r' has the length 1 + 0.1 sin(s), along a helix; the integral over 0 to 2 of 0.01 sin^2.
+  // r' has the length 1 + 0.1 sin(s), along a helix, so E is the integral of 0.01 sin^2 over 0 to 2, times
+  // EA/2.
   const double EA = 25, exact = EA / 2 * 0.01 * (1 - std::sin(4.0) / 4);
   std::vector<double> errors;
   for (int n : {8, 16, 32, 64}) {
     Strand strand = test_strand(n + 1);
     strand.rest_length.setConstant(2.0 / n);
     VectorXd x = VectorXd::Zero(3 * n + 3);
-    // r by Simpson's rule, to an error of 1e-12 or so.
+    // Simpson's rule gives r, to an error of 1e-12 or so.
     for (int i = 0; i < n; ++i) {
       Vector3d sum = Vector3d::Zero();
       const int parts = 256;
@@ -87,7 +87,7 @@ TEST(StretchSprings, HangUnderTheirOwnWeightByRhoGLSquaredOver2E) {
   for (int n : {1, 2, 5, 30, 1000}) {
     const Strand strand = hair::uniform_strand(material, n, L);
     VectorXd x = VectorXd::Zero(3 * n + 3);
-    // Each segment carries what hangs below it.
+    // Each segment carries the weight below it.
     double below = strand.mass.sum();
     for (int i = 0; i < n; ++i) {
       below -= strand.mass[i];

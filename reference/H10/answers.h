@@ -1,4 +1,4 @@
-// STAFF ONLY. What a student's functions of H10 answer.
+// STAFF ONLY. Asks a student's functions of H10 through the pipe.
 #pragma once
 
 #include "grader/judge/case_asker.h"
@@ -26,7 +26,7 @@ inline VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const Guid
   return answer_of<Calls, hair::extrapolate>(trial, guide, frames, root, spread, unset(guide.size()));
 }
 
-// Where a blend's child goes: into memory of its own, or over one of the strands that it is made of.
+// The place of a blend's child: memory of its own, or one of the two strands that it is made of.
 enum class Place { own, at_root, at_tip };
 
 inline VectorXd ask_blended(Trial& trial, const VectorXd& arc, VectorXd at_root, VectorXd at_tip,

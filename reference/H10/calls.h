@@ -51,7 +51,7 @@ class Stored<const std::array<hair::GuideHair, 3>&, Host, contract> : public Sto
 
 namespace grader::h10 {
 
-// Lines of n >= 2 points, all of as many.
+// Throws MalformedMessage unless all lines have the same number n >= 2 of points.
 inline void expect_lines(std::initializer_list<Eigen::Index> sizes) {
   for (const Eigen::Index size : sizes)
     if (size < 6 || size % 3 != 0 || size != *sizes.begin())

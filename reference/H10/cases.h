@@ -1,4 +1,4 @@
-// STAFF ONLY. What the weights add to H10's cases in other units.
+// STAFF ONLY. The part of H10's cases in other units that is about weights.
 #pragma once
 
 #include "grader/judge/trial.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. Inputs of H10's hidden cases: triangles of roots, and guides as they lie.
+// STAFF ONLY. Inputs of H10's hidden cases: triangles of roots, and guides with their points.
 #pragma once
 
 #include "grader/judge/random.h"
@@ -23,7 +23,8 @@ RootFrame some_root(Random& random);  // about 0.1 m from the origin
 RootFrame moved_root(Random& random, const RootFrame& root,
                      double turn);  // a centimetre away, turned by about `turn`
 
-// About a centimetre wide, 0.1 m from the origin. Its height on the longest edge is `height` of it.
+// A triangle about a centimetre wide, 0.1 m from the origin. Its height on the longest edge is `height` of
+// that edge.
 Corners some_triangle(Random& random, double height);
 double longest_edge(const Corners& corners);
 

@@ -9,7 +9,7 @@
 namespace hair {
 namespace {
 
-// A triangle that is thinner than this part of its longest edge is its edges.
+// A triangle thinner than this part of its longest edge counts as its edges.
 constexpr double kThin = 1e-9;
 
 Matrix3d axes_of(const RootFrame& frame) {
@@ -18,12 +18,11 @@ Matrix3d axes_of(const RootFrame& frame) {
   return axes;
 }
 
-// The least rotation that turns a into b, both of length 1: two reflections, of which the first maps a to -a
-// and the second -a to b. Each reverses what is along its normal.
+// The least rotation that turns a into b, both of length 1. It is two reflections: the first maps a to -a,
+// the second -a to b. Each reverses the part along its normal.
 Matrix3d least_rotation(const Vector3d& a, const Vector3d& b) {
   Vector3d normal = a + b;
-  // Where they are nearly opposite, a + b is rounding in the end: then any normal across them is as good, to
-  // 1e-8.
+  // If they are nearly opposite, a + b is only rounding: then any normal across them is as good, to 1e-8.
   if (normal.squaredNorm() < 1e-16) normal = a.unitOrthogonal();
   normal.normalize();
   Matrix3d rotation = Matrix3d::Identity() - 2 * a * a.transpose();
@@ -42,7 +41,7 @@ std::array<double, 3> root_weights(const std::array<Vector3d, 3>& corners, const
                  of_c = area.dot(b.cross(p)) / area.squaredNorm(), of_a = 1 - of_b - of_c;
     if (of_a >= 0 && of_b >= 0 && of_c >= 0) return {of_a, of_b, of_c};
   }
-  // Outside the nearest point lies on an edge.
+  // Outside the triangle the nearest point lies on an edge.
   std::array<double, 3> weights{1, 0, 0};
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // STAFF ONLY. H10's strands. Bounds: the contract's. A point is a sum of at most 30 products of three
-// factors, whose sizes are those of the coordinates and of rotations: 1e-14 of them. Turns: 60 rotations,
-// each of which rounds by 1e-16 over one and the cosine of what it turns by, 1/2 at least here.
+// factors, which are coordinates and rotations: 1e-14 of them. Turns are 60 rotations; each rounds by 1e-16
+// over one plus the cosine of its angle, at least 1/2 here.
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +43,7 @@ Weights some_weights(Random& random, int repeat) {
   return weights;
 }
 
-// turn: by which the frames of guides and child differ.
+// `turn` is the angle between the frames of guides and child.
 void expect_interpolation(Trial& trial, double turn) {
   Random& random = trial.random;
   int repeat = 0;
@@ -54,7 +54,7 @@ void expect_interpolation(Trial& trial, double turn) {
     for (OwnGuide& guide : guides) {
       guide = some_guide(random, n, 0.7);
       RootFrame here = moved_root(random, root, turn);
-      // As it grows there.
+      // The guide moves to its new root.
       const Vector3d way = here.position - guide.root.position;
       for (int i = 0; i < n; ++i) guide.points.segment<3>(3 * i) += way;
       here.position = guide.points.head<3>();
@@ -86,7 +86,7 @@ void copy_point(OwnGuide& guide, int from, int to) {
   guide.points.segment<3>(3 * to) = Vector3d(guide.points.segment<3>(3 * from));
 }
 
-// Where it turns right round any rotation is right that takes the direction along.
+// If the guide turns right round, any rotation is right that takes the direction along.
 void expect_any_turns(Trial& trial, const OwnGuide& guide) {
   const std::vector<Matrix3d> turns = ask_frames(trial, guide.points).turns;
   const auto direction = [&](std::size_t i) -> Vector3d {
@@ -140,14 +140,14 @@ void folds(Trial& trial) {
     copy_point(guide, at - 2, at);
     expect_any_turns(trial, guide);
   }
-  // Back by a part of the way: rounding alone is left of the sum of both directions.
+  // The guide goes back by a part of the way, so the sum of both directions is only rounding.
   for (int repeat = 0; repeat < 8; ++repeat) {
     OwnGuide guide = some_guide(random, 3, 1);
     const Vector3d end = guide.points.segment<3>(3), way = end - guide.points.head<3>();
     guide.points.tail<3>() = end - random.uniform(0.3, 0.9) * way;
     expect_any_turns(trial, guide);
   }
-  // All but right round, up to the 175 degrees of the contract.
+  // The guide turns nearly right round, up to the contract's 175 degrees.
   for (int repeat = 0; repeat < 4; ++repeat) expect_frames(trial, some_guide(random, 16, 3.05));
   OwnGuide point = some_guide(random, 3, 1);
   for (int i = 1; i < 3; ++i) copy_point(point, 0, i);
@@ -160,7 +160,7 @@ void wisps(Trial& trial) {
   for (const int n : {2, 5, 16, 60}) expect_wisp(trial, some_guide(trial.random, n, 1), 1);
 }
 
-// Of straight guides: nothing turns.
+// Guides are straight here, so nothing turns.
 void spreading(Trial& trial) {
   for (const double spread : {0.0, 0.4, 2.5})
     for (const int n : {2, 16}) expect_wisp(trial, straight_guide(trial.random, n), spread);
@@ -179,7 +179,7 @@ void blends(Trial& trial) {
     }
 }
 
-// In other units, beside the student's own answers for metres: nothing is too short.
+// Compares answers in other units with the student's own answers for metres: no length is too short.
 void units(Trial& trial) {
   weights_in_other_units(trial);
   Random& random = trial.random;

@@ -58,8 +58,8 @@ void weights_inside(Trial& trial) {
   }
 }
 
-// Beside each edge, beyond each corner; in most places the nearest point is not where weights are that were
-// cut off at 0.
+// Roots are beside each edge and beyond each corner. In most places weights that are cut off at 0 are not
+// those of the nearest point.
 void weights_outside(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 24; ++repeat) {
@@ -76,7 +76,7 @@ void weights_outside(Trial& trial) {
     } else {
       root += corners[k] + random.uniform(0.1, 2) * (corners[k] - middle);
     }
-    // Into the plane again, or near it: many roots would else be far above it.
+    // Moves the root back into the plane, or near it; without this many roots would be far above it.
     const Vector3d normal = normal_of(corners);
     root -= random.uniform(0.9, 1) * normal.dot(root - corners[0]) * normal;
     const Weights nearest = hair::root_weights(corners, root);
@@ -88,7 +88,7 @@ void weights_outside(Trial& trial) {
 
 namespace {
 
-// On a line, two of the corners a millionth of its length apart. What there is of an area is rounding.
+// The corners are on a line, two of them a millionth of its length apart. The area is only rounding.
 void needles(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 60; ++repeat) {
@@ -109,7 +109,7 @@ Vector3d some_point_of(Random& random, const Corners& corners) {
   return point_of(corners, at);
 }
 
-// No weights of a thin triangle are unique, but the distance is.
+// The weights of a thin triangle are not unique, but the distance is.
 void expect_near(Trial& trial, const Corners& corners, const Vector3d& root) {
   const double least = (point_of(corners, hair::root_weights(corners, root)) - root).norm(),
                distance = (point_of(corners, checked_weights(trial, corners, root, kThin)) - root).norm();
@@ -119,7 +119,7 @@ void expect_near(Trial& trial, const Corners& corners, const Vector3d& root) {
 
 }  // namespace
 
-// Far thinner than they are long: the root is over the inside.
+// Triangles are far thinner than long, and the root is over the inside.
 void thin_triangles(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 12; ++repeat) {
@@ -131,7 +131,7 @@ void thin_triangles(Trial& trial) {
   }
 }
 
-// On a line, but for rounding, and in one place; the root is anywhere.
+// The corners are on a line up to rounding, or in one place, and the root is anywhere.
 void no_width(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 24; ++repeat) {
@@ -148,8 +148,8 @@ void no_width(Trial& trial) {
   needles(trial);
 }
 
-// Triangles of any form in smaller and larger units, beside the student's own answers for metres: what is
-// thin is no matter of its size.
+// Compares triangles of any form in smaller and larger units with the student's own answers for metres. No
+// triangle is thin because of its size.
 void weights_in_other_units(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 8; ++repeat) {

@@ -14,10 +14,10 @@ namespace {
 
 using particles::Vector3d;
 
-// A segment as its joint sees it.
+// A segment, as one of the two arms of its joint.
 struct Arm {
   double length = 0;
-  Vector3d direction = Vector3d::Zero();  // of a segment of length 0: none
+  Vector3d direction = Vector3d::Zero();  // stays 0 for a segment of length 0
 
   explicit Arm(const Vector3d& e) : length(e.norm()) {
     if (length > 0) direction = e / length;
@@ -43,8 +43,8 @@ struct Joint {
   // phi cot(phi).
   double p() const { return sine > 0 ? phi * cosine / sine : 1; }
 
-  // The axis of the bend. Next to phi = 0 u1 x u2 is a rounding error, and points anywhere; what b has to be
-  // in any case is perpendicular to the strand.
+  // The axis of the bend. Next to phi = 0 u1 x u2 is a rounding error, and points anywhere, but b must always
+  // be perpendicular to the strand.
   Vector3d axis() const {
     const Vector3d along = (arm1.direction + arm2.direction).stableNormalized();
     const Vector3d across = u1_x_u2 - along * along.dot(u1_x_u2);
@@ -62,8 +62,7 @@ struct Joint {
   bool folded = false;
 };
 
-// Something that lives on the two segments of a joint: their vectors, their changes, the energy's
-// derivatives.
+// Two vectors, one for each segment of a joint: their vectors, their changes, or the energy's derivatives.
 struct Pair {
   Vector3d first, second;
 };
@@ -81,14 +80,14 @@ void for_each_joint(const Strand& strand, Input x, Visit visit) {
   }
 }
 
-// How the two vectors of joint i change along dx.
+// The change of the two vectors of joint i along dx.
 Pair change(int i, Input dx) {
   Pair de = {Vector3d::Zero(), dx.segment<3>(3 * i + 3) - dx.segment<3>(3 * i)};
   if (i > 0) de.first = dx.segment<3>(3 * i) - dx.segment<3>(3 * i - 3);
   return de;
 }
 
-// f -= the derivative by x of what has the derivatives `by` by the vectors of joint i.
+// Subtracts from f the derivative by x of a function with the derivatives `by` by the vectors of joint i.
 void subtract(int i, const Pair& by, Output f) {
   f.segment<3>(3 * i) += by.second;
   f.segment<3>(3 * i + 3) -= by.second;

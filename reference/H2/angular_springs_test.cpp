@@ -1,6 +1,6 @@
-// STAFF ONLY. Angular springs as geometry and the continuum want them: energies do not depend on how finely a
-// strand is divided, to second order; shapes and frequencies are in validate/. What hair/angular_springs.h
-// promises the public checks ask.
+// STAFF ONLY. Angular springs obey geometry and the continuum: to second order, energies do not depend on how
+// finely a strand is divided. Shapes and frequencies are in validate/. The public checks test the promises of
+// hair/angular_springs.h.
 
 #include "hair/angular_springs.h"
 
@@ -46,8 +46,8 @@ MatrixXd bend_matrix_spd(const Strand& strand, const VectorXd& x) {
       x.size());
 }
 
-// k pi / l and k pi / l^2 of the stiffest joint, 2 EI over the shortest rest length; next to the fold divided
-// by how much angle is left.
+// k pi / l and k pi / l^2 of the stiffest joint, where k is 2 EI over the shortest rest length. Next to the
+// fold they are divided by the rest of the angle.
 double force_scale(const StrandState& s) {
   return 2 * s.strand.bend_rigidity / s.strand.rest_length.minCoeff() * pi / s.shortest;
 }
@@ -62,7 +62,7 @@ TEST(AngularSprings, TurnWithARigidMotion) {
     Strand turned = s.strand;
     turned.root_tangent = motion.rotation * s.strand.root_tangent;
     const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
-    // Positions of a few metres round by 16 u, angles by that over the shortest segment, and what follows in
+    // Positions of a few metres round by 16 u, angles by that over the shortest segment, and all results in
     // proportion.
     const double angle = 64 * kUnit * 4 / s.shortest, relative = angle / std::min(1.0, s.least_bend);
     EXPECT_NEAR(bend_energy(turned, x), bend_energy(s.strand, s.x),
@@ -86,7 +86,7 @@ StrandState one_joint(double l, double phi, double EI) {
 }
 
 TEST(AngularSprings, HaveASecondProductThatApproachesTheExactOneWithTheBend) {
-  // What is left out is of first order in phi: phi tan(phi/2) and what the turning of forces makes, k phi.
+  // The product leaves out terms of first order in phi: phi tan(phi/2), and the turning of forces, k phi.
   for (double phi : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-14}) {
     const StrandState s = one_joint(0.7, phi, 4);
     const MatrixXd difference = bend_matrix_spd(s.strand, s.x) - bend_matrix(s.strand, s.x);
@@ -111,9 +111,9 @@ TEST(AngularSprings, ApproachTheContinuumsEnergyToSecondOrder) {
       x.segment<3>(3 * i) = Vector3d(radius * std::cos(t), radius * std::sin(t), pitch * t);
     }
     strand.clamped = true;
-    // Where the curve begins, so that the root's joint bends like half of another one.
+    // This is the tangent at the curve's start, so that the root's joint bends like half of another one.
     strand.root_tangent = Vector3d(0, radius, pitch) / a;
-    // The last half segment's bend is nobody's.
+    // No joint has the last half segment's bend.
     errors.push_back(std::abs(bend_energy(strand, x) + EI / 2 * kappa * kappa * L / n / 2 - exact));
   }
   for (std::size_t i = 1; i < errors.size(); ++i)
@@ -121,8 +121,8 @@ TEST(AngularSprings, ApproachTheContinuumsEnergyToSecondOrder) {
         << "halving the segments, the " << i << "th time: second order";
 }
 
-// Degrees that each joint of human hair, on a hinge and in segments of 1 cm, may be bent by until M + h^2 K
-// is no longer positive definite, to a quarter; h = 1/60 s.
+// The bend of each joint, in degrees to a quarter, at which M + h^2 K stops being positive definite, for
+// human hair on a hinge, in segments of 1 cm; h = 1/60 s.
 double bend_that_is_too_much(int n, bool spd) {
   const double l = 0.01, h = 1.0 / 60;
   const Strand strand = hair::uniform_strand({}, n, n * l);

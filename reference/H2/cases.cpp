@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Segments of 1 m, whose rest lengths are 1 m: other lengths are other categories'.
+// Segments of 1 m with rest lengths of 1 m, since other categories have other lengths.
 Posed some_pose(Random& random, int count, Range bend) {
   return random_pose(random, even_strand(random, count), {1, 1}, bend, "bent");
 }
@@ -59,7 +59,7 @@ void spd_product(Trial& trial) {
 
 namespace {
 
-// The cases below ask for properties of the student's own answers: a mistake elsewhere does not count again.
+// The cases below compare the student's own answers, so that a mistake elsewhere does not count again.
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void sampling(Trial& trial) {
   expect_all_equal(trial, energies, 16 * kUnit * 64 * 64,
                    "how the circle's energy changes with the number of segments");
 
-  // One joint between segments that differ, at the same angle: each answer times l1 + l2 is the same.
+  // One joint has different segments and always the same angle: each answer times l1 + l2 is the same.
   Posed joint = some_pose(random, 3, {0.5, 1});
   const VectorXd push = random_vector(random, 9), force = ask_force(trial, joint),
                  product = ask_product(trial, joint, push), semi_definite = ask_spd(trial, joint, push);
@@ -109,7 +109,7 @@ void sampling(Trial& trial) {
       random_pose(random, checks::ordinary_strand(random, 6), kStretch, {0.3, 1.4}, "uneven rest lengths"),
       3);
 
-  // The same strand with rest lengths that are r times as long: all answers are an r-th.
+  // With rest lengths that are r times as long all answers are divided by r.
   Strand strand = even_strand(random, 6);
   strand.clamped = true;
   strand.root_tangent = checks::ordinary_direction(random);
@@ -134,7 +134,7 @@ void sampling(Trial& trial) {
 
 namespace {
 
-// One joint whose segments have now the lengths a and b, with the middle particle at 0.
+// The joint with current lengths of a and b, and the middle particle at 0.
 Posed with_lengths(const Posed& joint, double a, double b) {
   const Vector3d middle = joint.x.segment<3>(3);
   Posed posed = joint;
@@ -176,7 +176,7 @@ void current_lengths(Trial& trial) {
         expect_scaled(ask_product(trial, other, dx, function), df, 1 / (own * a), 1 / (own * b),
                       product_rounding(other, dx), "the product with other lengths");
       }
-      // If a joint that moves as a whole does not change, the middle's part is what the two ends' leave.
+      // If a joint that moves as a whole does not change, the middle's part balances the two ends'.
       const VectorXd whole = random_vector(random, 3).replicate(3, 1);
       if (largest(ask_product(trial, one, whole, function)) <= product_rounding(one, whole))
         expect_vector(trial, ask_product(trial, other, whole, function), VectorXd::Zero(9),

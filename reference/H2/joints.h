@@ -19,7 +19,7 @@ namespace grader::h2 {
 
 struct Joint {
   double stiffness, angle,
-      arm;  // EI/l, phi, the shorter of the two segments; of a clamped root the first segment
+      arm;  // EI/l, phi, the shorter of the two segments (at a clamped root the first segment)
 };
 
 // The joints that have an angle.
@@ -46,7 +46,8 @@ VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx);
 
 StrandForce strand_force();  // for the cases that H1 to H3 share
 
-// Segments of 1 m that turn by `bend` to one side and back, in the plane of `direction` and `aside`.
+// A strand whose segments of 1 m turn by `bend` to one side and back, in the plane of `direction` and
+// `aside`.
 Posed zigzag(const Strand& strand, const Eigen::Vector3d& direction, const Eigen::Vector3d& aside,
              double bend);
 

@@ -1,6 +1,6 @@
-// STAFF ONLY. H2: hidden cases at the ends of a joint's life: clamped, nearly straight, folded, without a
-// direction, tiny, huge. Most compare the student's answers with each other, so that a mistake elsewhere does
-// not count again.
+// STAFF ONLY. H2: hidden cases of special joints: clamped, nearly straight, folded, without a direction,
+// tiny, huge. Most compare the student's answers with each other, so that a mistake elsewhere does not count
+// again.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -41,8 +41,8 @@ double tip_share(Trial& trial, const Posed& posed) {
 
 }  // namespace
 
-// The root's joint is like one between two segments, of which the first does not move, but twice as stiff:
-// the student's own answers to both, so that a mistake elsewhere does not count again.
+// The root's joint is like one between two segments whose first one does not move, but twice as stiff. The
+// student's own answers to both are compared, so that a mistake elsewhere does not count again.
 void clamped_root(Trial& trial) {
   Random& random = trial.random;
   Strand clamped = even_strand(random, 2);
@@ -82,7 +82,7 @@ void clamped_root(Trial& trial) {
                  "a clamped root's product");
   }
 
-  // A longer strand: what the clamp adds is the root's joint.
+  // In a longer strand the clamp adds the root's joint and nothing else.
   Strand strand = checks::ordinary_strand(random, 6);
   strand.clamped = true;
   Posed with = random_pose(random, strand, kStretch, {0.3, 1.4}, "clamped"), without = with;
@@ -102,8 +102,8 @@ void clamped_root(Trial& trial) {
   }
 }
 
-// Bends of 1e-2 to 1e-9, where acos(cos(phi)) has lost its digits. What counts is that they are right beside
-// a larger bend: a constant that is wrong is another category's.
+// Bends are 1e-2 to 1e-9, where acos(cos(phi)) has lost its digits. They are compared with a larger bend,
+// since a wrong constant is for another category.
 void nearly_straight(Trial& trial) {
   Random& random = trial.random;
   const Plane plane(random);
@@ -123,7 +123,7 @@ void nearly_straight(Trial& trial) {
         std::abs(tip_share(trial, posed) / tip - 1), rounding,
         "the relative error of the force at a small bend, compared with your own at a larger bend,");
   }
-  // Straight: to the last bit, and as far as numbers go.
+  // One strand is straight to the last bit, another one up to rounding.
   for (const Vector3d& direction :
        {Vector3d(0, 0, -1), Vector3d(0, 1, 0), checks::ordinary_direction(random)}) {
     const Strand strand = even_strand(random, 8);
@@ -137,14 +137,14 @@ void nearly_straight(Trial& trial) {
   }
 }
 
-// Beside the student's own products at a bend of 1e-5, where the axis is known to 1e-11. These are as many
-// times the reference's as the student's at an ordinary bend; there another category asks, and products that
-// are no multiple of the reference's excuse all.
+// Compares products with the student's own at a bend of 1e-5, where the axis is known to 1e-11. Those must be
+// the same multiple of the reference's as the student's products at an ordinary bend. Products at an ordinary
+// bend have another category; if they are no multiple of the reference's, nothing is compared here.
 void straight_products(Trial& trial) {
   constexpr double kLittle = 1e-5;
   Random& random = trial.random;
-  // Two directions to the last bit, the second one of few bits, with a cosine that rounds to less than 1; and
-  // four where bends are roundings, which point anywhere: some happen to be 0.
+  // Two strands are straight to the last bit; the second one's direction has few bits, and a cosine that
+  // rounds to less than 1. In four others the bends are roundings, which point anywhere; some happen to be 0.
   for (int repeat = 0; repeat < 6; ++repeat) {
     const bool exactly = repeat < 2;
     const Strand strand = even_strand(random, 7);
@@ -161,8 +161,8 @@ void straight_products(Trial& trial) {
       const VectorXd expected = ask_product(trial, bent, dx, function);
       expect_not_zero(trial, expected, "the product");
       // A row of the matrix sums up to 16 k / l^2, and turns with the directions, by kLittle on either side.
-      // The axis of a bend phi is known to u / phi, or replaced by another at the price of phi: 1e-8 at best,
-      // and two digits more may go.
+      // The axis of a bend phi is known to u / phi, or another axis replaces it with an error of phi: 1e-8 at
+      // best, and two more digits may be lost.
       const double bound = 64 * (2 * kLittle + 1e-6) * strand.bend_rigidity * largest(dx);
       expect_vector(trial, ask_product(trial, posed, dx, function), expected, bound,
                     "the product of a straight strand, beside one that is bent by 1e-5,");
@@ -179,7 +179,7 @@ void straight_products(Trial& trial) {
 
 void no_direction(Trial& trial) {
   Random& random = trial.random;
-  // No joint: without a segment there is nothing to clamp, and a clamped segment of length 0 has no angle.
+  // There is no joint: one particle has no segment to clamp, and a clamped segment of length 0 has no angle.
   for (int kind : {0, 1, 2}) {
     const int count = kind == 0 ? 1 : 2;
     Posed posed{even_strand(random, count), random_vector(random, 3 * count), "without a joint"};
@@ -192,7 +192,7 @@ void no_direction(Trial& trial) {
     trial.expect(ask_spd(trial, posed, dx).isZero(0), "a strand without a joint has a product");
   }
 
-  // One segment of length 0, and all of them. The parts beside it do what each does alone.
+  // One segment, or all of them, have length 0. The parts on both sides behave as each does alone.
   for (int which : {0, 2, 5, -1}) {
     constexpr int kCount = 7;
     Posed posed = random_pose(random, even_strand(random, kCount), {1, 1}, kBend, "coincident particles");
@@ -204,7 +204,7 @@ void no_direction(Trial& trial) {
                  "segments of length 0 have a force, or others have none");
   }
 
-  // Beside a segment of length 0, of which some formulas make a cosine of 0, or of a rounding.
+  // A segment of length 0 has a cosine of 0, or a rounding, in some formulas.
   for (int zero : {0, 1}) {
     Posed posed{even_strand(random, 3), VectorXd::Zero(9), "two segments, one of length 0"};
     posed.x.segment<3>(6) = Vector3d(-1, -2, -2);
@@ -216,7 +216,7 @@ void no_direction(Trial& trial) {
 
 void fold(Trial& trial) {
   Random& random = trial.random;
-  // Folded, along an axis, so that nothing rounds: four times the energy of a right angle.
+  // A fold along an axis, where nothing rounds, has four times the energy of a right angle.
   Posed corner{even_strand(random, 3), VectorXd(9), "a right angle"};
   const int axis = static_cast<int>(random.integer(0, 2));
   const Vector3d along = Vector3d::Unit(axis), across = Vector3d::Unit((axis + 1) % 3);
@@ -233,7 +233,7 @@ void fold(Trial& trial) {
   trial.expect(ask_product(trial, folded, dx).isZero(0), "there is a product at the fold");
   trial.expect(ask_spd(trial, folded, dx).isZero(0), "there is a product at the fold");
 
-  // So is a root that is folded back onto what it is clamped to.
+  // The same holds for a clamped root that is folded back.
   Posed back{even_strand(random, 2), VectorXd::Zero(6), "a clamped root, folded"};
   back.strand.clamped = true;
   back.strand.root_tangent = along;
@@ -243,7 +243,7 @@ void fold(Trial& trial) {
     trial.expect(ask_product(trial, back, dx.head<6>(), function).isZero(0),
                  "there is a product at the fold");
 
-  // Next to it the force is finite: as at a right angle, with the angle in proportion.
+  // Next to the fold the force is finite, and in proportion to the angle as at a right angle.
   const Plane plane(random);
   const double tip = tip_share(trial, plane.bent_by(1.5));
   expect_size(trial, std::abs(tip), 1, "the force");

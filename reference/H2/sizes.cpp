@@ -8,7 +8,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// As thin as nothing, or as long as a galaxy, of cobweb or of steel: all answers keep their proportions.
+// All answers keep their proportions in any size, from the thinnest cobweb to steel as long as a galaxy.
 void other_units(Trial& trial) {
   Random& random = trial.random;
   Strand strand = even_strand(random, 7);
@@ -20,7 +20,7 @@ void other_units(Trial& trial) {
   expect_same_in_other_units(trial, strand_force(), one, other, {0x1p-320, 0x1p-40, 0x1p320});
 }
 
-// A zigzag of 10,001 particles, all joints alike: each end moves as that of a strand of 5 does.
+// In a zigzag of 10,001 particles with equal joints each end behaves like that of a strand of 5.
 void long_strand(Trial& trial) {
   Random& random = trial.random;
   const Vector3d direction = checks::ordinary_direction(random), aside = checks::ordinary_direction(random),

@@ -21,7 +21,7 @@ struct Spring {
     if (distance > 0) u = between / distance;
   }
 
-  int from, to;  // where its particles' numbers begin
+  int from, to;  // its particles' numbers begin here
   double rest, k, distance;
   Vector3d u = Vector3d::Zero();
 };

@@ -1,5 +1,5 @@
-// STAFF ONLY. The lecture's criticism of bend springs as measurements. What hair/bend_springs.h promises the
-// public checks ask.
+// STAFF ONLY. The lecture's criticism of bend springs as measurements. The public checks test the promises of
+// hair/bend_springs.h.
 
 #include "hair/bend_springs.h"
 
@@ -38,7 +38,7 @@ double shortest(const StrandState& s) {
   return result;
 }
 
-// k (1 + d0/d), of k at most 9 N over 1 m and d0 at most 3 m, twice.
+// Twice k (1 + d0/d), with k at most 9 N over 1 m and d0 at most 3 m.
 double stiffest_bend_spring(const StrandState& s) {
   return 2 * 9 * (1 + 3 / shortest(s));
 }
@@ -73,11 +73,11 @@ TEST(BendSprings, ServeTenThousandParticlesAndAllocateNothing) {
   EXPECT_TRUE(df.allFinite());
 }
 
-// The lecture: "Difficulty: Each spring constant affects both bending and stretching". A uniform strand of
-// length 1 with n segments, stretched by 1 %, and bent into an arc of radius 1 with its segments as long as
-// at rest.
+// The lecture says: "Difficulty: Each spring constant affects both bending and stretching". This measures a
+// uniform strand of length 1 with n segments, stretched by 1 %, and bent into an arc of radius 1 with its
+// rest lengths.
 struct Measured {
-  double stretch;  // the energy over EA strain^2 L / 2: how many strands stretch like it
+  double stretch;  // the energy over EA strain^2 L / 2: it stretches like so many strands
   double bend;     // the energy over EI / R^2 L / 2 at EI = 1
 };
 Measured measured(int n, double EA, double S) {
@@ -96,7 +96,7 @@ Measured measured(int n, double EA, double S) {
 }
 
 TEST(BendSprings, StiffenAgainstStretchingByTwiceTheirRigidity) {
-  // n - 1 springs of 2 L/n each: EA + 2 S (1 - 1/n).
+  // n - 1 springs of 2 L/n each make EA + 2 S (1 - 1/n).
   for (int n : {4, 8, 16, 32})
     for (double S : {0.0, 1.0, 10.0})
       EXPECT_NEAR(measured(n, 25, S).stretch, 25 + 2 * S * (1 - 1.0 / n), 1e-10 * (25 + 2 * S))
@@ -105,8 +105,8 @@ TEST(BendSprings, StiffenAgainstStretchingByTwiceTheirRigidity) {
 
 TEST(BendSprings, ResistABendWithTheFourthPowerOfASegmentsLength) {
   // d = 2 l cos(phi/2), and so (d - d0)^2 = (4 l sin^2(phi/4))^2, (l phi^2 / 4)^2 for small phi: at the same
-  // curvature the resistance falls by 16 when the segments are halved. What a constant means depends on the
-  // sampling.
+  // curvature the resistance falls by 16 when the segments are halved. So the meaning of a constant depends
+  // on the sampling.
   for (int n : {8, 16, 32}) {
     const double l = 1.0 / n, phi = 1.0 / n, k = 10 / (2 * l);
     const double exact = (n - 1) * k * std::pow(4 * l * std::pow(std::sin(phi / 4), 2), 2);
@@ -117,8 +117,8 @@ TEST(BendSprings, ResistABendWithTheFourthPowerOfASegmentsLength) {
 }
 
 TEST(BendSprings, ResistASmallBendNotAtAll) {
-  // The exact derivative of a straight strand: a change across it costs nothing, where angular springs have
-  // EI / l^3.
+  // In the exact derivative of a straight strand a change across it costs nothing; angular springs have EI /
+  // l^3 there.
   Strand strand = test_strand(3);
   strand.rest_length.setOnes();
   VectorXd x = VectorXd::Zero(9), across = x;

@@ -17,8 +17,9 @@ const Springs& springs() {
 
 using Eigen::Vector3d;
 
-// One spring alone is longer than at rest, or has changed: the force on its ends, and the energy. The far end
-// counts where no other spring begins: what overwrites its neighbours' forces is another category's.
+// The force on the ends of one spring, and the energy, if this spring alone is longer than at rest, or has
+// changed. The far end counts if no other spring begins there, since overwritten forces are for another
+// category.
 struct OfOneSpring {
   VectorXd force, product;
   double energy;
@@ -27,7 +28,7 @@ struct OfOneSpring {
 OfOneSpring of_spring(Trial& trial, const Strand& strand, const Vector3d& direction, int i) {
   const int count = strand.count();
   const Posed rest = straight_pose(strand, strand.rest_length, direction, "on a line");
-  // Its second particle, and every second one behind it.
+  // Its second particle moves, and every second one behind it.
   VectorXd longer = VectorXd::Zero(3 * count);
   for (int j = i + 2; j < count; j += 2) longer.segment<3>(3 * j) = direction / 4;
   const Posed posed{strand, rest.x + longer, "spring " + std::to_string(i) + " longer"};
@@ -37,7 +38,7 @@ OfOneSpring of_spring(Trial& trial, const Strand& strand, const Vector3d& direct
     if (i + 4 >= count) both.tail<3>() = of.segment<3>(3 * i + 6);
     return both;
   };
-  // Beside the strand at rest: whether the other springs know their rest lengths is another category's.
+  // The force at rest is subtracted, since the other springs' rest lengths are for another category.
   VectorXd force = springs().force(trial, posed);
   force -= springs().force(trial, rest);
   double energy = springs().energy(trial, posed);
@@ -47,7 +48,7 @@ OfOneSpring of_spring(Trial& trial, const Strand& strand, const Vector3d& direct
 
 }  // namespace
 
-// Springs that are alike do the same, wherever they are, and in short strands and long ones.
+// Equal springs do the same at each place, in short strands and in long ones.
 void every_spring(Trial& trial) {
   Random& random = trial.random;
   Strand strand = springs().metres(random, 3);

@@ -7,15 +7,15 @@
 
 namespace grader::h4 {
 
-// More than anybody takes who gets an answer: counts are asked for by a category of their own.
+// More than any program needs for an answer: counts have a category of their own.
 inline constexpr int kMostQuestions = 100'000;
 
-// Counts of what the force was asked for.
+// Counts of the force's evaluations and products.
 struct Asked {
   int forces, dfdx, dfdv;
 };
 
-// implicit_matrix, its product with x, asked for twice. `junk` is what its output holds before.
+// The product of implicit_matrix with x, made twice. Its output holds `junk` before.
 struct Product {
   Eigen::VectorXd product, again, x;
   Asked asked;

@@ -1,8 +1,8 @@
 // STAFF ONLY. H4: hidden cases of implicit_matrix, implicit_rhs, solve_plain and implicit_euler.
 //
-// Each part of the matrix is asked by itself: masses without any force, and what stiffness or damping add to
-// the student's own product without any. Pinned particles, units and the step are compared with the student's
-// own matrix and right-hand side, so that a mistake in these costs nothing there.
+// Each part of the matrix is checked by itself: masses without any force, and stiffness or damping as an
+// addition to the student's own product without them. Pinned particles, units and the step are compared with
+// the student's own matrix and right-hand side, so that a mistake in these costs nothing there.
 #include "reference/H4/cases.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// 3n terms in each of the two products, and what puts them together.
+// The rounding of 3n terms in each of the two products, and of their sum.
 double rounding(const ImplicitSystem& system, const VectorXd& x) {
   return 4 * static_cast<double>(x.size() + 8) * kUnit * system.norm * x.norm();
 }
@@ -28,8 +28,8 @@ VectorXd masses_times(const Cloud& cloud, const VectorXd& x) {
   return cloud.particles.mass.transpose().replicate(3, 1).reshaped().cwiseProduct(x);
 }
 
-// `without`: the product where no force acts, the student's own or the right one. `junk`: what the output
-// holds before.
+// `without` is the product without a force, the student's own or the right one. The output holds `junk`
+// before.
 void expect_product(Trial& trial, const Cloud& cloud, double a, double b, const VectorXd& x,
                     const VectorXd& without, double junk = 0) {
   const ImplicitSystem system = implicit_system(cloud, a, b);
@@ -69,7 +69,7 @@ void damping(Trial& trial) {
     const auto product = [&](Parts parts) { return multiply(trial, with(cloud, parts), a, b, x).product; };
     const VectorXd none = product(Parts::none);
     expect_product(trial, with(cloud, Parts::dfdv), a, b, x, none);
-    // Both derivatives at once: what each adds to the masses, added.
+    // With both derivatives the product is the masses' plus both additions.
     const VectorXd both = product(Parts::all), one = product(Parts::dfdx), other = product(Parts::dfdv);
     trial.expect_at_most(
         (both - one - other + none).norm(),
@@ -135,10 +135,10 @@ void pinned(Trial& trial) {
     Cloud hair = soft_hair(random, n + 1, h, true);
     hair.particles.pinned[0] = hair.particles.pinned[n] = 1;
     const Step after = step(trial, hair, h);
-    if (!after.v.allFinite()) continue;  // which loses a step
+    if (!after.v.allFinite()) continue;  // the category of steps is about this
     for (int i : {0, n}) {
-      // The product rounds by u of the way, sum and difference by u of the position: twice that, for any
-      // other order.
+      // The product rounds by u of the way, sum and difference by u of the position. Twice that allows for
+      // any order.
       const VectorXd v = hair.state.v.segment<3>(3 * i), way = h * v;
       trial.expect(after.v.segment<3>(3 * i) == v, "a step changes the velocity of a pinned particle");
       trial.expect_close({(after.x - hair.state.x).segment<3>(3 * i), way},
@@ -164,7 +164,7 @@ void right_side(Trial& trial) {
   }
 }
 
-// Springs so weak that every matrix with such entries, whatever their signs, is positive definite.
+// Springs are so weak that each matrix with such entries, of any sign, is positive definite.
 void step(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 10}) {
@@ -194,7 +194,7 @@ void cost(Trial& trial) {
   for (int n : {4, 16}) {
     const double h = random.uniform(0.2, 0.8);
     const Cloud hair = soft_hair(random, n, h, true);
-    // Two products; or the matrix is written out first, by 3n of each.
+    // A student takes two products, or writes the matrix out first, with 3n of each kind.
     const Asked products = multiply(trial, hair, h, h, random_vector(random, 3 * n)).asked;
     for (const int count : {products.dfdx, products.dfdv})
       trial.expect(count <= 2 || count == 3 * n,

@@ -1,4 +1,4 @@
-// STAFF ONLY. What solve_plain adds to H4's cases in other units.
+// STAFF ONLY. The part of H4's cases in other units that is about solve_plain.
 #pragma once
 
 #include "grader/judge/trial.h"

@@ -9,7 +9,7 @@
 namespace particles {
 namespace {
 
-// M - a df/dv - a b df/dx, with the rows and columns of pinned particles those of the identity.
+// M - a df/dv - a b df/dx. Pinned particles have the rows and columns of the identity.
 class ImplicitMatrix : public implicitMatrix {
  public:
   ImplicitMatrix(const Force& force, const Particles& particles, const State& state, double a, double b)

@@ -1,7 +1,7 @@
 // STAFF ONLY. H4: hidden cases of solve_plain. The matrices are ours, so that a mistake in another function
 // costs nothing here.
 //
-// The size of dv is asked in one category, to a hundredth; the tolerance, and the report, in others.
+// One category checks dv, to a hundredth; others check the tolerance and the report.
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
@@ -61,7 +61,7 @@ int most_of(const System& system) {
   return 20 * static_cast<int>(system.rhs.size());
 }
 
-// H diag(e) H for a reflection H: eigenvalues from `least` to `most`, all different.
+// H diag(e) H for a reflection H, with eigenvalues from `least` to `most`, all different.
 System system_of(Random& random, int size, double least, double most, double rhs) {
   VectorXd eigenvalues(size);
   for (int i = 0; i < size; ++i) eigenvalues[i] = least * std::pow(most / least, (i + 1.0) / size);
@@ -79,7 +79,7 @@ void solve(Trial& trial) {
   for (int size : {3, 15, 60}) {
     const System system = system_of(random, size, 1, 30, random.uniform(0.5, 2));
     const Solution solution = solve(trial, system, kTolerance, most_of(system));
-    // No eigenvalue is below 1: dv is off by no more than the residual.
+    // No eigenvalue is below 1, so dv is off by no more than the residual.
     trial.expect_at_most(system.residual(solution.dv), 1e-2 * system.rhs.norm(), "the residual of the system",
                          {solution.dv, system.A.llt().solve(system.rhs), 3, system.rhs});
     trial.expect(solution.rhs == system.rhs, "the right-hand side is changed");
@@ -102,8 +102,8 @@ void tolerance(Trial& trial) {
   }
 }
 
-// With a loose tolerance and a large right-hand side: who solves to another tolerance solves to this one,
-// too.
+// The tolerance is loose and the right-hand side large, so that a program with another tolerance meets this
+// one, too.
 void report(Trial& trial) {
   Random& random = trial.random;
   const auto expect_true = [&](const System& system, const Solution& solution) {
@@ -111,7 +111,7 @@ void report(Trial& trial) {
     trial.require(trial.provided_solves().size() == 1, "it does not call ConjGrad once");
     trial.expect_at_most(std::abs(report.rhs - system.rhs.norm()), 1e-12 * system.rhs.norm(),
                          "the error of the report's norm of the right-hand side");
-    // The residual of dv, or the one that ConjGrad said, if dv is lost.
+    // The residual of dv, or the one that ConjGrad reported, if dv is lost.
     const double said = std::sqrt(trial.provided_solves().back().value);
     trial.expect_at_most(
         std::min(std::abs(report.residual - system.residual(solution.dv)), std::abs(report.residual - said)),
@@ -128,7 +128,7 @@ void report(Trial& trial) {
     trial.expect(!solved.report.preconditioned, "a plain solve is reported as one with a preconditioner");
   }
 
-  // Ten different eigenvalues, and three steps: the residual is never below 1e-3 of the right-hand side.
+  // With ten different eigenvalues and three steps the residual is never below 1e-3 of the right-hand side.
   const System hard = system_of(random, 12, 1, 1000, random.uniform(1e6, 2e6));
   const Solution few = solve(trial, hard, 1e-10, 3);
   expect_true(hard, few);
@@ -167,7 +167,7 @@ void nothing(Trial& trial) {
   }
 }
 
-// Powers of two change no rounding: dv changes by them, and nothing else does. The matrix stays, since
+// Powers of two change no rounding: only dv is multiplied by them. The matrix stays the same, since
 // ConjGrad's first guess is the right-hand side.
 void expect_same_solve_in_other_units(Trial& trial) {
   Random& random = trial.random;

@@ -1,4 +1,4 @@
-// STAFF ONLY. Asks for the calls of H5, and judges what comes back.
+// STAFF ONLY. Asks for the calls of H5, and judges the answers.
 #include "reference/H5/answers.h"
 
 #include <Eigen/Core>
@@ -67,7 +67,7 @@ void expect_lengths(Trial& trial, int function, const Strand& strand, double tol
                     const Corrected& corrected, double slack) {
   const VectorXd& x = corrected.result;
   const double round = rounding(x, strand.segments() > 0 ? strand.rest_length.minCoeff() : 1);
-  // Each order of sweeps moves particles by the same, within 2 %.
+  // Each order of sweeps moves particles equally far, within 2 %.
   trial.expect_at_most(largest_error(strand, x), {tolerance, (slack - 1) * tolerance + round},
                        "the largest error of a length after " + name_of(function),
                        motions(corrected, reference_lengths(strand, corrected.before), 0.02));

@@ -23,7 +23,7 @@ inline constexpr int kMostSweeps = 200000;  // more than any case here needs
 struct Corrected {
   VectorXd result;  // x or v
   CorrectionReport report;
-  VectorXd before;  // of both the same
+  VectorXd before;  // the values that went in, x or v
 };
 
 // The name of the function of kRelax or kCorrect, for feedback.
@@ -36,20 +36,20 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x);
 
-// By how much all is moved, and by how much it should be. `part`: of the largest, within which two motions
-// are the same.
+// The motion of all particles and the expected one. They agree within `part` of the larger one.
 Compared motions(const Corrected& corrected, const VectorXd& expected, double part);
 
-// `slack`: times the tolerance.
+// `slack` is the factor by which the tolerance may be exceeded.
 void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
                     const Corrected& corrected, double slack = 1);
 
-// A coarse check: with any order of impulses along the segments, their sum is about the necessary motion, and
-// even code that ignores the masses moves only a few times as much. A wrong place is far beyond that.
+// This check is coarse: with any order of impulses along the segments, their sum is about the necessary
+// motion, and even code that ignores the masses moves only a few times as much. A wrong place is far beyond
+// that.
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
 
-// Compares with the reference's: corrections differ by the effect of the tolerance. A remaining rate r of
-// size tolerance in each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of `moved`.
+// Compares with the reference's correction, up to the effect of the tolerance: if each segment keeps a rate
+// r of the tolerance's size, that is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                        double tolerance);
 

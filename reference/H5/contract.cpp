@@ -1,4 +1,4 @@
-// STAFF ONLY. H5: hidden cases on the root, on what is reported, and on how many iterations it takes.
+// STAFF ONLY. H5: hidden cases on the root, on the report, and on the number of iterations.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace grader::h5 {
 namespace {
 
-// The root weighs as little as the others.
+// A strand whose root is as light as the others.
 Strand with_light_root(Random& random, int n) {
   Strand strand = random_strand(random, n, 3);
   strand.mass[0] = random.uniform(0.4, 0.9) * strand.mass[1];
@@ -18,8 +18,8 @@ Strand with_light_root(Random& random, int n) {
 
 }  // namespace
 
-// To the last bit, and in motion. A few iterations show it, whatever comes of more. All segments are longer
-// than they should be: one that chance makes right needs no correction.
+// The root keeps its place and its velocity to the last bit. A few iterations show it. All segments are too
+// long, since a segment with the right length by chance would need no correction.
 void root(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 6}) {
@@ -41,14 +41,14 @@ void root(Trial& trial) {
 
 namespace {
 
-// What came back, and what the report says of it.
+// A correction with its report, and the error that is really left.
 struct Reported {
   const char* name;
   Corrected corrected;
-  double error, round;  // of what came back
+  double error, round;  // the error of the result, and its rounding
 };
 
-// The report is true, whatever the function did.
+// The report is true, even if the correction is wrong.
 void expect_true(Trial& trial, const Reported& one, double tolerance, int most) {
   const CorrectionReport& report = one.corrected.report;
   const std::string name = one.name;
@@ -70,7 +70,7 @@ void expect_true_reports(Trial& trial, const VectorXd& before, double tolerance,
   expect_true(trial, none, tolerance, 0);
   trial.expect(none.corrected.result == before, name + " does something when it may take no iterations");
   expect_true(trial, few, tolerance, 3);
-  // Who never gets there has no number of iterations to be asked about.
+  // A function that never converges has no number of iterations to check.
   if (!all.corrected.report.converged || all.corrected.report.iterations < 1) return;
   const int most = all.corrected.report.iterations;
   const Reported same = ask(most), fewer = ask(most - 1);
@@ -87,8 +87,8 @@ void expect_left_alone(Trial& trial, const std::string& name, const VectorXd& be
                name + " works on what is within its tolerance");
 }
 
-// An error that is the tolerance is not above it. A segment of 0.625 m in place of 0.5 m has the error 0.25,
-// and one at 0.25 m/s is stretched at that velocity: without any rounding.
+// An error that equals the tolerance is not above it. A segment of 0.625 m in place of 0.5 m has the error
+// 0.25, and the rate of another one is 0.25 m/s, both without any rounding.
 void expect_tolerance_inclusive(Trial& trial) {
   Strand strand = random_strand(trial.random, 2, 1);
   strand.rest_length[0] = 0.5;
@@ -103,7 +103,7 @@ void expect_tolerance_inclusive(Trial& trial) {
   expect_left_alone(trial, "correct_velocities", v, correct_velocities(trial, strand, x, v, 0.25));
 }
 
-// Numbers that are none are not converged; it ends.
+// With NaN or infinity the call ends, and is not converged.
 void expect_numbers(Trial& trial) {
   Random& random = trial.random;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -164,10 +164,10 @@ void report(Trial& trial) {
   expect_numbers(trial);
 }
 
-// Newton's method halves the digits that are wrong, and all impulses at once are right at once; sweeps along
-// 200 segments are hundreds. A number between them is that of other equations. One segment is right at once:
-// with a mass of the root's in W the error of each iteration would be w_0 / (w_0 + w_1) of the one before.
-// Who does not converge has no number.
+// Newton's method doubles the right digits in each step, and all impulses at once need one step. Sweeps along
+// 200 segments take hundreds. A number between these comes from wrong equations. One segment is right at
+// once; if W had a mass for the root, each iteration would leave w_0 / (w_0 + w_1) of the error. A function
+// that does not converge has no number.
 void iterations(Trial& trial) {
   Random& random = trial.random;
   const auto expect_few = [&](const std::string& name, const Corrected& corrected, int few, int many) {

@@ -8,7 +8,7 @@
 namespace grader::h5 {
 namespace {
 
-// All segments lay along one line through the root, in the direction u: impulses along them leave particles
+// All segments were on one line through the root, in the direction u, so impulses along them keep particles
 // there.
 void expect_on_line(Trial& trial, int function, const Strand& strand, const Vector3d& u, const VectorXd& x) {
   trial.require(x.allFinite(), name_of(function) + " gives coordinates that are not finite");
@@ -30,8 +30,8 @@ VectorXd on_a_line(const Strand& strand, const Vector3d& root, const Vector3d& u
 
 }  // namespace
 
-// Folds, particles in the same place, a strand of one particle, one far too long or too short: only what is
-// special about them. Ten iterations show it, whatever comes of more.
+// Folds, particles in the same place, a strand of one particle, one far too long or too short: checks only
+// their special properties. Ten iterations show these.
 void degenerate(Trial& trial) {
   Random& random = trial.random;
   constexpr int kFew = 10;
@@ -50,7 +50,7 @@ void degenerate(Trial& trial) {
       expect_on_line(trial, function, strand, direction,
                      correct(trial, function, strand, x, 1e-9, kFew).result);
     };
-    // Without a direction: the first segment gets root_tangent's, the others that of the one before.
+    // Segments have no direction here: the first one gets root_tangent's, the others that of the one before.
     on_line(strand.root_tangent, point.replicate(6, 1));
     VectorXd last = on_a_line(strand, point, u, 1.01);
     last.tail<3>() = last.segment<3>(12);
@@ -74,7 +74,7 @@ void degenerate(Trial& trial) {
       "how much the velocity across a segment of length 0, which points as root_tangent, changes");
 }
 
-// What is reported is so. Where rounding alone leaves a thousandth and more, nothing is converged.
+// The report is true. If rounding alone leaves a thousandth and more, nothing is converged.
 void far_root(Trial& trial) {
   Random& random = trial.random;
   for (double far : {1e2, 1e6, 2e13, 2e13, 2e13, 2e13, 1e18}) {
@@ -83,7 +83,7 @@ void far_root(Trial& trial) {
     x.head<3>() += far * Vector3d(random_vector(random, 3)).normalized();
     trial.describe("correct_lengths, the root flung away");
     const Corrected corrected = correct(trial, kCorrect, strand, x, 1e-10, 1000);
-    // All other particles are in one place at last, for rounding: see `degenerate`.
+    // In the end rounding puts all other particles into one place: see `degenerate`.
     if (far < 1e18)
       trial.expect(corrected.result.allFinite(), "correct_lengths gives coordinates that are not finite");
     const double error = largest_error(strand, corrected.result),
@@ -94,8 +94,8 @@ void far_root(Trial& trial) {
   }
 }
 
-// An error of a length is one of that length, whatever that is; a direction is one, however short. Powers of
-// two change no rounding, so that a few iterations are the same in each unit.
+// An error is relative to the rest length, and even the shortest segment has a direction. Powers of two
+// change no rounding, so a few iterations are the same in each unit.
 void units(Trial& trial) {
   Random& random = trial.random;
   Strand strand = random_strand(random, 8, 1);
@@ -118,8 +118,8 @@ void units(Trial& trial) {
   }
 }
 
-// Each iteration has to take linear time: one that builds full matrices is out of time or memory. Crumpled,
-// so that few are enough.
+// Each iteration must take linear time: one that builds full matrices runs out of time or memory. The strands
+// are crumpled, so that few iterations are enough.
 void long_strands(Trial& trial) {
   Random& random = trial.random;
   for (int n : {100, 1000, 10000}) {

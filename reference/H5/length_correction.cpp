@@ -14,7 +14,7 @@ Vector3d segment(Input x, int i) {
   return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
 }
 
-// The unit vector along e; of none, the direction of the segment before.
+// The unit vector along e, or the direction of the segment before if e is 0.
 Vector3d direction(const Vector3d& e, const Vector3d& before) {
   const double length = e.norm();
   return length > 0 ? Vector3d(e / length) : before;
@@ -25,7 +25,7 @@ double inverse_mass(const Strand& strand, int i) {
   return i == 0 ? 0 : 1 / strand.mass[i];
 }
 
-// |l - l0| / l0 of the worst segment. NaN, if there is one.
+// |l - l0| / l0 of the worst segment, or NaN if a length is NaN.
 double largest_error(const Strand& strand, Input x) {
   double largest = 0;
   for (int i = 0; i < strand.segments(); ++i) {
@@ -36,7 +36,7 @@ double largest_error(const Strand& strand, Input x) {
   return largest;
 }
 
-// What Newton's method has to make smaller: the sum of the squared errors.
+// The sum of the squared errors, which Newton's method must make smaller.
 double squared_errors(const Strand& strand, Input x) {
   double sum = 0;
   for (int i = 0; i < strand.segments(); ++i) {
@@ -46,14 +46,14 @@ double squared_errors(const Strand& strand, Input x) {
   return sum;
 }
 
-// J W J^T for directions u, factored, and what is solved with it. With w the inverse masses and c, s the
-// cosine and sine of the angle of two neighbours, its diagonal is w_i + w_{i+1} and what is beside it -w_i
-// c_i. Elimination from the root on leaves the diagonal w_{i+1} + q_i, where
+// J W J^T for directions u, factored, and solves with it. With the inverse masses w, and the cosine c and the
+// sine s of the angle of two neighbours, its diagonal is w_i + w_{i+1}, and the entry beside it -w_i c_i.
+// Elimination from the root on leaves the diagonal w_{i+1} + q_i, with
 //
 //   q_0 = w_0 = 0,   q_i = w_i - (w_i c_i)^2 / (w_i + q_{i-1}) = w_i (q_{i-1} + w_i s_i^2) / (w_i + q_{i-1}):
 //
-// nothing is ever subtracted, so that it is as accurate for a straight strand of 10,000 particles, whose
-// condition number is 1e8, as for two.
+// nothing is ever subtracted, so it is as accurate for a straight strand of 10,000 particles, whose condition
+// number is 1e8, as for two.
 class Multipliers {
  public:
   // Four columns of work.
@@ -98,9 +98,8 @@ class Multipliers {
   Scratch work_;
 };
 
-// Places one particle after the other at its distance from the one before, towards where it was, from the
-// root on: as a rope follows the hand that pulls it. Right at once, whatever the state; but it knows no
-// masses.
+// From the root on, places each particle at its distance from the one before, in its old direction: as a rope
+// follows the hand that pulls it. All lengths are right at once, in any state, but it ignores masses.
 void place(const Strand& strand, Output x) {
   Vector3d u = strand.root_tangent;
   for (int i = 0; i < strand.segments(); ++i) {  // from the root on
@@ -109,15 +108,15 @@ void place(const Strand& strand, Output x) {
   }
 }
 
-// The smallest error that can be asked for: what rounding the coordinates to doubles leaves. Hair of other
-// lengths is not right, whatever the reason.
+// The smallest error that can be reached, since coordinates are rounded to doubles. Errors above it are
+// errors, for any reason.
 double rounding_error(const Strand& strand, Input x) {
   if (strand.segments() == 0) return 0;
   return std::min(0x1p-51 * x.cwiseAbs().maxCoeff() / strand.rest_length.minCoeff(), 1e-3);
 }
 
-// Newton's method is done in a few steps or far from where it works: with a root that was flung away, or
-// masses that differ by 1e6. It then gives way to `place`.
+// Newton's method ends in a few steps, or does not work, as with a root that was flung away, or masses that
+// differ by 1e6. It then gives way to `place`.
 constexpr int kMostNewtonSteps = 30;
 constexpr double kSmallestPart = 0x1p-10;
 
@@ -146,7 +145,7 @@ CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
                                  Scratch scratch) {
   Multipliers multipliers(strand, scratch.leftCols(4));
-  // The last columns, so that whoever keeps something there loses it.
+  // These are the last columns, so that a caller that keeps something there loses it.
   auto step = scratch.col(6), tried = scratch.col(7);
   const double goal = std::max(tolerance, rounding_error(strand, x));
   CorrectionReport report;
@@ -158,7 +157,7 @@ CorrectionReport correct_lengths(const Strand& strand, double tolerance, int mos
     for (int i = 0; i < strand.segments(); ++i) minus_C[i] = strand.rest_length[i] - segment(x, i).norm();
     multipliers.solve(step);
 
-    // A step may turn a segment so far that it gets longer by the turn; a part of the step does not.
+    // A full step may turn a segment so far that it gets longer; a part of the step does not.
     const double before = squared_errors(strand, x);
     double part = 1;
     do {

@@ -1,4 +1,4 @@
-// STAFF ONLY. H5 beyond its public checks: how relaxation converges, and how corrections fare in extremes.
+// STAFF ONLY. H5 beyond its public checks: the convergence of relaxation, and corrections in extremes.
 
 #include "hair/length_correction.h"
 
@@ -17,7 +17,7 @@ Strand uniform(int segments) {
   return hair::uniform_strand({}, segments, 0.3);
 }
 
-// At rest lengths, each segment turned against the one before by about `bend`.
+// A strand with its rest lengths, each segment turned against the one before by about `bend`.
 VectorXd bent(const Strand& strand, double bend) {
   const VectorXd numbers = scattered_vector(3 * strand.count(), 0);
   VectorXd x = VectorXd::Zero(3 * strand.count());
@@ -29,7 +29,7 @@ VectorXd bent(const Strand& strand, double bend) {
   return x;
 }
 
-// The same with all but the root off by up to `size` of a segment.
+// The same, with all particles but the root moved by up to `size` of a segment.
 VectorXd disturbed(const Strand& strand, double bend, double size) {
   VectorXd x = bent(strand, bend);
   x.tail(x.size() - 3) += size * strand.rest_length[0] * scattered_vector(x.size() - 3, 100);
@@ -64,7 +64,7 @@ TEST(RelaxLengths, TakesSweepsThatGrowWithTheSquare) {
   EXPECT_NEAR(sweeps[2] / static_cast<double>(sweeps[1]), 4, 0.3);
 }
 
-// Whatever the state is, it ends, finite, with the lengths right.
+// In each state it ends with finite positions and the right lengths.
 TEST(CorrectLengths, SurvivesExtremes) {
   for (int n : {1, 2, 10, 30, 100, 1000, 9999})
     for (double bend : {0.0, 0.1, 0.5, 3.0}) {
@@ -102,7 +102,7 @@ TEST(CorrectLengths, SurvivesExtremes) {
     }
 }
 
-// Full steps turn segments by so much that particles move ten times as far as they have to, or more.
+// Full steps would turn segments so far that particles move ten times as far as necessary, or more.
 TEST(CorrectLengths, MovesACompressedHairNotMuchFartherThanRelaxationDoes) {
   for (int n : {30, 100}) {
     const Strand strand = uniform(n);

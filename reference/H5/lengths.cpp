@@ -1,4 +1,4 @@
-// STAFF ONLY. H5: hidden cases of relax_lengths and correct_lengths, strands of equal masses.
+// STAFF ONLY. H5: hidden cases of relax_lengths and correct_lengths, with strands of equal masses.
 #include <cmath>
 
 #include "reference/H5/answers.h"
@@ -6,8 +6,8 @@
 namespace grader::h5 {
 namespace {
 
-// Errors of 1e-5: corrections agree to a few of these, relative to their size. A segment turns by no more
-// than what its ends move over its length, some 1e-4 where the errors of 12 segments add up.
+// With errors of 1e-5 corrections agree to a few 1e-5 of their size. A segment turns by no more than its
+// ends' motion over its length, some 1e-4 where the errors of 12 segments add up.
 void expect_small_correction(Trial& trial, int function, const Strand& strand) {
   Random& random = trial.random;
   const VectorXd x = disturbed(random, placed(random, strand, 0.4), 1e-5);
@@ -19,7 +19,7 @@ void expect_small_correction(Trial& trial, int function, const Strand& strand) {
       motions(corrected, expected, 0.01));
 }
 
-// Segments of 0.7 m and more: an error in metres that meets the tolerance is at most 1 / 0.7 of it, and
+// Segments are 0.7 m and longer, so an error in metres that meets the tolerance is at most 1 / 0.7 of it, and
 // passes here.
 constexpr double kSlack = 1.5;
 
@@ -61,7 +61,7 @@ void impulses(Trial& trial) {
                      " particles");
       expect_small_correction(trial, kCorrect, random_strand(random, n, ratio));
     }
-  // Errors of a few hundredths: every order of sweeps, and Newton's method, move particles by the same,
+  // With errors of a few hundredths each order of sweeps, and Newton's method, move particles equally far,
   // within 2 %.
   for (int n : {4, 8, 14}) {
     trial.describe("correct_lengths, distance, " + std::to_string(n) + " particles");

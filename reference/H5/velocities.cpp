@@ -1,4 +1,4 @@
-// STAFF ONLY. H5: hidden cases of correct_velocities, and of what the masses do in all three functions.
+// STAFF ONLY. H5: hidden cases of correct_velocities, and of the masses in all three functions.
 #include <Eigen/Geometry>
 
 #include "reference/H5/answers.h"
@@ -6,7 +6,7 @@
 namespace grader::h5 {
 namespace {
 
-// Anything, and a turn around the root, which stretches nothing and is many times as fast: it has to stay.
+// Random velocities plus a much faster turn around the root, which stretches nothing and so must stay.
 VectorXd turning(Random& random, const Strand& strand, const VectorXd& x) {
   VectorXd v = random_vector(random, 3 * strand.count());
   const Vector3d turn = 100 / strand.rest_length.sum() * Vector3d(random_vector(random, 3)).normalized();
@@ -15,8 +15,8 @@ VectorXd turning(Random& random, const Strand& strand, const VectorXd& x) {
   return v;
 }
 
-// Two segments at a right angle: an impulse along the second one is none to the first. So each method, and a
-// single sweep, moves the two ends of the second segment by 1/mass, and it is done.
+// Two segments at a right angle: an impulse along the second one does not stretch the first. So each method,
+// even with a single sweep, only moves the two ends of the second segment by 1/mass.
 struct Corner {
   Strand strand;
   VectorXd x;
@@ -48,7 +48,7 @@ void velocities(Trial& trial) {
     const VectorXd x = placed(random, strand, 0.5), v = turning(random, strand, x);
     for (double tolerance : {1e-3, 1e-9}) expect_velocities(trial, strand, x, v, tolerance);
     expect_velocities(trial, strand, x, random_vector(random, 3 * n), 1e-9);
-    // A tolerance in m/s, whatever the velocities are.
+    // The tolerance is in m/s, for any velocities.
     expect_velocities(trial, strand, x, random_vector(random, 3 * n, 1e-8), 1e-9);
   }
 }

@@ -1,10 +1,10 @@
-// STAFF ONLY. H6: hidden cases of predictor_corrector, which has our S1, H4 and H5 beside it.
+// STAFF ONLY. H6: hidden cases of predictor_corrector, which is linked with our S1, H4 and H5.
 //
-// Each of the five steps is asked where the others do nothing, or from the student's own state before it.
+// Each of the five steps is checked where the others do nothing, or from the student's own state before it.
 // Solves leave an error: dv is off by at most d = (tolerance ||rhs|| + rounding) / lambda_min
-// (implicit_system.h), x by h d. The correction, whose matrix has a condition number of about n^2, then makes
-// more of that: no more than 1000 times, for strands of up to 12 particles. A step that is left out or wrong
-// changes v by metres a second.
+// (implicit_system.h), x by h d. The correction, whose matrix has a condition number of about n^2, multiplies
+// that by at most 1000, for strands of up to 12 particles. A missing or wrong step changes v by metres a
+// second.
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +52,7 @@ Step step(Trial& trial, const Hair& hair, double tolerance = kTolerance) {
   return step;
 }
 
-// What the solves leave of the errors of positions and velocities.
+// The solves' errors in velocities; in positions they are h times that.
 double solve_error(const ImplicitSystem& system) {
   return kGrowth * (kTolerance * system.rhs.norm() + system.rounding) / system.smallest;
 }
@@ -63,7 +63,7 @@ VectorXd corrected(const Hair& hair, VectorXd x) {
   return x;
 }
 
-// The error of positions that the correction's tolerance leaves.
+// The error of positions within the correction's tolerance.
 double correction_error(const VectorXd& x) {
   return kGrowth * hair::kLengthTolerance * (0.01 * static_cast<double>(x.size()) / 3 + x.norm());
 }
@@ -101,7 +101,7 @@ Hair moving_hair(Random& random, int n, double mass, double stiff, double h, dou
   return hair;
 }
 
-// The root moves too, as a head does. A category asks what follows of it; in the others it rests.
+// Moves the root, too, as a head does. One category is about this; in the others the root rests.
 void move_root(Random& random, Hair& hair) {
   hair.cloud.state.v.head<3>() = random_vector(random, 3, 0.1);
   hair.cloud.name += ", its root moves";
@@ -111,12 +111,12 @@ void expect_root_moved(Trial& trial, const Hair& hair, const Step& after) {
   const Vector3d v = hair.cloud.state.v.head<3>(), x = hair.cloud.state.x.head<3>() + hair.h * v;
   trial.expect_at_most((after.x.head<3>() - x).norm(), 4 * kUnit * (x.norm() + hair.h * v.norm()),
                        "how far the root is from where its velocity leads");
-  // A velocity may come out of a difference of positions over h.
+  // A student's velocity may be a difference of positions over h.
   trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (x.norm() / hair.h + v.norm()),
                        "how much the root changes its velocity");
 }
 
-// A hair whose lengths are right where it will be: nothing is corrected, and no impulse follows.
+// A hair whose lengths are right after step 2, so that there is no correction and no impulse.
 Hair right_after_step(Random& random, int n, double stiff) {
   Hair hair = moving_hair(random, n, 1e-6, stiff, 1.0 / random.integer(60, 240));
   hair.cloud.name += ", lengths right afterwards";
@@ -145,7 +145,7 @@ void prediction(Trial& trial) {
 
 namespace {
 
-// Without any force both solves do nothing.
+// A hair without any force, so that both solves do nothing.
 Hair force_free(Random& random, int n) {
   Hair hair = moving_hair(random, n, 1e-6, 0, 1.0 / random.integer(60, 240), 0);
   hair.cloud.name += ", no force";
@@ -167,7 +167,7 @@ void lengths(Trial& trial) {
     trial.expect_close(numbers, bound, "the error of the positions, where no force acts");
     expect_root_moved(trial, hair, after);
   }
-  // With forces, over several steps.
+  // With forces the lengths stay right over several steps.
   const double stiff = random.log_uniform(1, 1e3);
   Hair hair = moving_hair(random, 12, 1e-6, stiff, 1.0 / random.integer(60, 240));
   move_root(random, hair);
@@ -179,7 +179,7 @@ void lengths(Trial& trial) {
   }
 }
 
-// Of the student's own positions.
+// Compares velocities with the impulse from the student's own positions.
 void impulse(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 4, 12}) {
@@ -191,7 +191,8 @@ void impulse(Trial& trial) {
   }
 }
 
-// From the student's own state before it: what the second evaluation of the force sees.
+// Compares the second solve, from the student's own state before it, which the second evaluation of the force
+// gets.
 void second_solve(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 4, 12}) {
@@ -244,8 +245,8 @@ void cost(Trial& trial) {
                  std::to_string(solve.steps));
 }
 
-// The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows
-// however the correction ended.
+// The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows even
+// if the correction did not converge.
 void other_limits(Trial& trial) {
   Random& random = trial.random;
   const double stiff = random.log_uniform(100, 300);
@@ -258,8 +259,8 @@ void other_limits(Trial& trial) {
       "solves with a tolerance of 0.01 take as many steps as exact ones",
       std::to_string(rough.report.filter.steps) + " and " + std::to_string(exact.report.filter.steps));
 
-  // Flung about, it takes our correction 20 to 100 iterations. With its root far away nothing is converged
-  // (H5's contract). No force acts: v is the way over h.
+  // A hair that is flung about takes our correction 20 to 100 iterations. With its root far away nothing
+  // converges (H5's contract). Without a force v is the way over h.
   for (const bool is_hopeless : {false, true}) {
     Hair flung = moving_hair(random, 12, 1e-6, 0, 1.0 / random.integer(60, 240), 0);
     flung.strand.mass.setConstant(1e-6);
@@ -280,10 +281,10 @@ void other_limits(Trial& trial) {
   }
 }
 
-// Powers of two change no rounding, but a run may end anywhere within the tolerances of its solves and its
+// Powers of two change no rounding, but each run may end anywhere within the tolerances of its solves and its
 // correction: here the force in other units hides its band, and is solved without a preconditioner. In each
-// run x is off by h times the error of the first solve and by the correction's. Step 4 leaves v = (x~ - x)
-// / h, and step 5 adds the error of the second solve.
+// run x is off by h times the error of the first solve and by the correction's. After step 4 v is (x~ - x) /
+// h, and step 5 adds the error of the second solve.
 void units(Trial& trial) {
   Random& random = trial.random;
   const Hair known = moving_hair(random, 6, 1e-6, 10, 1.0 / random.integer(60, 240));

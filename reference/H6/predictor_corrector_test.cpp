@@ -1,5 +1,5 @@
 // STAFF ONLY. Energy and angular momentum that H6 loses, and the memory that its steps and those of H4 take.
-// What hair/predictor_corrector.h promises the public checks ask.
+// The public checks test the promises of hair/predictor_corrector.h.
 
 #include "hair/predictor_corrector.h"
 
@@ -31,12 +31,12 @@ void set_in_motion(Hair& hair) {
   hair.state.v = 0.3 * scattered_vector(hair.state.v.size(), 7);
 }
 
-// Where lengths are exact and no force acts, the constraints give the accelerations a_c that turn the
-// velocities: M a_c = J' lambda, J a_c = -dJ/dt v. They are as implicit as springs, which damps: of the
-// energy a step loses h^2 times this, a_c'M a_c / 2.
+// If lengths are exact and no force acts, the constraints make the accelerations a_c that turn the
+// velocities: M a_c = J' lambda, J a_c = -dJ/dt v. They are implicit like springs, which damps: a step loses
+// the energy h^2 times this, a_c'M a_c / 2.
 double centripetal_energy(const Strand& strand, const particles::State& state) {
   const int n = strand.segments();
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, 3 * n);  // of the particles below the root
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, 3 * n);  // columns of the particles below the root
   VectorXd turn(n), inverse_mass(3 * n);
   for (int s = 0; s < n; ++s) {
     const Vector3d w = state.v.segment<3>(3 * s + 3) - state.v.segment<3>(3 * s);
@@ -53,7 +53,7 @@ double centripetal_energy(const Strand& strand, const particles::State& state) {
 TEST(PredictorCorrector, LosesTheEnergyOfTheTurn) {
   Strand strand = soft();
   strand.stretch_rigidity *= 1e10;
-  // The share by which a step loses another energy. It is of second order.
+  // The relative difference of a step's loss from this energy. It is of second order.
   const auto off = [&](double h) {
     Hair hair(strand, GeometricTerm::dropped, 0);
     set_in_motion(hair);
@@ -68,9 +68,9 @@ TEST(PredictorCorrector, LosesTheEnergyOfTheTurn) {
   EXPECT_LT(off(2.5e-4), off(1e-3) / 12) << "a sixteenth";
 }
 
-// One revolution in 80 steps of a mass on a rigid rod, and what is left of its angular momentum. Of an
-// infinitely hard spring at its rest length a filter takes the velocity along it, which is all that it does.
-// The correction moves the mass along the new rod, as H5 does, or along the rod at x^n.
+// The part of its angular momentum that a mass on a rigid rod keeps in one revolution of 80 steps. With an
+// infinitely hard spring at its rest length a filter only removes the velocity along the spring. The
+// correction moves the mass along the new rod, as H5 does, or along the rod at x^n.
 double left_after_a_revolution(bool along_new, bool with_impulse) {
   using Eigen::Vector2d;
   constexpr int kSteps = 80;
@@ -99,7 +99,7 @@ TEST(PredictorCorrector, KeepsAngularMomentumIfItCorrectsAlongTheOldRod) {
   EXPECT_NEAR(left_after_a_revolution(false, true), 1, 80 * 8 * kUnit);
 }
 
-// The steps of H4 and H6.
+// The steps of H4 and H6 allocate only in ConjGrad, and for the matrix.
 TEST(Steps, AllocateNothingBeyondConjGradAndTheMatrix) {
   const Strand strand = soft();
   Hair hair(strand, GeometricTerm::filtered);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Hairs and forces for the tests of what steps them: H4, H5, H6.
+// STAFF ONLY. Hairs and forces for the tests of steps: H4, H5, H6.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ struct Hair {
     scratch.resize(3 * strand.count(), hair::kPredictorCorrectorScratch);
   }
 
-  // At rest lengths along `direction`, at rest.
+  // Puts the hair at rest along `direction`, with its rest lengths.
   void place(const Vector3d& direction) {
     state = {VectorXd::Zero(3 * strand.count()), VectorXd::Zero(3 * strand.count())};
     for (int i = 0; i < strand.segments(); ++i)

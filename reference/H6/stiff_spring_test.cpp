@@ -1,5 +1,5 @@
-// STAFF ONLY. A mass that turns on a stiff spring, the lecture's "loss of angular momentum": what the table
-// in the assignment has beside the rows of H4 and H6, which their public checks ask for.
+// STAFF ONLY. A mass that turns on a stiff spring, the lecture's "loss of angular momentum": the rows of the
+// assignment's table that the public checks of H4 and H6 do not print.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Human hair, 30 cm in 30 segments, swinging under gravity: how much H4 and H6 stretch it, what
-// the solver's tolerance does to it, and how fast it may swing across itself.
+// STAFF ONLY. Human hair, 30 cm in 30 segments, swings under gravity: its stretch with H4 and H6, the
+// effect of the solver's tolerance, and the fastest swing across itself.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct Swing {
   double energy = 0;  // the largest gain of kinetic and potential energy over m g L
 };
 
-// From level, at rest, for a second.
+// Lets a hair swing for a second, from level and at rest.
 template <typename Step>
 Swing swing(GeometricTerm term, double h, Step step) {
   const Strand strand = human_hair();
@@ -44,8 +44,8 @@ Swing swing(GeometricTerm term, double h, Step step) {
   return result;
 }
 
-// What is chaotic depends on rounding, and so on how systems are solved: as they are without a
-// preconditioner.
+// A chaotic motion depends on rounding, and so on the way systems are solved. The expected numbers are those
+// without a preconditioner.
 void implicit(Hair& hair, double h) {
   hair.force.hide_band();
   hair.implicit_step(h);
@@ -75,14 +75,14 @@ TEST(SwingingHair, LinearlyImplicitEulerStretchesIt) {
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(swing(term, steps[i], implicit).length, lengths[i], 0.02 * lengths[i]) << steps[i];
   }
-  // Where it is far too long, it is chaotic, too.
+  // A hair that gets far too long moves chaotically.
   EXPECT_NEAR(swing(GeometricTerm::dropped, steps[0], implicit).length, 42, 0.2 * 42);
   EXPECT_NEAR(swing(GeometricTerm::dropped, steps[1], implicit).length, 4.44, 0.1 * 4.44);
   EXPECT_NEAR(swing(GeometricTerm::dropped, steps[2], implicit).length, 0.1534, 0.02 * 0.1534);
 }
 
-// One pass from the root to the tip gets every length right, too, if it shifts all that comes after. But it
-// knows no masses, and gives energy.
+// One pass from the root to the tip gets every length right, too, if it shifts the rest of the hair. But it
+// ignores masses, and adds energy.
 TEST(SwingingHair, OnePassAloneAddsEnergy) {
   const auto one_pass = [](Hair& hair, double h) {
     auto scratch = hair.scratch.leftCols(particles::kImplicitScratch);
@@ -104,7 +104,7 @@ TEST(SwingingHair, OnePassAloneAddsEnergy) {
   EXPECT_NEAR(result.energy, 0.16, 0.01) << "of m g L";
 }
 
-// dv's error at looser tolerances, along a swing that is computed with 1e-10.
+// Measures dv's error at looser tolerances, along a swing that is computed with 1e-10.
 TEST(SwingingHair, NeedsATightTolerance) {
   const double h = 1.0 / 240;
   const Strand strand = human_hair();
@@ -138,7 +138,7 @@ TEST(SwingingHair, NeedsATightTolerance) {
       << "m/s at 1e-4: in half of the steps gravity is lost";
 }
 
-// The hanging chain's modes across itself: tensions over lengths, on the masses.
+// The modes of a hanging chain across itself, from tensions over lengths, and the masses.
 struct Modes {
   VectorXd squares;  // omega^2, ascending
   MatrixXd shapes;   // a column each, by particle 1, 2, ...
@@ -161,7 +161,7 @@ Modes hanging_modes(const Strand& strand) {
 }
 
 TEST(SwingingHair, FastestModeIsALaguerrePolynomialsZero) {
-  // The zeros of L_30: eigenvalues of its Jacobi matrix (Golub and Welsch, 1969).
+  // The zeros of L_30 are the eigenvalues of its Jacobi matrix (Golub and Welsch, 1969).
   MatrixXd jacobi = MatrixXd::Zero(30, 30);
   for (int i = 0; i < 30; ++i) {
     jacobi(i, i) = 2 * i + 1;
@@ -176,7 +176,7 @@ TEST(SwingingHair, FastestModeIsALaguerrePolynomialsZero) {
   EXPECT_NEAR(2 / std::sqrt(hanging_modes(human_hair()).squares[29]), 6.31e-3, 5e-6) << "s";
 }
 
-// Hanging still, but for `amplitude` of a mode; H4's springs carry the weight.
+// Lets the hair hang still, displaced by `amplitude` of a mode. H4's springs carry the weight.
 void hang(Hair& hair, const VectorXd& mode, double amplitude, bool stretched) {
   hair.place(-Vector3d::UnitZ());
   const Strand& strand = hair.strand;
@@ -189,7 +189,7 @@ void hang(Hair& hair, const VectorXd& mode, double amplitude, bool stretched) {
   }
 }
 
-// How much larger a mode is after `steps` steps than it was, at most.
+// The largest growth of a mode within `steps` steps.
 template <typename Step>
 double growth(double h, int mode, int steps, bool stretched, Step step) {
   const Strand strand = human_hair();
@@ -235,8 +235,8 @@ TEST(SwingingHair, MovesAcrossItselfLikeVelocityVerlet) {
           for (int j = 1; j <= 30; ++j)
             worst = std::max(
                 worst, std::abs(x[2][3 * j] + x[0][3 * j] - (2 - h * h * modes.squares[mode]) * x[1][3 * j]));
-          // H4's hair, longer by its weight, swings slower by 1e-6. H6's filter sees forces where sound has
-          // come in a step: tension is off by l0 / (h c), c the speed of sound, 1500 m/s.
+          // H4's hair is longer by its weight, and swings slower by 1e-6. In a step H6's filter feels forces
+          // as far as sound travels: tension is off by l0 / (h c), with the speed of sound c, 1500 m/s.
           const double square = h * h * modes.squares[mode], share = corrected ? 0.01 / (1500 * h) : 0;
           EXPECT_LE(worst, (1e-5 + share * square) * amplitude)
               << (corrected ? "H6" : "H4") << ", h = " << h << ", mode " << mode;
@@ -264,7 +264,7 @@ TEST(FlungRoot, StrainsHairByItsSpeedOverThatOfSound) {
   const double sound = std::sqrt(material.young_modulus / material.density);
   const double h = 0.05 * strand.rest_length[0] / sound;
   for (int i = 0; i < 3000; ++i) hair.implicit_step(h);
-  // The wave is half-way; behind it all is strained alike, up to the front's ripples.
+  // The wave is half-way. Behind it the strain is uniform, up to the front's ripples.
   double strain = 0;
   for (int i = 0; i < 75; ++i) strain += (segment(hair.state.x, i).norm() / strand.rest_length[i] - 1) / 75;
   EXPECT_NEAR(strain, 100 / sound, 0.002 * 100 / sound) << "6.6 %";

@@ -1,5 +1,5 @@
-// STAFF ONLY. Where rounding keeps H4's plain solver from its tolerance: what it does then, where that is in
-// hair, and that the preconditioned one gets as far as rounding lets anybody.
+// STAFF ONLY. Rounding can keep H4's plain solver from its tolerance: its behaviour then, the hair for which
+// this happens, and the preconditioned solver, which gets as far as rounding allows.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using hair::GeometricTerm;
 using hair::Strand;
 
-// Asked for less than rounding leaves, ConjGrad uses up its steps and comes back with anything.
+// If the tolerance is below rounding, ConjGrad uses up its steps and may return anything.
 TEST(UnmetTolerance, HairStaysPut) {
   Strand strand = human_hair();
   strand.stretch_rigidity *= 1e6;
@@ -28,8 +28,7 @@ TEST(UnmetTolerance, HairStaysPut) {
   EXPECT_GT(not_met, 0) << "nothing is shown";
 }
 
-// Rounding leaves 1e-5 to 1e-4 of the right-hand side, which is out of reach: at 1e-4 hair would lose
-// gravity.
+// Here rounding leaves 1e-5 to 1e-4 of the right-hand side, too much for hair: at 1e-4 it would lose gravity.
 TEST(UnmetTolerance, NothingAbove1eMinus6IsTried) {
   Strand strand = human_hair();
   strand.stretch_rigidity *= 1e11;
@@ -38,7 +37,7 @@ TEST(UnmetTolerance, NothingAbove1eMinus6IsTried) {
   hair.place(Vector3d::UnitX());
   hair.implicit_step(1.0 / 60);
   const particles::State before = hair.state;
-  const int most = 20 * 93;  // of ConjGrad, a call
+  const int most = 20 * 93;  // the limit of ConjGrad's steps in a call
   const auto steps = [&](double tolerance) {
     hair.state = before;
     const particles::SolveReport report = hair.implicit_step(1.0 / 60, tolerance);
@@ -51,8 +50,8 @@ TEST(UnmetTolerance, NothingAbove1eMinus6IsTried) {
   EXPECT_EQ(steps(1e-6), most);
 }
 
-// At 1/60 s H6's first solve misses 1e-10 in half of the steps. No loss: 1e-8 is enough for the lengths and
-// the second solve.
+// At 1/60 s H6's first solve misses 1e-10 in half of the steps. That does no harm: 1e-8 is enough for the
+// lengths and the second solve.
 TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
   const Strand strand = human_hair();
   for (double h : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
@@ -76,8 +75,8 @@ TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
   }
 }
 
-// As long as masses are not lost beside the springs: h^2 k/m is 6e6 times `stiffer` here, and rounds by 2^-53
-// of that.
+// The preconditioned solve meets its tolerance until the masses vanish in the rounding of the springs: h^2
+// k/m is 6e6 times `stiffer` here, and rounds by 2^-53 of that.
 TEST(UnmetTolerance, IsOutOfTheWayWithThePreconditioner) {
   for (double stiffer : {1.0, 1e4, 1e8}) {
     Strand strand = human_hair();

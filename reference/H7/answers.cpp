@@ -35,7 +35,7 @@ VectorXd all_inertias(const Of& passes, double length) {
   return of_all(passes, 0, [&](const LinkPass& pass) { return inertia_of(pass, length); });
 }
 
-// The largest norm of `block` numbers; NaN if one is none.
+// The largest norm of `block` numbers; NaN if a number is NaN.
 double largest(const VectorXd& numbers, int block) {
   const auto blocks = numbers.reshaped(block, numbers.size() / block).colwise().norm();
   return numbers.size() == 0 ? 0 : blocks.maxCoeff<Eigen::PropagateNaN>();

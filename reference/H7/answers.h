@@ -8,7 +8,7 @@
 
 namespace grader::h7 {
 
-// What the student's pass `pass` (1, 2 or 3) makes of tree.passes; pass 3 also gives accelerations.
+// The student's results of pass `pass` (1, 2 or 3) from tree.passes; pass 3 also gives accelerations.
 struct Answered {
   std::vector<LinkPass> passes;
   VectorXd accelerations;
@@ -16,9 +16,9 @@ struct Answered {
 Answered ask(Trial& trial, int pass, const Tree& tree);
 Answered part_of(const Tree& tree, const Answered& answered, const std::vector<int>& chosen);
 
-// Largest differences over all links from `first` on, of one member of a pass. `length` turns the second half
-// of a motion and of a force into the unit of the first, and blocks of an inertia into kg. NaN if a number is
-// none.
+// The largest difference of one member of a pass, over all links from `first` on. `length` converts the
+// second half of a motion and of a force to the unit of the first, and blocks of an inertia to kg. NaN if a
+// number is NaN.
 using Of = std::vector<LinkPass>;
 double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length);
 double force_error(const Of& a, const Of& b, double length, std::size_t first);
@@ -36,7 +36,7 @@ void expect_inertias(Trial& trial, const Of& actual, const Of& expected, double 
 VectorXd bias_of(const LinkPass& pass, double length);
 VectorXd inertia_of(const LinkPass& pass, double length);
 
-// Whether one number may stand for another one: it is neither 0 beside it nor a million times as large.
+// True if one number may stand for another one: it is between a millionth and a million times as large.
 bool comparable(double own, double ours);
 
 // "4 links, revolute prismatic ..., moving".

@@ -43,7 +43,7 @@ struct Form<hair::LinkPass> {
 
 namespace grader::h7 {
 
-// A tree, its base first, and what belongs to its rates and links.
+// Throws MalformedMessage unless the links are a tree, its base first, with vectors and passes of its size.
 struct OneTree {
   static void check(const std::vector<hair::Link>& links, const auto& input,
                     const std::vector<hair::LinkPass>& passes, const auto&... accelerations) {

@@ -1,11 +1,10 @@
 // STAFF ONLY. Hidden cases of H7's pass 2.
 //
 // Bounds: I^A never exceeds the inertia of all links as one body, I. An error of a child's I^A that is at
-// most e I^A, as a quadratic form, is at most e of the parent's, because what a joint lets through is a
-// projection in I^A's own norm. A rounding is u of the largest number, and so u cond(I^A) as a form; with the
-// links that are taken here the condition number stays below 1e5. Some 10 roundings at each of n <= 9 links:
-// 1e-9 of I. Bias forces are made by the same projections, and gains are sums of I^A's numbers along the
-// joint.
+// most e I^A, as a quadratic form, is at most e of the parent's, because a joint projects in I^A's own norm.
+// A rounding is u of the largest number, and so u cond(I^A) as a form; with the links of these cases the
+// condition number stays below 1e5. Some 10 roundings at each of n <= 9 links make 1e-9 of I. Bias forces are
+// made by the same projections, and gains are sums of I^A's numbers along the joint.
 #include <cmath>
 
 #include "reference/H7/answers.h"
@@ -15,8 +14,8 @@ namespace {
 
 constexpr double kRoundings = 1e-9;
 
-// Z^A as (4.29) makes it of a student's own I^A, gains and Z^A of children: so a wrong I^A costs its own
-// category only.
+// Z^A by (4.29) from a student's own I^A, gains and Z^A of children, so that a wrong I^A costs only its own
+// category.
 std::vector<LinkPass> biases_of(const Tree& after_pass_1, const std::vector<LinkPass>& own) {
   std::vector<LinkPass> expected = after_pass_1.passes;
   for (std::size_t i = after_pass_1.links.size() - 1; i > 0; --i) {
@@ -40,7 +39,8 @@ std::pair<double, double> sizes_in(const std::vector<LinkPass>& passes) {
   return {inertia, gain};
 }
 
-// Pass 3 minds what stiffens a joint: beside its gain, the first joint's acceleration is the same.
+// Pass 3 uses the stiffening only through the gain: relative to the gain, the first joint's acceleration is
+// the same.
 void expect_gain_taken(Trial& trial, Tree tree) {
   std::array<double, 2> own, ours;
   for (int k = 0; k < 2; ++k) {
@@ -94,9 +94,8 @@ void biases(Trial& trial) {
     }
 }
 
-// Implicit steps add to the last link's inertia, which leaves Euler's term alone, and to one joint. If it is
-// stiffened by b, 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it
-// is made of.
+// Implicit steps add to the last link's inertia, which does not change Euler's term, and to one joint. If the
+// joint is stiffened by b, 1 / gain is larger by b, and its parent's I^A and Z^A are affine in the gain.
 void added_by_steps(Trial& trial) {
   const std::vector<JointType> slider = {JointType::prismatic};
   for (const auto& [links, stiffened] : {std::pair{1, 1}, {3, 1}, {3, 3}})

@@ -1,5 +1,4 @@
-// STAFF ONLY. Trees of links for tests, and what Newton's and Euler's laws say of each link: another way than
-// H7's.
+// STAFF ONLY. Trees of links for tests, and Newton's and Euler's laws for each link, which do not use H7.
 #pragma once
 
 #include <random>
@@ -36,20 +35,20 @@ class RandomNumbers {
 hair::LinkTree random_tree(int links, const std::vector<JointType>& types, bool chain,
                            RandomNumbers& numbers);
 
-// n rods of equal length and mass, of spherical joints, hanging down.
+// n rods of equal length and mass, with spherical joints, hanging down.
 hair::LinkTree rod_chain(int n, double length, double mass, double radius);
 
-// Coordinates anywhere.
+// Random coordinates of any size.
 VectorXd random_coordinates(const hair::LinkTree& tree, RandomNumbers& numbers);
 
-// Q for these accelerations, link by link from their places (frames) and from Newton's and Euler's laws.
+// The Q for these accelerations, link by link from their places (frames) by Newton's and Euler's laws.
 VectorXd joint_forces(const hair::TreeMotion& motion, const hair::TreeBase& base, const VectorXd& rates,
                       const VectorXd& accelerations);
 
-// The three passes.
+// Makes the three passes.
 void accelerate(hair::TreeMotion& motion, const VectorXd& rates, const VectorXd& Q, VectorXd& accelerations);
 
-// Weight on all links.
+// Adds the weight of all links.
 void add_weight(const Vector3d& gravity, hair::TreeMotion& motion);
 
 }  // namespace reference_tests

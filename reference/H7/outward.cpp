@@ -1,9 +1,9 @@
 // STAFF ONLY. H7's passes 1 and 3, each alone.
 //
-// Bounds: a velocity is a sum of n joints' parts, each rounded some ten times; a right formula may refer them
-// to any point of the tree, so that its numbers are those of Sizes. 100 n u of them covers that; a forgotten
-// term is of their size. Accelerations of pass 3 are solved for: q" = gain (Q - s'(I^A a^ + Z^A)), where a
-// gain belongs to an inertia that may be a ten thousandth of I^A: 1e-8 of the largest.
+// Bounds: a velocity is a sum of n joints' parts, each rounded some ten times. A right formula may refer them
+// to any point of the tree, so its numbers have the sizes of Sizes. 100 n u of these covers the rounding, and
+// a missing term is as large as they are. Pass 3 solves for accelerations, q" = gain (Q - s'(I^A a^ + Z^A)),
+// and a gain may belong to an inertia of a ten thousandth of I^A: 1e-8 of the largest.
 #include <cmath>
 
 #include "reference/H7/answers.h"
@@ -11,7 +11,7 @@
 namespace grader::h7 {
 namespace {
 
-// One of the motions that pass 1 finds, of chains of all lengths.
+// Compares one of the motions that pass 1 finds, for chains of all lengths.
 void expect_pass_1(Trial& trial, hair::SpatialMotion LinkPass::*member, double (*size)(const Sizes&),
                    const std::string& what) {
   for (int links : {1, 2, 3, 5, 8, 30})

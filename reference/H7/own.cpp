@@ -1,8 +1,8 @@
 // STAFF ONLY. Hidden cases of H7 that compare a student's answer with the student's own answer to another
-// question: so each shows one kind of mistake, and no other mistake shows.
+// question, so that each shows only one kind of mistake.
 //
-// Bounds: those of each pass's own cases. The answers must not be 0 beside the reference's; their exact size
-// is asked there.
+// Bounds: those of each pass's own cases, which also check the exact size. Here an answer must only not be
+// 0 where the reference's is not.
 #include "reference/H7/answers.h"
 
 namespace grader::h7 {
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kOfPass2 = 1e-9, kOfPass3 = 1e-8;
 
-// The answers of a pass, and how large they are in the reference's.
+// The answers of a pass, and the reference's sizes of them.
 struct Case {
   int pass;
   Tree tree;
@@ -18,7 +18,7 @@ struct Case {
   double force = 0, acceleration = 0;
 };
 
-// As a pass begins: with the reference's results of the passes before.
+// The state before a pass: the reference's results of the passes before it.
 Case before(int pass, const Tree& tree) {
   Case made{pass, tree, sizes_of(tree)};
   Tree after = tree;
@@ -36,7 +36,7 @@ Answered ask(Trial& trial, const Case& about) {
   return ask(trial, about.pass, about.tree);
 }
 
-// Two answers about the same links.
+// Compares two answers about the same links.
 void expect_same(Trial& trial, const Case& about, const Answered& answered, const Answered& same,
                  std::size_t first, const std::string& what) {
   const Of &one = answered.passes, &other = same.passes;
@@ -60,7 +60,7 @@ void expect_same(Trial& trial, const Case& about, const Answered& answered, cons
   }
 }
 
-// An answer of 0 is the same in every tree.
+// Fails for answers of 0, since those are the same in every tree.
 void expect_something(Trial& trial, const Case& about, const Of& answered) {
   Tree tree = about.tree;
   reference_passes(tree, about.pass);
@@ -79,7 +79,7 @@ std::vector<int> path_to(const Tree& tree, int link) {
   return path;
 }
 
-// Pass 2 of three chains that hang from link 1: each is as it is alone, and link 1 feels the sum.
+// In pass 2 each of three chains that hang from link 1 is as it is alone, and link 1 gets the sum.
 void expect_sum_of_chains(Trial& trial) {
   constexpr int kChains = 3;
   const Case all =
@@ -138,8 +138,8 @@ void trees(Trial& trial) {
   expect_sum_of_chains(trial);
 }
 
-// The last links of 1,000 are what they are as a chain of their own, on a base that moves as the link before
-// them.
+// The last links of 1,000 have the same results as a chain of their own, on a base that moves as the link
+// before them.
 void long_chains(Trial& trial) {
   const int links = 1000, kept = 8;
   std::vector<int> tip;
@@ -168,7 +168,7 @@ void other_units(Trial& trial) {
                            units);
 }
 
-// What stood in a pass before is nobody's, and the base has an inertia, too.
+// Numbers from before the call do not count in a pass, and the base has an inertia, too.
 void values_before(Trial& trial) {
   for (int pass : {1, 2, 3}) {
     const Case clean = before(pass, random_tree(trial.random, {.links = 3, .types = kRequired}));

@@ -2,7 +2,7 @@
 //
 // A spherical joint is simplest about its own centre, where s^ = [w; 0]: there s^'I^A s^ is J, and s^'f^ is
 // the torque. Passes 2 and 3 calculate with plain numbers, six for a symmetric matrix: compilers keep those
-// in registers, as long as nothing is called. So what is large is always_inline.
+// in registers as long as nothing is called. So large functions are always_inline.
 
 #include "hair/rigid_links.h"
 
@@ -71,7 +71,7 @@ inline void put(const Symmetric& A, Matrix3d& result) {
   result << A.xx, A.yx, A.zx, A.yx, A.yy, A.zy, A.zx, A.zy, A.zz;
 }
 
-// By its columns.
+// A matrix by its columns.
 struct Columns {
   Vector x, y, z;
 
@@ -104,7 +104,7 @@ struct Inertia {
   }
 };
 
-// (i-1)Xi f^ and (i-1)Xi I^ iX(i-1).
+// Makes (i-1)Xi f^ and (i-1)Xi I^ iX(i-1).
 [[gnu::always_inline]] inline void shift(const Vector& r, Wrench& f) {
   f.torque = f.torque + cross(r, f.force);
 }
@@ -140,8 +140,8 @@ inline SpatialMotion axis(const Link& link) {
   return {link.u, link.u.cross(link.d)};
 }
 
-// What a joint lets through to the parent: I^A and Z^A + I^A c^ on entry, what stands in the brackets of
-// (4.28) and (4.29) on return. Returns s^'I^A s^ + b inverted.
+// Takes I^A and Z^A + I^A c^, and leaves the brackets of (4.28) and (4.29) in their place: the parts that the
+// joint passes on to the parent. Returns 1 / (s^'I^A s^ + b).
 [[gnu::always_inline]] inline double let_through(const SpatialMotion& s, double b, double Q, Inertia& I,
                                                  Wrench& f) {
   const Vector w = s.angular, v = s.linear;
@@ -169,7 +169,8 @@ inline SpatialMotion axis(const Link& link) {
   return G;
 }
 
-// And without b: only a force, the torque Q and a mass get through, and make an inertia about a point at -r.
+// The same without b: the joint passes on only a force, the torque Q and a mass, which make an inertia about
+// a point at -r.
 [[gnu::always_inline]] inline Symmetric let_through_freely(const Vector& r, const Vector& Q, Inertia& I,
                                                            Wrench& f) {
   const Symmetric G = inverse(I.J);

@@ -22,7 +22,8 @@ VectorXd random_vector(int size, double scale, RandomNumbers& numbers) {
   return values;
 }
 
-// That of M by the power method, from below: M times a vector is what this needs at joints that rest.
+// A lower bound of M's largest eigenvalue, by the power method: M times a vector is the Q of these
+// accelerations at rest.
 double largest_eigenvalue(const TreeMotion& motion) {
   const VectorXd none = VectorXd::Zero(motion.tree().rates());
   TreeMotion resting = motion;
@@ -37,7 +38,8 @@ double largest_eigenvalue(const TreeMotion& motion) {
   return size;
 }
 
-// Newton's and Euler's laws beside the passes: what M q" + C = Q leaves, over the sizes of its terms.
+// Compares Newton's and Euler's laws with the passes: the residual of M q" + C = Q over the sizes of its
+// terms.
 double residual(TreeMotion& motion, const VectorXd& rates, const VectorXd& Q) {
   VectorXd a(Q.size());
   accelerate(motion, rates, Q, a);
@@ -46,7 +48,7 @@ double residual(TreeMotion& motion, const VectorXd& rates, const VectorXd& Q) {
          (largest_eigenvalue(motion) * a.norm() + C.norm() + Q.norm());
 }
 
-// Fast chains, where some codes lose all digits: each of 25 to 1,000 joints spins.
+// Each of 25 to 1,000 joints spins. Some programs lose all digits in such fast chains.
 TEST(RigidLinks, LongFastChainsKeepTheirDigits) {
   for (const int links : {25, 100, 300, 1000})
     for (const double speed : {1.0, 1e3}) {
@@ -62,7 +64,7 @@ TEST(RigidLinks, LongFastChainsKeepTheirDigits) {
     }
 }
 
-// A light link between heavy ones, and the other way round.
+// A light link hangs between heavy ones, or a heavy one between light ones.
 TEST(RigidLinks, MassesMayDifferByAMillion) {
   for (const bool light_first : {true, false}) {
     RandomNumbers numbers(11);
@@ -82,7 +84,7 @@ TEST(RigidLinks, MassesMayDifferByAMillion) {
   }
 }
 
-// The links that the passes are given, for the passes themselves don't ask where links are.
+// This checks the places of the links that go into the passes, since the passes themselves don't use places.
 TEST(TreeMotion, PlacesEachLinkAtItsParent) {
   RandomNumbers numbers(6);
   const LinkTree tree = random_tree(20, {kRevolute, kPrismatic, kSpherical}, false, numbers);

@@ -1,8 +1,8 @@
 // STAFF ONLY. Hidden cases of H7's spherical joints.
 //
-// Pass 1: beside the student's own revolute joints, which turn about the same axis at the same rate: so a
-// mistake that all joints share does not show. Passes 2 and 3: joints that all hang from the base, with
-// centres of mass where the base's is, so that nothing is shifted and no order matters; then chains and
+// Pass 1 is compared with the student's own revolute joints, which turn about the same axis at the same rate,
+// so a mistake of all joints does not show. In passes 2 and 3 the joints first all hang from the base, with
+// their centres of mass at the base's, so that nothing is shifted and no order matters. Then come chains and
 // trees, whose mistakes are excused if hinges in place of their spherical joints show them, too. Bounds:
 // those of each pass's own cases.
 #include "reference/H7/answers.h"
@@ -31,7 +31,7 @@ Tree with_revolute_joints(const Tree& tree) {
   return same;
 }
 
-// c^ lacks omega x w, and what that gives the centre of mass.
+// c^ lacks omega x w, and the part at the centre of mass that comes from it.
 void expect_pass_1(Trial& trial, int links) {
   const Tree tree = random_tree(trial.random, {.links = links, .types = kSpherical});
   const Sizes sizes = sizes_of(tree);
@@ -68,7 +68,7 @@ void expect_pass_2(Trial& trial, Tree tree, const Sizes& sizes, double force, co
                            {answered[i].gain.reshaped(), tree.passes[i].gain.reshaped(), 9});
 }
 
-// Over what it may be.
+// The largest error over its bound.
 double pass_2_error(Trial& trial, Tree tree) {
   const Sizes sizes = sizes_of(tree);
   reference_passes(tree, 1);
@@ -119,7 +119,7 @@ void spherical_joints(Trial& trial) {
       Tree after_pass_1 = tree;
       reference_passes(after_pass_1, 1);
       const double force = force_size(after_pass_1);
-      // Hair is light and short; so are its stiffenings.
+      // Hair is light and short, with small stiffenings.
       for (const Units& units : {Units{}, Units{0x1p-60, 0x1p-30, 1}})
         expect_pass_2(trial, after_pass_1, sizes, force, units);
       trial.expect_at_most(pass_3_error(trial, tree), 1, "an acceleration beside spherical joints");

@@ -94,8 +94,8 @@ double energy(TreeSteps& steps, const MovingTree& moving) {
   return steps.system().kinetic_energy() + steps.system().potential_energy(moving.q);
 }
 
-// From large angles; the double pendulum's equations are those of L. Landau and E. Lifshitz, "Mechanics",
-// section 5, exercise 1, solved with steps so small that rounding is left.
+// The swing starts from large angles. The double pendulum's equations are those of L. Landau and E. Lifshitz,
+// "Mechanics", section 5, exercise 1, solved with steps so small that only rounding is left.
 TEST(TreeSteps, ADoublePendulumSwingsAsItsEquationsSay) {
   const double l = 0.5, time = 1.5;
   using Four = Eigen::Vector4d;  // the angles from the vertical, and their rates
@@ -130,7 +130,7 @@ TEST(TreeSteps, ADoublePendulumSwingsAsItsEquationsSay) {
   EXPECT_LE(before, 1e-7);
 }
 
-// What energy a free tree gains or loses in a second falls with the method's order.
+// The energy that a free tree gains or loses in a second falls with the method's order.
 TEST(TreeSteps, TheEnergyOfAFreeTreeDriftsAtTheMethodsOrder) {
   RandomNumbers numbers(4);
   const LinkTree tree =
@@ -152,7 +152,7 @@ TEST(TreeSteps, TheEnergyOfAFreeTreeDriftsAtTheMethodsOrder) {
   }
 }
 
-// A rod that nothing forces turns about its own axis, many times: the quaternion is the turn's.
+// A free rod turns many times about its own axis, and its quaternion is that of the turn.
 TEST(TreeSteps, ASphericalJointGoesThroughFullTurns) {
   TreeSteps steps(rod_chain(1, 0.01, 1e-7, 5e-5), {});
   MovingTree moving{steps.system().tree().rest(), Vector3d(0, 0, 40)};
@@ -166,7 +166,7 @@ TEST(TreeSteps, ASphericalJointGoesThroughFullTurns) {
   }
 }
 
-// And a chain that is flung over its root, again and again, keeps its energy.
+// A chain that is flung over its root again and again keeps its energy.
 TEST(TreeSteps, AChainGoesOverTheTopAndKeepsItsEnergy) {
   const LinkTree tree = rod_chain(3, 0.3, 0.1, 0.05);
   TreeSteps steps(tree, weight());
@@ -187,7 +187,7 @@ TEST(TreeSteps, AChainGoesOverTheTopAndKeepsItsEnergy) {
   EXPECT_GE(std::log2(coarse / fine), 3.7);
 }
 
-// Q = -dE/dq along each axis: central differences, e^2 and 1e-16 / e.
+// Compares Q with -dE/dq along each axis, by central differences with errors of e^2 and 1e-16 / e.
 TEST(TreeSteps, ASpringsTorqueIsItsEnergysDerivative) {
   const LinkTree tree = rod_chain(1, 0.3, 0.1, 0.05);
   RandomNumbers numbers(9);
@@ -214,7 +214,7 @@ TEST(TreeSteps, ASpringsTorqueIsItsEnergysDerivative) {
   }
 }
 
-// A rod on a torsion spring: theta = theta_0 cos(omega t). Implicit steps damp; their error is of the first
+// A rod on a torsion spring has theta = theta_0 cos(omega t). Implicit steps damp; their error is of first
 // order.
 TEST(TreeSteps, ATorsionalOscillatorKeepsItsTime) {
   const LinkTree tree = rod_chain(1, 0.01, 1e-7, 5e-5);
@@ -238,7 +238,7 @@ TEST(TreeSteps, ATorsionalOscillatorKeepsItsTime) {
   }
 }
 
-// One linearly implicit step of a torsion spring with damping: (J + h^2 k + h c) a = -k theta - (c + h k) w.
+// One linearly implicit step of a damped torsion spring solves (J + h^2 k + h c) a = -k theta - (c + h k) w.
 TEST(TreeSteps, ALinearlyImplicitStepIsItsEquation) {
   const LinkTree tree = rod_chain(1, 0.01, 1e-7, 5e-5);
   const double k = 3e-6, c = 1e-9, h = 1e-3, J = tree.shapes()[1].moments.z(), theta = 0.7, w = 50;
@@ -337,14 +337,14 @@ TEST(TreeSteps, ALimitHoldsAtAnyStep) {
       if (h > 1e-3) {
         EXPECT_NEAR(one.place(), rest, 1e-6) << h;
       }
-      // What falls on a spring without damping goes at most twice as deep as it rests, and in from a fall of
-      // kUpper.
+      // A mass that falls on a spring without damping goes at most twice as deep as its rest, plus the depth
+      // from a fall of kUpper.
       EXPECT_LE(farthest, rest + std::sqrt(2 * pull * Limited::kUpper / k) + pull / k) << h;
     }
 }
 
-// What is a little beyond its limit, and falls back inside within the step, falls freely: a limit does not
-// pull.
+// A joint that is a little beyond its limit, and falls back inside within the step, falls freely: a limit
+// does not pull.
 TEST(TreeSteps, ALimitLetsGo) {
   for (const JointType joint : kEachJoint) {
     Limited one(joint, -kGravity), free(joint, -kGravity);
@@ -360,7 +360,7 @@ TEST(TreeSteps, ALimitLetsGo) {
   }
 }
 
-// Terminal velocity, at any step: drag and weight alone, along a slide. m g = drag l v.
+// A link on a slide, with only drag and weight, reaches the terminal velocity with any step: m g = drag l v.
 TEST(TreeSteps, DragEndsAFallAtAnyStep) {
   LinkShape shape;
   shape.joint = JointType::prismatic;

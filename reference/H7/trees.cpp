@@ -89,7 +89,7 @@ Tree random_tree(Random& random, const TreeKind& kind) {
     link.external = {any(random, 10), any(random, 10)};
     if (kind.form == Form::star) link.r.setZero();
     if (!kind.stiffens) continue;
-    // Symmetric and positive, about as stiff as the joint is heavy.
+    // The stiffening is symmetric and positive, and about as large as the joint's inertia.
     const hair::Matrix3d half = hair::Matrix3d::NullaryExpr([&] { return 0.5 * random.normal(); });
     if (link.joint == JointType::spherical)
       link.stiffening = half * half.transpose();
@@ -201,7 +201,7 @@ Sizes sizes_of(const Tree& tree) {
     sizes.speed = std::max(sizes.speed, moved.passes[i].v.linear.norm());
     sizes.mass += link.inertia.M(0, 0);
   }
-  // A joint's own rates, which the velocities of two links may hide.
+  // A joint's own rates count, too, since they may cancel in the velocities of two links.
   sizes.turn += tree.rates.norm();
   sizes.speed += tree.rates.norm() + sizes.turn * sizes.length;
   return sizes;

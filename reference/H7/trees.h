@@ -1,5 +1,4 @@
-// STAFF ONLY. Inputs of H7's hidden cases: trees of links that move, and the sizes of what is calculated of
-// them.
+// STAFF ONLY. Inputs of H7's hidden cases: trees of links that move, and sizes for the bounds of errors.
 #pragma once
 
 #include <vector>
@@ -24,9 +23,9 @@ struct Tree {
   VectorXd rates, Q;
 };
 
-// chain: each link hangs from the one before. branches: from any before, the last one not from the one
-// before. strands: three chains hang from link 1, and their links take turns. star: all hang from the base,
-// their centres of mass at its own.
+// chain: each link hangs from the one before. branches: each hangs from any link before, but the last one not
+// from the one right before it. strands: three chains hang from link 1, and their links take turns. star: all
+// links hang from the base, with their centres of mass at its own.
 enum class Form { chain, branches, strands, star };
 
 struct TreeKind {
@@ -37,15 +36,14 @@ struct TreeKind {
   bool stiffens = false;
 };
 
-// Links of about 1 kg, half a metre long, with moments of inertia of about 0.1 kg m^2 that differ; joints
-// anywhere at them, forces and torques on all, of about 10 N and N m. The first joints are of each type in
-// turn.
+// Links of about 1 kg, half a metre long, with different moments of inertia of about 0.1 kg m^2, joints at
+// any place of them, and forces and torques of about 10 N and N m. The first joints are of each type in turn.
 Tree random_tree(Random& random, const TreeKind& kind);
 
 // The first of `chosen` as the base, and the others as links; all of their parents are among them.
 Tree part_of(const Tree& tree, const std::vector<int>& chosen);
 std::vector<LinkPass> part_of(const std::vector<LinkPass>& passes, const std::vector<int>& chosen);
-// Of rates, Q or accelerations of the whole tree.
+// The part of the whole tree's rates, Q or accelerations.
 VectorXd part_of(const Tree& tree, const VectorXd& numbers, const std::vector<int>& chosen);
 
 // The same tree in other units of mass, length and time, with its passes. Powers of 2 change no digit.
@@ -54,25 +52,25 @@ struct Units {
 };
 Tree in_units(const Tree& tree, const Units& units);
 
-// Revolute and prismatic joints: the spatial joint axis s^.
+// The spatial joint axis s^ of a revolute or prismatic joint.
 hair::SpatialMotion axis_of(const Link& link);
 
-// All passes as the reference makes them, up to pass 1, 2 or 3; the accelerations that it finds.
+// Makes the reference's passes up to pass 1, 2 or 3, and returns its accelerations.
 VectorXd reference_passes(Tree& tree, int up_to);
 
-// 100 roundings a link.
+// The size of 100 roundings a link.
 double roundings(const Tree& tree);
 
-// Sizes that no number of the tree exceeds by much, whatever point or order a right formula takes: the
-// greatest distance between links, the greatest angular and linear velocity, the mass of all.
+// Sizes that no number of the tree exceeds by much, for any point and order in a right formula: the greatest
+// distance between links, the greatest angular and linear velocity, the total mass.
 struct Sizes {
   double length, turn, speed, mass;
   double acceleration() const { return turn * (turn * length + speed); }
 };
 Sizes sizes_of(const Tree& tree);
 
-// The greatest force that passes through a joint: all that is on links, what their c^ needs, and Q over the
-// arm that a joint has at least. Of a tree after pass 1.
+// The greatest force through a joint of a tree after pass 1: the sum of all forces on links, of those that
+// their c^ needs, and of Q over a joint's shortest arm.
 double force_size(const Tree& tree);
 
 }  // namespace grader::h7

@@ -1,4 +1,4 @@
-// STAFF ONLY. What a student's functions of H8 answer.
+// STAFF ONLY. Asks a student's functions of H8 through the pipe.
 #pragma once
 
 #include "grader/judge/case_asker.h"
@@ -30,8 +30,8 @@ inline VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
                                             hair.rates, h, Filling{}, unset(hair.q.size()));
 }
 
-// Whether a student's own number may stand for ours. That of a strand of 40 elements that lacks what arms do
-// is 1e-7 of what it should be.
+// True if a student's own number may stand for ours. A strand of 40 elements without the effect of arms still
+// has 1e-7 of the right number.
 inline bool comparable(double own, double ours) {
   return own >= 1e-9 * ours && own <= 1e9 * ours;
 }

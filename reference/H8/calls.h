@@ -44,7 +44,7 @@ struct Form<hair::HelixStrand> {
 
 namespace grader::h8 {
 
-// Everything is of the same elements, and points are in their order.
+// Throws MalformedMessage unless all arguments have the same elements, and points are in their order.
 struct OneStrand {
   static void check(const auto&... arguments) {
     Eigen::Index coordinates = -1;

@@ -1,9 +1,9 @@
 // STAFF ONLY. Hidden cases of H8's stiffness, forces, masses and steps.
 //
 // Bounds: a coordinate's stiffness is a product of two numbers, and its elastic force one more: 1e-13.
-// Generalised forces and masses are sums over at most 400 points of products of at most 5 factors, whose
-// sizes are those of Sizes, whatever point of the world arms refer to: 500 u, say 1e-12. A forgotten part is
-// a hundredth of the size and more. Steps: the contract's.
+// Generalised forces and masses are sums over at most 400 points of products of at most 5 factors. These have
+// the sizes of Sizes, for arms from any point of the world: 500 u, say 1e-12. A missing part is at least a
+// hundredth of the size. Steps have the contract's bound.
 #include <cmath>
 
 #include "hair/super_helix.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kProducts = 1e-13, kSums = 1e-12, kBackward = 1e-10;
 
-// The largest of |a - b| / size over all entries; NaN if one is none.
+// The largest of |a - b| / size over all entries; NaN if one is NaN.
 double worst(const VectorXd& a, const VectorXd& b, const VectorXd& size) {
   const VectorXd errors = (a - b).cwiseAbs().cwiseQuotient(size);
   return errors.hasNaN() ? std::nan("") : errors.maxCoeff();
@@ -34,8 +34,8 @@ VectorXd reference_step(const Hair& hair, double h) {
   return change;
 }
 
-// The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one
-// of those costs its own category only.
+// The residual with the reference's parts, or, if that is too large, with the student's own, so that a bug in
+// one of those costs only its own category.
 double step_error(Trial& trial, const Hair& hair, double h, const VectorXd& change) {
   const Parts ours = reference_parts(hair, h);
   double error = system_of(ours, h).error(change);
@@ -57,8 +57,8 @@ void expect_step(Trial& trial, const Hair& hair, double h) {
                        {change, reference_step(hair, h), 1});
 }
 
-// Of a special strand. A step that is wrong for an ordinary one, too, costs that category alone, if it is
-// neither 0 nor much too large.
+// Checks the step of a special strand. If ordinary steps are wrong, too, it only must not be 0 or much too
+// large, so that this mistake costs one category.
 void expect_special_step(Trial& trial, const Hair& hair, double h) {
   const VectorXd change = ask_step(trial, hair, h);
   double error = step_error(trial, hair, h, change);
@@ -85,7 +85,7 @@ void stiffness(Trial& trial) {
   }
 }
 
-// With the student's own K as well: EI in place of GJ costs one category.
+// A force that agrees with the student's own K is right, too, so that EI in place of GJ costs one category.
 void elasticity(Trial& trial) {
   for (const int elements : {1, 2, 7, 40}) {
     const Hair hair = random_hair(trial.random, {.elements = elements});

@@ -1,8 +1,8 @@
 // STAFF ONLY. Hidden cases of H8's geometry: Stumpff's functions, frames and Jacobians.
 //
-// Bounds: the contract's. A right formula in double precision stays far below them: closed forms lose u / x^3
-// of c_6 at most where they are used, with x above 0.1 1e-13; frames and Jacobians are sums of few terms of
-// their size.
+// Bounds: the contract's. A right formula in double precision stays far below them. Closed forms lose at most
+// u / x^3 of c_6, which is 1e-13 for x above 0.1, where they are used. Frames and Jacobians are sums of few
+// terms of their size.
 #include <cmath>
 #include <limits>
 
@@ -38,13 +38,14 @@ struct Place {
   double s;
 };
 
-// In an element of about 1 cm, at any place of it.
+// A random place in an element of about 1 cm.
 Place any_place(Random& random, double angle) {
   const double s = random.uniform(0.002, 0.02);
   return {any_frame(random), angle / s * any_direction(random), s};
 }
 
-// Over what is allowed. NaN if a number is none; infinite for an answer that does nothing.
+// The errors below are relative to their bound: NaN if a number is NaN, and infinite for an answer that does
+// nothing.
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
 struct Judged {
@@ -79,13 +80,12 @@ Judged jacobian_error(Trial& trial, const Place& place) {
       numbers};
 }
 
-// What no right formula, and no formula with a wrong sign, leaves: no numbers, or such that are far too
-// large.
+// A larger error is NaN or far too large a number: even a formula with a wrong sign stays below it.
 constexpr double kMadness = 10 / kFrames;
 
 using Error = Judged (*)(Trial&, const Place&);
 
-// Of a special element. A formula that is wrong for an ordinary one, too, costs that category alone.
+// Checks a special element. A formula that is wrong for an ordinary one, too, costs only that category.
 void expect_special(Trial& trial, Error error_of, const Place& place, const std::string& what) {
   auto [error, numbers] = error_of(trial, place);
   if (!(error <= 1) && error <= kMadness)
@@ -96,7 +96,7 @@ void expect_special(Trial& trial, Error error_of, const Place& place, const std:
   trial.expect_at_most(error, 1, what, numbers);
 }
 
-// The largest difference of two strands' starts and ends, over what is allowed.
+// The largest difference of two strands' starts and ends, over its bound.
 double difference(const std::vector<hair::HelixElement>& a, const std::vector<hair::HelixElement>& b) {
   double largest = 0, length = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -110,9 +110,9 @@ double difference(const std::vector<hair::HelixElement>& a, const std::vector<ha
   return largest / (static_cast<double>(a.size()) * kFrames);
 }
 
-// The same, from ends that the student's own frame_at has: so a bug in it costs its own category only. They
-// must lie about as far away as ends do: what returns the start alone carries nothing. NaN where it does not
-// answer.
+// The same with the ends of the student's own frame_at, so that a bug in it costs only its own category.
+// These ends must be about as far away as ends are, since a frame_at that returns the start carries nothing.
+// NaN if it does not answer.
 double by_own_frames(Trial& trial, const MaterialFrame& root, const std::vector<hair::HelixElement>& answered,
                      std::vector<hair::HelixElement> elements) {
   MaterialFrame frame = root;
@@ -137,8 +137,7 @@ void functions(Trial& trial) {
     for (int repeat = 0; repeat < 3; ++repeat) expect_functions(trial, trial.random.log_uniform(1.5, most));
 }
 
-// At 0 and near it, and all the way to where ordinary elements begin: wherever a series ends, there is no
-// jump.
+// Checks 0, numbers near 0, and all others up to ordinary elements: there is no jump, wherever a series ends.
 void nearly_straight(Trial& trial) {
   Random& random = trial.random;
   const auto expect_both = [&](double x) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. Inputs of H8's hidden cases: hair of super-helices as it lies, and the sizes of what is
-// calculated of it.
+// STAFF ONLY. Inputs of H8's hidden cases: hair of super-helices with its places, and sizes for the bounds of
+// errors.
 #pragma once
 
 #include "grader/judge/random.h"
@@ -19,9 +19,8 @@ struct HairKind {
   double least = 0.3, most = 3;  // rad, by which an element winds
 };
 
-// Hair that moves: elements of 5 to 20 mm, a material about that of human hair, natural curvatures of their
-// own, and points that are pushed each in its way. Every third point resists more in one direction, as at a
-// contact.
+// Hair that moves: elements of 5 to 20 mm with natural curvatures of their own, a material like human hair's,
+// and a force of its own on each point. Every third point resists more in one direction, as at a contact.
 struct Hair {
   VectorXd q, rates;
   HelixStrand strand;
@@ -30,7 +29,7 @@ struct Hair {
 };
 Hair random_hair(Random& random, const HairKind& kind);
 
-// The same lying straight along its root's tangent, at rest; its natural curvatures are what they were.
+// The same hair, straight along its root's tangent and at rest, with its natural curvatures.
 Hair straight_hair(Random& random, int elements);
 
 // The same hair in other units of mass and length: powers of 2, which change no digit.
@@ -40,8 +39,8 @@ struct Units {
 Hair in_units(const Hair& hair, const Units& units);
 MaterialFrame in_units(MaterialFrame frame, const Units& units);
 
-// For each coordinate, sums over the points of what a right formula adds up, whatever point of the world it
-// refers to: of |J_j force_j|, and the root of the sum of |J_j^T inertia_j J_j|.
+// For each coordinate the size of a right formula's terms, summed over the points, for any point of the world
+// in it: of |J_j force_j|, and the root of the sum of |J_j^T inertia_j J_j|.
 struct Sizes {
   VectorXd force, mass;
 };
@@ -52,7 +51,7 @@ struct System {
   MatrixXd matrix;
   VectorXd right;
 
-  // The residual in the sense of backward errors; NaN if a number is none.
+  // The residual in the sense of backward errors; NaN if a number is NaN.
   double error(const VectorXd& change) const;
 };
 struct Parts {

@@ -1,17 +1,17 @@
 // STAFF ONLY. Hidden cases of H8 that compare a student's answer with the student's own answer to another
-// question: so each shows one kind of mistake, and no other mistake shows.
+// question, so that each shows only one kind of mistake.
 //
 // Bounds: those of each function's own cases. Changes of a step solve a system whose condition number is
-// below 1e4 at h = 1/60 s, for the stiffness outweighs the masses, and each of two has a residual of 1e-10 of
-// two parts: 4e-6, say 1e-5. The answers must not be 0 beside the reference's; their exact size is asked
-// elsewhere.
+// below 1e4 at h = 1/60 s, as the stiffness outweighs the masses. Each of two changes has a residual of 1e-10
+// its two parts: 4e-6, say 1e-5. The answers must not be 0 where the reference's are not; other cases check
+// their exact size.
 #include "hair/super_helix.h"
 #include "reference/H8/answers.h"
 
 namespace grader::h8 {
 namespace {
 
-// Of vectors, frames and matrices in one row of numbers.
+// Compares two answers: vectors, frames or matrices as rows of numbers.
 template <class Numbers>
 void expect_same(Trial& trial, const Numbers& one, const Numbers& other, double part,
                  const std::string& what) {
@@ -22,7 +22,7 @@ void expect_same(Trial& trial, const Numbers& one, const Numbers& other, double 
 
 }  // namespace
 
-// Elements without points pass on the pull from further out: as with points that are not pushed and have no
+// Elements without points pass on the pull from further out, as they do with points that have no force and no
 // mass.
 void bare_elements(Trial& trial) {
   for (const int elements : {2, 5, 20}) {
@@ -44,7 +44,7 @@ void bare_elements(Trial& trial) {
   }
 }
 
-// Hair may be as thin and as light as it likes: no threshold in kg, m or N may show.
+// Hair may have any thickness and weight, so no threshold in kg, m or N may show.
 void other_units(Trial& trial) {
   const double h = 1.0 / 60;
   for (const Units& units : {Units{.mass = 0x1p-60}, Units{.length = 0x1p-40}, Units{0x1p60, 0x1p40}}) {

@@ -60,9 +60,9 @@ VectorXd unbalanced(HelixMotion& motion, const hair::MaterialFrame& root, const 
 
 }  // namespace
 
-// Newton's method with a matrix by central differences. An energy's matrix is symmetric; if it is not
-// definite, the step goes down the energy with what makes it so. No element turns by more than half a radian
-// at once.
+// Newton's method with a matrix by central differences. The matrix of an energy is symmetric; if it is not
+// definite, the step adds enough to it to go down the energy. No element turns by more than half a radian at
+// once.
 VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity, VectorXd q) {
   const double length = motion.strand().lengths.sum(), small = 1e-5 / length;
   const long n = q.size();

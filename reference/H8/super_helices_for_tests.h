@@ -16,13 +16,13 @@ VectorXd random_curl(const HelixStrand& strand, double angle, RandomNumbers& num
 
 HelixRoot random_root(RandomNumbers& numbers);
 
-// At no special place, in no special direction.
+// A start at no special place, in no special direction.
 hair::MaterialFrame some_start();
 
-// With the scratch that it needs.
+// Calls helix_step with the scratch memory that it needs.
 VectorXd helix_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h);
 
-// Of a straight strand that is clamped level under the weight `gravity` downward: where the forces balance.
+// The coordinates at which a straight strand balances that is clamped level, with its weight under `gravity`.
 VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity, VectorXd q);
 
 }  // namespace reference_tests

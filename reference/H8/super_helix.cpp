@@ -1,9 +1,9 @@
 // STAFF ONLY. H8: super-helices.
 //
 // The step eliminates from the tip to the root, as Featherstone's passes do, with an element in place of a
-// link. What hangs from an element resists a change of its end's motion (w, v) as I (6 x 6) does, and is
-// pushed by the impulse z. Within the element a point gains the velocity v + w x arm + P u, u the change of
-// the element's rates. Minimising over u leaves an I and a z at the element's start.
+// link. The rest of the hair at an element's end resists a change of the end's motion (w, v) by its inertia I
+// (6 x 6), and gets the impulse z. Within the element a point gains the velocity v + w x arm + P u, where u
+// is the change of the element's rates. Minimising over u gives the I and the z at the element's start.
 
 #include "hair/super_helix.h"
 
@@ -33,7 +33,7 @@ Matrix3d from_axis(const Vector3d& p, double b, double c) {
   return result;
 }
 
-// 1 / (m (m - 1)): what a term of a series is of the one before it, over -x.
+// 1 / (m (m - 1)): the ratio of a series' term to the one before it, over -x.
 constexpr std::array<double, 28> kRatio = [] {
   std::array<double, 28> ratio{};
   for (int m = 2; m < 28; ++m) ratio[m] = 1.0 / (m * (m - 1));
@@ -47,12 +47,12 @@ double series(int k, double x) {
   return kInverseFactorial[k] * sum;
 }
 
-// Of L L' x = b, with the factor L of a block.
+// Solves L L' x = b with the factor L of a block.
 Vector3d solve(const Matrix3d& L, const Vector3d& b) {
   return solver::block_cholesky::divide_transposed(L, solver::block_cholesky::divide(L, b));
 }
 
-// Of a point or of the child's start: a quadratic form of (w, v) at the element's start and of u.
+// The quadratic form of a point, or of the child's start, in (w, v) at the element's start and in u.
 struct Form {
   Matrix6d of_start = Matrix6d::Zero();
   Matrix63d mixed = Matrix63d::Zero();
@@ -76,7 +76,7 @@ void add_point(const HelixPoint& point, const Vector3d& start, double h, Form& f
   form.push_rates += point.moves.transpose() * impulse;
 }
 
-// What hangs from the end: (w, v) there is X (w, v) + S u, X = [1 0; -arm 1], S = [turns; moves].
+// Adds the child at the element's end, where (w, v) is X (w, v) + S u, X = [1 0; -arm 1], S = [turns; moves].
 void add_child(const HelixElement& element, const Matrix6d& I, const Vector6d& z, Form& form) {
   const Matrix3d arm = skew(element.end.position - element.start.position);
   Matrix63d S;
@@ -152,7 +152,7 @@ HelixJacobian jacobian_at(const MaterialFrame& start, const Vector3d& curvature,
   return {start.axes * (s * from_axis(p, c[2], c[3])), start.axes * (s * s * by_p)};
 }
 
-// From the tip: what pulls at the end of an element, as a force and as a torque about this end.
+// Goes from the tip on, with the force on the end of an element and the torque about this end.
 void generalised_force(const std::vector<HelixElement>& elements, const std::vector<HelixPoint>& points,
                        Output Q) {
   Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();
@@ -171,9 +171,9 @@ void generalised_force(const std::vector<HelixElement>& elements, const std::vec
   }
 }
 
-// A row of blocks for each element, from the tip on: M_ik = S_i^T (what hangs from the end of i, moved by
-// element k), where all that is at i's end or further out moves by k < i as one body. So I and what is mixed
-// suffice.
+// Makes a row of blocks for each element, from the tip on: M_ik = S_i^T times the impulse of the hair beyond
+// the end of i while element k moves it. All of that hair moves as one body if k < i, so I and the mixed
+// block are enough.
 void mass_matrix(const std::vector<HelixElement>& elements, const std::vector<HelixPoint>& points,
                  Eigen::Ref<Eigen::MatrixXd> M) {
   Matrix6d I = Matrix6d::Zero();

@@ -14,7 +14,7 @@ using hair::HelixJacobian, hair::MaterialFrame;
 
 // ---- Stumpff's functions
 
-// c_k's series with 64 bits of mantissa and the terms in pairs; for large x from the closed form.
+// c_k by its series with 64 bits of mantissa and the terms in pairs, or by the closed form for large x.
 long double exact_stumpff(int k, long double x) {
   if (x > 100) {
     long double value = k % 2 == 0 ? std::cos(std::sqrt(x)) : std::sin(std::sqrt(x)) / std::sqrt(x);
@@ -39,7 +39,7 @@ double bound_of_stumpff(int k, double x) {
   return k < 2 || x == 0 ? bound : std::min(bound, 2 / (std::tgamma(k - 1) * x));
 }
 
-// Rounding: 1e-13 of the bound; a^2 = x is known to half a unit, so cos a to a / 2 units.
+// The bound allows a rounding of 1e-13; a^2 = x is known to half a unit, so cos a to a / 2 units.
 TEST(Stumpff, HasItsDigitsForAllX) {
   std::vector<double> all = {0, 1e-300, 15791.4, 1e6, 4, std::nextafter(4, 0), std::nextafter(4, 5)};
   for (double x = 1e-12; x < 1e5; x *= 1.07) all.push_back(x);
@@ -53,8 +53,8 @@ TEST(Stumpff, HasItsDigitsForAllX) {
 
 // ---- Centre line and frame
 
-// Pose and Jacobian across the switch at |p| = 2, and at 0: the change over a step of 1e-9 is the
-// derivative's, to rounding over 1e-9. A jump of 1e-12 would show.
+// Across the switch at |p| = 2, and at 0, pose and Jacobian change over a step of 1e-9 as the derivative
+// says, to rounding over 1e-9. A jump of 1e-12 would show.
 TEST(HelixFrames, HaveNoJump) {
   const MaterialFrame start;
   const Vector3d direction = Vector3d(1, 2, 3).normalized();
@@ -68,8 +68,8 @@ TEST(HelixFrames, HaveNoJump) {
   }
 }
 
-// Radius kappa / (kappa^2 + tau^2), pitch 2 pi tau / (kappa^2 + tau^2) about the axis Omega, however many
-// elements make it.
+// Any number of elements makes the helix of radius kappa / (kappa^2 + tau^2) and pitch 2 pi tau / (kappa^2 +
+// tau^2) about the axis Omega.
 TEST(HelixFrames, MakeTheHelixThatItsRadiusAndPitchDescribe) {
   for (const double turns : {0.001, 1.0, 8.0, 400.0})
     for (const int elements : {1, 2, 7, 20, 40}) {

@@ -1,4 +1,5 @@
-// STAFF ONLY. H8 at rest and in motion: super-helices beside the elastica, beams, and the laws of energy.
+// STAFF ONLY. H8 at rest and in motion: super-helices compared with the elastica, beams, and the laws of
+// energy.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ using hair::MaterialFrame;
 
 constexpr double kHairLength = 0.1;  // m
 
-// Level, along x; kappa1 > 0 bends it down.
+// A level frame along x, in which kappa1 > 0 bends hair down.
 MaterialFrame level() {
   MaterialFrame root;
   root.axes << Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX();
@@ -31,8 +32,8 @@ Vector3d gravity_for(double gamma, const HelixStrand& strand) {
 // ---- Statics
 
 struct Hanging {
-  double error;   // of the tip, over L
-  double energy;  // over EI / L
+  double error;   // the tip's error over L
+  double energy;  // the energy over EI / L
 };
 
 Hanging hang(double gamma, int elements) {
@@ -46,9 +47,9 @@ Hanging hang(double gamma, int elements) {
           energy * kHairLength / motion.strand().bend_rigidity};
 }
 
-// Curvatures that are constant in pieces are some of those that the elastica chooses from, so its energy is
-// the least; each strand with twice the elements has all shapes of the one before. The tip is off by order 2
-// in the elements' length where elements are short beside the bend at the clamp, L / sqrt(Gamma).
+// The elastica has the least energy of all curves, so also of those with curvatures that are constant in
+// pieces. A strand with twice the elements has all shapes of the one before. The tip is off by order 2 in the
+// elements' length if elements are short compared with the bend at the clamp, L / sqrt(Gamma).
 TEST(SuperHelixAtRest, IsTheElasticaToTheSecondOrder) {
   for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5}) {
     double before = 0, error_before = 0;
@@ -69,8 +70,8 @@ TEST(SuperHelixAtRest, IsTheElasticaToTheSecondOrder) {
   }
 }
 
-// ---- Small oscillations of a straight beam: K v = omega^2 M v for kappa1. Rayleigh and Ritz: every frequency is
-// too high, and comes down by order 2 of the elements' length (in omega^2).
+// ---- Small oscillations of a straight beam: K v = omega^2 M v for kappa1. Rayleigh and Ritz: every
+// frequency is too high, and comes down by order 2 of the elements' length (in omega^2).
 TEST(SuperHelixOscillations, HaveABeamsFrequencies) {
   const double beam[] = {1.8751040687119611, 4.6940911329741745, 7.8547574382376126, 10.995540734875466};
   std::vector<double> before(4, 0);
@@ -83,7 +84,7 @@ TEST(SuperHelixOscillations, HaveABeamsFrequencies) {
     MatrixXd bending(elements, elements);
     for (int i = 0; i < elements; ++i)
       for (int k = 0; k < elements; ++k) bending(i, k) = M(3 * i, 3 * k);
-    // K is a number here, EI l, so that M's eigenvalues are K / omega^2: the largest first.
+    // K is a number here, EI l, so M's eigenvalues are K / omega^2, with the largest first.
     const VectorXd inverse =
         solver::symmetric_eigenvalues(bending).reverse() / (strand.bend_rigidity * strand.lengths[0]);
     for (int mode = 0; mode < (elements == 5 ? 3 : 4); ++mode) {
@@ -131,7 +132,7 @@ struct Moving {
   }
 };
 
-// The force of momenta is A for h to 0, to the first order: half the step, half the difference.
+// The force from momenta tends to A with h, to first order: half the step makes half the difference.
 TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
   double before = 0;
   for (const double h : {4e-6, 2e-6, 1e-6}) {
@@ -166,8 +167,8 @@ TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
   }
 }
 
-// Without weight and drag, the sum of elastic energy and of kinetic energy (where the step began) never
-// grows, for any h: the projection takes no more than the kept velocities have, and springs at the end of a
+// Without weight and drag the sum of elastic energy and of kinetic energy (at the step's beginning) never
+// grows, for any h: the projection does not add to the kept velocities' energy, and springs at the end of a
 // step give no more than they lose.
 TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   for (const double h : {1e-4, 1e-3, 1.0 / 30}) {
@@ -189,7 +190,7 @@ TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   }
 }
 
-// A curl that is let go level. The step takes what is elastic at its end, and projects: it loses energy, by
+// A level curl is let go. The step takes elastic forces at its end, and projects, so it loses energy, by
 // order 1 of h.
 TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   double losses[3];
@@ -211,9 +212,9 @@ TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   EXPECT_LT(losses[2], 0.02);
 }
 
-// All that may be extreme at once, for 4 s in steps of 1/30 s, without drag and with the air's. Weight is
-// explicit, so that the tension of long hair may pump energy into it where nothing takes it out; it stays
-// bounded, and with the air's drag there is none.
+// Extremes together, for 4 s in steps of 1/30 s, without drag and with the air's. Weight is explicit, so the
+// tension of long hair may pump energy into it if nothing removes it. The energy stays bounded, and with the
+// air's drag hair gains nothing.
 TEST(SuperHelixMotion, HoldsInExtremes) {
   struct Extreme {
     const char* name;

@@ -19,8 +19,7 @@ using hair::MaterialFrame, hair::Matrix3d;
 
 // ---- Forces and masses
 
-// Straight hair can be twisted without moving anything: as many eigenvalues are 0 as there are torsions. Any
-// curl moves.
+// Twisting straight hair moves nothing: it has an eigenvalue of 0 for each torsion. Any curl moves.
 TEST(HelixMass, IsSingularForStraightHairAlone) {
   for (const int elements : {1, 5, 20}) {
     HelixMotion motion(hair_strand(elements, 0.1));
@@ -68,15 +67,15 @@ TEST(HelixForces, AreSlopesOfTheWeightsEnergy) {
       const double up = hair::weight_energy(gravity, motion);
       motion.place(root, behind);
       const double down = hair::weight_energy(gravity, motion);
-      // 1e-8 of third derivatives, and rounding of 1e-15 / 1e-4 of an energy of some 1e-5 J at 4 m from the
-      // root.
+      // The bound allows 1e-8 of third derivatives, and a rounding of 1e-15 / 1e-4 of an energy of some
+      // 1e-5 J at 4 m from the root.
       EXPECT_NEAR(Q[k], -(up - down) / (2 * d), 1e-7 * Q.norm()) << angle << ", coordinate " << k;
     }
   }
 }
 
-// Of a strand that is moved as a whole, in a wind: - drag * length * (velocity - wind), and what an implicit
-// step adds.
+// A strand that moves as a whole in a wind has the drag - drag * length * (velocity - wind), and an implicit
+// step adds to it.
 TEST(HelixForces, DragIsTowardsTheWindsVelocity) {
   HelixMotion motion(hair_strand(3, 0.1));
   HelixRoot root;
@@ -128,7 +127,8 @@ TEST(HelixMotions, VelocitiesAndAccelerationsAreDerivativesByTime) {
       ASSERT_EQ(before.points[j].s, motion.points[j].s);
       const Vector3d &a = before.points[j].position, &b = motion.points[j].position,
                      &c = after.points[j].position;
-      // Third and fourth derivatives: rates of 100 rad/s, 1e-5 s. Rounding: 1e-17 m / 1e-10 s^2.
+      // The bounds come from third and fourth derivatives at 100 rad/s and 1e-5 s, and from a rounding of
+      // 1e-17 m / 1e-10 s^2.
       EXPECT_LE(((c - a) / (2 * d) - motion.velocities[j]).norm(), 1e-4) << angle;
       EXPECT_LE(((c - 2 * b + a) / (d * d) - motion.accelerations[j]).norm(), 1e-5 * scale) << angle;
     }
@@ -165,7 +165,7 @@ TEST(HelixMotions, HavePointsAtPlaces) {
     EXPECT_GE(motion.points[j].element, motion.points[j - 1].element);
 }
 
-// The quadrature: the same M, and the same weight, with every element cut in two.
+// The quadrature gives the same M, and the same weight, with every element cut in two.
 TEST(HelixMotions, IntegralsAreExactHoweverMuchAnElementWinds) {
   for (const double angle : {0.0, 0.5, 1.99, 2.01, 5.0, 60.0, 126.0}) {
     const Vector3d curvature = angle / 0.1 * Vector3d(0.48, 0.64, 0.6);

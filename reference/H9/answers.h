@@ -1,4 +1,4 @@
-// STAFF ONLY. What a student's functions of H9 answer.
+// STAFF ONLY. Asks a student's functions of H9 through the pipe.
 #pragma once
 
 #include "grader/judge/case_asker.h"

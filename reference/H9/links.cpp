@@ -1,5 +1,5 @@
-// STAFF ONLY. Hidden cases of H9's links. Bounds: the contract's, 1e-12 of the sum of what results are made
-// of: a hundred links, a dozen roundings each, are 1e-13.
+// STAFF ONLY. Hidden cases of H9's links. Bounds: the contract's, 1e-12 of the sum of a result's parts. A
+// hundred links with a dozen roundings each make 1e-13.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ void expect_stretches(Trial& trial, const LinkedHairs& hairs) {
   VectorXd expected = hairs.largest;
   hair::remember_stretches(hairs.links, hairs.frames, hairs.x, expected);
   const VectorXd answered = ask_stretches(trial, hairs);
-  double size = 1;  // lengths are at least 1.5 mm, so that a stretch rounds by more than its own size does
+  double size = 1;  // lengths are at least 1.5 mm, so a stretch rounds by more than u of itself
   for (const StaticLink& link : hairs.links)
     size = std::max(size, (2 * hairs.x.cwiseAbs().maxCoeff() + link.offset.norm()) / link.length);
   trial.expect_near({answered, expected, 1, hairs.largest}, kPart * size, "the error of a largest stretch");
@@ -52,7 +52,7 @@ void expect_link_product(Trial& trial, const LinkedHairs& hairs) {
                     kPart * 10 * hairs.size(), "the error of a product");
 }
 
-// Two answers about the same links, seen differently. An answer of 0 says nothing.
+// Compares two answers about the same links in different forms. An answer of 0 fails.
 void expect_same(Trial& trial, const LinkedHairs& one, const LinkedHairs& other, const std::string& what) {
   const double energy = ask_link_energy(trial, one), size = one.size();
   trial.expect(energy > 0, "the energy of links" + what + " is 0");
@@ -112,7 +112,7 @@ void link_forces(Trial& trial) {
                       some_linked_hairs(trial.random, links, Frames::straight, Wear::none, Pull::little));
 }
 
-// Beside links whose offsets are turned, in frames that are not.
+// Compares links in turned frames with links whose offsets are turned instead.
 void turned_frames(Trial& trial) {
   for (const int links : {1, 2, 7, 40}) {
     LinkedHairs turned = some_linked_hairs(trial.random, links, Frames::turned, Wear::none, Pull::little);
@@ -131,8 +131,8 @@ void turned_frames(Trial& trial) {
   }
 }
 
-// Beside new links, with the stiffness that the student's own strength leaves. Whatever the stretch is now,
-// it wears no link.
+// Compares worn links with new ones that have the stiffness by the student's own strength. The current
+// stretch wears no link.
 void worn_links(Trial& trial) {
   for (const int links : {3, 7, 40}) {
     const LinkedHairs worn = some_linked_hairs(trial.random, links, Frames::straight, Wear::some, Pull::any);

@@ -43,7 +43,7 @@ LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wea
       link.offset = hairs.frames[link.a].transpose() * (hairs.x.segment<3>(3 * Eigen::Index{link.b}) -
                                                         hairs.x.segment<3>(3 * Eigen::Index{link.a}) - d);
     }
-    hairs.largest[l] = 0;  // whoever is wrong about worn links is right about new ones
+    hairs.largest[l] = 0;  // new links do not show mistakes about worn ones
     if (wear == Wear::some && l % 3 != 0)
       hairs.largest[l] =
           l % 3 == 1 ? random.uniform(0.5 * link.yields, link.breaks) : link.breaks * random.uniform(1, 3);
@@ -89,7 +89,7 @@ Contacts some_contacts(Random& random, int contacts) {
     contact.shares = {shares[0], shares[1], shares[2]};
     contact.normal = some_direction(random);
     contact.weight = random.uniform(0.1, 1);
-    // Beside its foot too, as after a step.
+    // The point has moved sideways, too, as after a step.
     Vector3d point = 0.1 * made.law.thickness * contact.normal.cross(some_direction(random));
     const double height = c == 0   ? random.uniform(-0.9, 0.9)
                           : c == 1 ? random.uniform(1.1, 2)

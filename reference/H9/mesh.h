@@ -11,7 +11,7 @@ using hair::Matrix3d, hair::StaticLink, hair::StripContact, hair::StripLaw, hair
 
 enum class Frames { straight, turned };
 enum class Wear { none, some };   // with some, links are new, worn or broken
-enum class Pull { little, any };  // with little, no link is stretched by what it yields at
+enum class Pull { little, any };  // with little, no link's stretch reaches `yields`
 
 // Particles within about 5 cm, and links between them of about 1 cm.
 struct LinkedHairs {
@@ -19,7 +19,7 @@ struct LinkedHairs {
   std::vector<Matrix3d> frames;
   VectorXd largest, x;
 
-  double size() const;  // of a force, N
+  double size() const;  // the size of a force, N
 };
 LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wear, Pull pull);
 
@@ -30,7 +30,7 @@ struct NearTriangle {
   VectorXd x, tangents;
   double thickness;
 };
-// `height` in thicknesses; shares sum to 1.
+// `height` is in thicknesses. The barycentric weights `shares` sum to 1.
 NearTriangle near_triangle(Random& random, const Vector3d& shares, double height);
 
 // Contacts of a strip with points of other hairs. Corners are shared; points are not. At least one contact
@@ -40,7 +40,7 @@ struct Contacts {
   StripLaw law;
   VectorXd x, inverse_mass;
 
-  double size() const;  // of a force, N
+  double size() const;  // the size of a force, N
 };
 Contacts some_contacts(Random& random, int contacts);
 

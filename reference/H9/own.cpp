@@ -1,8 +1,7 @@
-// STAFF ONLY. Hidden cases of H9 that compare a student's answers with the student's own: what is added to,
+// STAFF ONLY. Hidden cases of H9 that compare a student's answers with each other: outputs that are added to,
 // and other units.
 //
-// Bounds: those of each function's own cases. Powers of 2 change no digit, so that units alone leave no error
-// at all.
+// Bounds: those of each function's own cases. Powers of 2 change no digit, so units alone make no error.
 #include <cmath>
 
 #include "grader/judge/random_vector.h"
@@ -13,7 +12,7 @@ namespace {
 
 constexpr double kOfAnswers = 1e-12;
 
-// An answer of 0 is the same in all units.
+// Compares two answers, and fails for 0, since 0 is the same in all units.
 void expect_same(Trial& trial, const VectorXd& one, const VectorXd& other, const std::string& what) {
   trial.expect(one.norm() > 0, what + " is 0");
   trial.expect_close({one, other}, kOfAnswers * one.norm(), what);
@@ -96,7 +95,7 @@ void added(Trial& trial) {
              [&](const VectorXd& df) { return ask_strip_product(trial, contacts, dy, df); });
 }
 
-// Hair may be as thin and as light as it likes: no threshold in kg, m, N or m/s may show.
+// Hair may have any thickness and weight, so no threshold in kg, m, N or m/s may show.
 void other_units(Trial& trial) {
   for (const Units& units : {Units{.mass = 0x1p-60}, Units{.length = 0x1p-60}, Units{0x1p60, 0x1p40}}) {
     expect_links_in(trial, units);

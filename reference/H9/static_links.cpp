@@ -21,7 +21,7 @@ double worn_stiffness(const StaticLink& link, double largest) {
   return link.stiffness * link_strength(link, largest);
 }
 
-// The point's part of a vector less that of the place below it.
+// The point's part of a vector less its projection's.
 Vector3d relative_to_strip(const StripContact& contact, Input x) {
   Vector3d relative = particle(x, contact.point);
   for (int j = 0; j < 3; ++j) relative -= contact.shares[j] * particle(x, contact.corners[j]);

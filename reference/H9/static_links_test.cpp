@@ -1,5 +1,5 @@
-// STAFF ONLY. H9 beyond its public checks: links turn with the hair, they limit explicit steps alone, and
-// nothing allocates. Sizes are 1: bounds of 1e-12 are thousands of roundings.
+// STAFF ONLY. H9 beyond its public checks: links turn with the hair, they limit only explicit steps, and
+// nothing allocates. Sizes are 1, so bounds of 1e-12 are thousands of roundings.
 
 #include "hair/static_links.h"
 
@@ -46,7 +46,7 @@ struct Linked {
   VectorXd x = scattered_vector(21, 1), largest = VectorXd(5);
 };
 
-// Hair that turns and moves as a whole, frames too, has forces that turn with it.
+// If hair and frames turn and move as a whole, the forces turn with them.
 TEST(StaticLinks, TurnWithTheHair) {
   Linked s;
   const Matrix3d R = turn(1.2, 77);
@@ -61,8 +61,8 @@ TEST(StaticLinks, TurnWithTheHair) {
   EXPECT_NEAR(s.energy(), energy, 100 * kRounding);
 }
 
-// One particle, linked to one that is held. Symplectic Euler keeps it if h^2 k / m < 4 and no longer;
-// implicit Euler, (m + h^2 k) v' = m v + h f, at any stiffness.
+// One particle is linked to a held one. Symplectic Euler is stable only if h^2 k / m < 4; implicit Euler,
+// (m + h^2 k) v' = m v + h f, is stable at any stiffness.
 TEST(StaticLinks, LimitExplicitStepsButNotImplicitOnes) {
   const std::vector<Matrix3d> frames(2, turn(1, 3));
   const Eigen::Matrix<double, 1, 1> unworn(0.0);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Hidden cases of H9's strips. Bounds: the contract's, 1e-12 of what results are made of. Shares
-// are areas over that of a triangle whose height is 0.3 of its edge or more, with edges of 5 mm beside
+// STAFF ONLY. Hidden cases of H9's strips. Bounds: the contract's, 1e-12 of a result's parts. Barycentric
+// weights are areas over that of a triangle whose height is 0.3 of its edge or more, with edges of 5 mm and
 // coordinates of 10 cm: 20 / 0.3 roundings, squared for two subtractions that each lose a digit: 1e-12.
 #include <cmath>
 
@@ -24,7 +24,7 @@ Vector3d inside(Random& random) {
   return shares / shares.sum();
 }
 
-// One or two shares are negative.
+// Barycentric weights of which one or two are negative.
 Vector3d outside(Random& random, int j) {
   Vector3d shares = inside(random);
   shares[j % 3] = -random.uniform(0.05, 1);
@@ -58,7 +58,8 @@ VectorXd reference_friction(const Contacts& contacts, double h, VectorXd v) {
 
 // From steps so short that all slip to steps so long that all stick.
 constexpr std::array<double, 3> kSteps = {1e-5, 1e-3, 1e2};
-// A mass is at most 100 times another, so that what one impulse rounds by moves another by 100 times as much.
+// A mass is at most 100 times another, so an impulse's rounding moves a lighter particle by 100 times as
+// much.
 constexpr double kOfVelocities = 1e-10;
 
 }  // namespace
@@ -96,7 +97,7 @@ void flat_triangles(Trial& trial) {
     NearTriangle edge = near_triangle(random, inside(random), 0.5);
     edge.thickness = 0.25;
     edge.x << 0, 0, 0, 0.25, 0, 0, 0, 0.25, 0, along, across, 0.125;
-    expect_touch(trial, edge, 1);  // a share of 0 is not negative
+    expect_touch(trial, edge, 1);  // a weight of 0 is not negative
     edge.x[11] = edge.thickness;
     trial.expect(!ask_touch(trial, edge, 1),
                  "a point touches a triangle that is as far away as the thickness");
@@ -131,7 +132,8 @@ void weights(Trial& trial) {
   }
 }
 
-// A hair without a direction counts as one that is across: beside the student's own weight for such a one.
+// A hair without a direction counts as one that crosses: it is compared with the student's own weight for
+// that.
 void no_directions(Trial& trial) {
   Random& random = trial.random;
   const auto expect_same = [&](const NearTriangle& none, const NearTriangle& across,
@@ -185,7 +187,7 @@ void strip_products(Trial& trial) {
   }
 }
 
-// One contact that presses; the second one does not.
+// One contact presses; the second one does not.
 void frictions(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 3; ++repeat)
@@ -224,8 +226,8 @@ void pinned_frictions(Trial& trial) {
   }
 }
 
-// As the student's own function, asked for one contact after the other. The first one may be pinned: the
-// others are not.
+// Compares with the student's own function, called for one contact after the other. Only the first contact
+// may be pinned.
 void friction_order(Trial& trial) {
   Random& random = trial.random;
   for (const int count : {5, 20})

@@ -1,5 +1,5 @@
-// STAFF ONLY. P1: hidden cases of the four integrators. The values of a method's step are looked at in its
-// own category alone, so that one wrong method does not fail them all.
+// STAFF ONLY. P1: hidden cases of the four integrators. Only a method's own category compares the values of
+// its step, so that one wrong method does not fail them all.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Accelerations that this suite serves: a linear one, a coupled one, an uncoupled one.
+// The suite serves three accelerations: a linear one, a coupled one, an uncoupled one.
 
 // a = -omega^2 x.
 class Oscillator : public particles::Dynamics {
@@ -88,10 +88,11 @@ void expect_order(Trial& trial, const Method& method, double omega, State start)
                std::to_string(order));
 }
 
-// One step is the reference's. With z = (x, v) and seconds as the unit, z' = (v, a) has the Lipschitz
-// constant L <= 1 + ||A|| + ||B||. A stage or the last sum has at most 8 roundings of terms that are at most
-// ||z|| + h ||z'||, and an acceleration rounds by 6n + 4 in u of its terms' sum, (||A|| + ||B||) sqrt(3n); up
-// to three stages after it multiply that by 1 + h L each. Twice, for either side has it.
+// Compares one step with the reference's. With z = (x, v) and seconds as the unit, z' = (v, a) has the
+// Lipschitz constant L <= 1 + ||A|| + ||B||. A stage or the last sum has at most 8 roundings of terms that
+// are at most ||z|| + h ||z'||, and an acceleration rounds by 6n + 4 in u of its terms' sum, (||A|| + ||B||)
+// sqrt(3n). Up to three stages after it multiply that by 1 + h L each. Both sides round, so the bound is
+// twice that.
 void expect_reference_step(Trial& trial, const Method& method, Waves& waves, const State& start, double h) {
   const int size = static_cast<int>(start.x.size());
   const Run student = run(trial, method, waves, start, {h});
@@ -108,7 +109,7 @@ void expect_reference_step(Trial& trial, const Method& method, Waves& waves, con
   trial.expect_close({student.end().v, expected.v, 3, start.v}, bound, "the error of v" + step);
 }
 
-// A step first: wrong numbers tell more than a wrong order.
+// A step is compared first, since wrong numbers show more than a wrong order.
 void expect_method(Trial& trial, const Method& method) {
   const double omega = trial.random.log_uniform(0.1, 100);
   const State swinging = random_state(trial.random, 2);
@@ -122,8 +123,8 @@ void expect_method(Trial& trial, const Method& method) {
   expect_order(trial, method, omega, swinging);
 }
 
-// With s = h omega, the method keeps v^2 + w^2 - s v w of each coordinate, w = omega x: between 1 - s/2 and
-// 1 + s/2 times v^2 + w^2. Rounding adds at most some 10 u a step.
+// With s = h omega and w = omega x, the method keeps v^2 + w^2 - s v w of each coordinate, which lies between
+// 1 - s/2 and 1 + s/2 times v^2 + w^2. Rounding adds at most some 10 u a step.
 void expect_energy_stays(Trial& trial) {
   for (double s : {0.1, 0.5, 1.0, trial.random.uniform(1.2, 1.8)}) {
     const double omega = trial.random.log_uniform(0.1, 100), h = s / omega;
@@ -175,9 +176,8 @@ void runge_kutta_4(Trial& trial) {
 
 namespace {
 
-// The methods that can be asked for more than their values: a step moves the particles, and the same step
-// does the same once more. A wrong one loses its own category, and not those of all four; more than one, and
-// there is little to ask.
+// The methods that other categories can use: their step moves the particles, and repeats with the same
+// result. One wrong method loses only its own category. If more are wrong, little is left to check.
 std::vector<const Method*> usable_methods(Trial& trial) {
   std::vector<const Method*> usable;
   Pendulums pendulums(trial.random);
@@ -212,8 +212,8 @@ void evaluations(Trial& trial) {
     }
 }
 
-// With a(x) alone, a step of -h from (x, v) is a step of h from (x, -v) with the velocity turned around: of
-// the four methods, and of most wrong ones, bit by bit.
+// If a depends on x alone, a step of -h from (x, v) equals a step of h from (x, -v) with the velocity turned
+// around, bit by bit, for the four methods and for most wrong ones.
 void either_sign(Trial& trial) {
   for (const Method* method : usable_methods(trial))
     for (int n : {1, 3}) {
@@ -231,7 +231,7 @@ void either_sign(Trial& trial) {
     }
 }
 
-// Particles that are alike move alike, one of them or a thousand; a linear force has no unit of its own, and
+// Equal particles move equally, one of them or a thousand. A linear force has no unit of its own, and
 // powers of two round nothing.
 void sizes_and_units(Trial& trial) {
   for (const Method* method : usable_methods(trial)) {
@@ -258,8 +258,7 @@ void sizes_and_units(Trial& trial) {
   }
 }
 
-// Nothing that scratch holds, and no call before, makes a difference. (In the other categories scratch holds
-// zeros.)
+// The content of scratch and earlier calls change nothing. (In the other categories scratch holds zeros.)
 void scratch_memory(Trial& trial) {
   int moving = 0;
   for (const Method& method : kMethods) {

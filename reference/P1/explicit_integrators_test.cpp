@@ -1,7 +1,7 @@
-// STAFF ONLY. What theory says of the four methods. What particles/explicit_integrators.h promises the public
-// checks ask.
+// STAFF ONLY. The four methods behave as theory predicts. The public checks test the promises of
+// particles/explicit_integrators.h.
 //
-// An oscillator z' = i w z, z = w x - i v, shows all: a step multiplies it by R, with s = h w.
+// An oscillator z' = i w z, z = w x - i v, is enough: a step multiplies it by R, with s = h w.
 //
 //   midpoint  |R|^2 = 1 + s^4 / 4      RK4  |R|^2 = 1 - s^6 / 72 + s^8 / 576
 //
@@ -78,7 +78,7 @@ void run(const Method& method, Dynamics& dynamics, double h, int steps, State& s
   for (int i = 0; i < steps; ++i) method.step(dynamics, h, state.x, state.v, scratch);
 }
 
-// w^2 x^2 + v^2 with w = 1, after so many steps from 1.
+// The energy w^2 x^2 + v^2 with w = 1, after so many steps from 1.
 double energy_after(const Method& method, double s, int steps) {
   Oscillator oscillator(1);
   State state{VectorXd::Unit(3, 0), VectorXd::Zero(3)};
@@ -88,7 +88,7 @@ double energy_after(const Method& method, double s, int steps) {
 
 TEST(Order, Is1And1And2And4OnAnOscillator) {
   for (const Method& method : kMethods) {
-    // Full state, at omega t = 2: sin 2 = 0.91.
+    // The error is that of the full state at omega t = 2, where sin 2 = 0.91.
     const auto error = [&](int steps) {
       Oscillator oscillator(5);
       State state{VectorXd::Constant(3, 0.4), VectorXd::Constant(3, 3)};
@@ -117,7 +117,7 @@ TEST(Order, IsTheSameForForcesOnMassesThatDependOnVelocity) {
       both << state.x, state.v;
       return both;
     };
-    // Differences of three runs, so that no solution need be known.
+    // Differences of three runs need no known solution.
     const double order = std::log2((after(128) - after(256)).norm() / (after(256) - after(512)).norm());
     EXPECT_NEAR(order, method.order, 0.15) << method.name;
   }
@@ -167,14 +167,14 @@ TEST(SymplecticEuler, TurnsByTwoArcSinesOfHalfS) {
   EXPECT_NEAR(state.x[0], std::cos(1000 * turn) - std::tan(turn / 2) * std::sin(1000 * turn), 1e-12);
 }
 
-// Where |R| leaves 1: of forward Euler and midpoint at once, of symplectic Euler at s = 2, of RK4 at sqrt(8).
+// |R| leaves 1 at once for forward Euler and midpoint, at s = 2 for symplectic Euler, and at sqrt(8) for RK4.
 TEST(Stability, EndsWhereTheoryPutsIt) {
   EXPECT_LT(energy_after(kSymplecticEuler, 1.99, 100000), 1000);
   EXPECT_GT(energy_after(kSymplecticEuler, 2.01, 1000), 1e6);
   EXPECT_LT(energy_after(kRungeKutta4, 2.82, 1000), 1);
   EXPECT_GT(energy_after(kRungeKutta4, 2.84, 1000), 1e6);
 
-  // Drag alone, v' = -c v: |R| <= 1 up to h c = 2, 2, 2 and 2.785.
+  // With drag alone, v' = -c v, |R| <= 1 holds up to h c = 2, 2, 2 and 2.785.
   for (const auto& [method, limit] : {std::pair{kForwardEuler, 2.0},
                                       {kSymplecticEuler, 2.0},
                                       {kMidpoint, 2.0},

@@ -29,7 +29,7 @@ Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const
   const int n = static_cast<int>(start.x.size()) / 3;
   trial.describe(std::to_string(setting.steps) + " steps, scratch with " +
                  std::to_string(setting.scratch.number));
-  // Ten times what is needed, so that it is a category of its own that counts.
+  // The limit is ten times the need, since the evaluations have a category of their own.
   DynamicsServer server(dynamics, n, 10 * method.evaluations * setting.steps);
   CaseAsker asker(trial, "evaluates the acceleration far more often than it should");
   Run result;

@@ -15,7 +15,7 @@ struct Method {
   const char* name;
   int evaluations, order;
   void (*reference)(particles::Dynamics&, double, particles::Output, particles::Output, particles::Scratch);
-  // One step of the student's.
+  // Asks for one step of the student's.
   void (*ask)(CaseAsker&, DynamicsServer&, double h, Eigen::VectorXd& x, Eigen::VectorXd& v,
               const Filling& scratch);
 };

@@ -64,10 +64,10 @@ Solved solve(Trial& trial, const ConstrainedSystem& system, double before) {
 
 namespace {
 
-// What is not even a thousandth as large as it should be proves nothing by being the same.
+// An answer that is less than a thousandth of the right size proves nothing if it agrees.
 constexpr double kSomething = 1e-3;
 
-// J v of the student's, for any v.
+// The student's J v, for any v.
 VectorXd own_rates(Trial& trial, ConstrainedSystem system, const VectorXd& v) {
   system.state.v = v;
   return rates(trial, system, 0);
@@ -110,7 +110,7 @@ void expect_residual(Trial& trial, const ConstrainedSystem& system, const Vector
   if (!(found <= bound.most())) {
     const Own own = own_residual(trial, system, lambda);
     found = error(own.residual);
-    bound.promised *= own.right_hand_side / right.norm();  // what the header promises is relative to it
+    bound.promised *= own.right_hand_side / right.norm();  // the header's promise is relative to it
   }
   trial.expect_at_most(found, bound, what, {product, right, 1});
 }

@@ -39,19 +39,19 @@ struct Solved {
 // `before` is what lambda holds on entry.
 Solved solve(Trial& trial, const ConstrainedSystem& system, double before = 0);
 
-// The student's parts are compared with the tables of system.h, each in its own category. What is put
-// together from them is right, too, where it agrees with the student's own parts, as long as these do
-// something: a mistake in one of them is not counted again.
+// The student's parts are compared with the tables of system.h, each in its own category. An answer that is
+// made of them is right, too, if it agrees with the student's own parts and these do something. So a mistake
+// in one of them is not counted again.
 void expect_matrix(Trial& trial, const ConstrainedSystem& system);
 
-// error(||right-hand side - J W J' lambda||) <= bound.
+// The error of ||right-hand side - J W J' lambda|| is at most the bound.
 void expect_residual(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
                      Bound bound, const std::string& what,
                      const std::function<double(double)>& error = std::identity());
 void expect_solved(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
                    double tolerance = kTolerance);
 
-// Two of the student's answers, within kTolerance of their size, which is not 0.
+// Two of the student's answers agree within kTolerance of their size, which is not 0.
 void expect_same_lambda(Trial& trial, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
                         const std::string& what);
 

@@ -12,7 +12,7 @@ struct ConstrainedMotion : particles::Dynamics {
   particles::State state;
   Eigen::VectorXd f, lambda;
 
-  // Solves at x, v, which become the state; x and v are not parts of it.
+  // Makes x, v the state, and solves there. x and v are not parts of the state.
   void acceleration(particles::Input x, particles::Input v, particles::Output a) override;
 
   Eigen::VectorXd values() const;
@@ -25,7 +25,7 @@ struct ConstrainedMotion : particles::Dynamics {
   Eigen::MatrixXd jacobian() const;
   Eigen::MatrixXd matrix() const;
   Eigen::VectorXd curvature() const;        // J' v = J(x + v) v - J(x) v: J is linear in x, up to a constant
-  Eigen::VectorXd right_hand_side() const;  // of the equation for lambda
+  Eigen::VectorXd right_hand_side() const;  // the right-hand side of the equation for lambda
 };
 
 // n particles of masses 1, 2, 1, 2, ... along x, particle 0 pinned, with rods between neighbours.

@@ -63,7 +63,7 @@ void step(ConstrainedMotion& motion, double h) {
   motion.state = state;
 }
 
-// T = 2 pi sqrt(L / g) / agm(1, cos(angle / 2)): Gauss.
+// Gauss's formula: T = 2 pi sqrt(L / g) / agm(1, cos(angle / 2)).
 double period(double length, double angle) {
   double a = 1, b = std::cos(angle / 2);
   for (int i = 0; i < 10; ++i) {
@@ -86,8 +86,8 @@ TEST(PendulumAndBead, ComeBackAfterTheirPeriod) {
       const double coarse = error(1000), fine = error(2000);
       std::printf("%s, angle %.1f, period %.6f s: off by %.1e m after 2000 steps\n",
                   start.particles.count() == 2 ? "pendulum" : "bead", angle, T, fine);
-      // RK4's order, down to what 2000 steps round by. An error made near the top, at 3.0, grows while it
-      // falls.
+      // The error falls by RK4's order, down to the rounding of 2000 steps. An error made near the top, at
+      // 3.0, grows while the pendulum falls.
       EXPECT_LE(fine, std::max(coarse / 14, 2000 * 0x1p-53)) << angle;
       EXPECT_LE(fine, 1e-6) << angle;
     }
@@ -121,7 +121,7 @@ TEST(Energy, IsKeptToTheIntegratorsOrder) {
     const double coarse = worst(motion, 1.0 / 250, &off_coarse), fine = worst(motion, 1.0 / 500, &off_fine);
     std::printf("%s, 10 s: energy off by %.2e and %.2e J, C by %.1e and %.1e m^2 at h = 1/250 and 1/500\n",
                 name, coarse, fine, off_coarse, off_fine);
-    // Of m g L summed up, 10 to 20 J. Halving h divides what RK4 gets wrong by 16.
+    // The bound is a part of m g L summed up, 10 to 20 J. Half the step divides RK4's error by 16.
     EXPECT_LE(fine, 2e-4) << name;
     EXPECT_LE(fine, coarse / 14) << name;
     EXPECT_LE(off_fine, 1e-4) << name;

@@ -16,13 +16,13 @@ Vector3d between(Input vector, const Rod& rod) {
   return at(vector, rod.i) - at(vector, rod.j);
 }
 
-// accelerations = W f, in place.
+// Replaces forces f by the accelerations W f.
 void divide_by_mass(const Particles& particles, Output f) {
   for (int i = 0; i < particles.count(); ++i)
     f.segment<3>(3 * i) *= particles.is_pinned(i) ? 0 : 1 / particles.mass[i];
 }
 
-// sum += J' v: by how much J v would change if the velocities stayed the same.
+// Adds J' v to sum: the rate of J v while the velocities stay the same.
 void add_curvature(const Constraints& constraints, Input v, Output sum) {
   int row = 0;
   for (const Rod& rod : constraints.rods) sum[row++] += between(v, rod).squaredNorm();
@@ -49,7 +49,7 @@ class ConstraintMatrix : public implicitMatrix {
   const Constraints& constraints_;
   const Particles& particles_;
   const State& state_;
-  Eigen::VectorXd change_;  // of velocities: W J^T x
+  Eigen::VectorXd change_;  // the velocities' change W J^T x
 };
 
 }  // namespace
@@ -111,7 +111,7 @@ ConstraintReport solve_constraints(const Constraints& constraints, const Particl
   const double norm = rhs.norm();
   const int most = std::max(100, 20 * rows);
   ConstraintReport report{0, 0};
-  // Looser ones where constraints contradict each other a little.
+  // The tolerance gets looser if constraints contradict each other a little.
   for (const double relative : {1e-10, 1e-8, 1e-6}) {
     const double tolerance = relative * norm;
     int steps = most;

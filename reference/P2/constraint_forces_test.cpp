@@ -1,5 +1,5 @@
-// STAFF ONLY. Constraints that rigid motion carries along, that say the same or contradict each other, and
-// how their solves end. What particles/constraint_forces.h promises the public checks ask.
+// STAFF ONLY. Constraints that rigid motion carries along, that repeat or contradict each other, and the
+// ends of their solves. The public checks test the promises of particles/constraint_forces.h.
 
 #include "particles/constraint_forces.h"
 
@@ -17,8 +17,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Five particles, about 1 apart, in a chain with a cross rod and two wires; nothing holds. Number 4 is
-// pinned.
+// Five particles, about 1 apart, in a chain with a cross rod and two wires. No constraint holds. Particle 4
+// is pinned.
 ConstrainedMotion tangle() {
   ConstrainedMotion motion;
   motion.constraints.rods = {{0, 1, 0.7}, {2, 1, 1.1}, {3, 2, 0.9}, {1, 4, 0.4}};
@@ -73,14 +73,14 @@ TEST(SolveConstraints, TakesAsManyStepsAsAChainHasRods) {
     chain.f = VectorXd::LinSpaced(3 * n, -1, 1);
     const particles::ConstraintReport report = chain.solve();
     std::printf("chain of %d particles: %d steps\n", n, report.steps);
-    // In exact arithmetic no more than rows.
+    // In exact arithmetic ConjGrad takes at most as many steps as there are rows.
     EXPECT_LE(report.steps, n + 2);
     EXPECT_GT(report.steps, 0);
   }
 }
 
 TEST(SolveConstraints, ReportsWhatMassRatiosLeave) {
-  // Condition about 1e6 and more: what rounding leaves of the residual is 2^-53 of ||A|| ||lambda||.
+  // The condition is about 1e6 and more. Rounding leaves a residual of 2^-53 ||A|| ||lambda||.
   ConstrainedMotion chain = straight_chain(20, 0.1);
   for (int i = 0; i < 20; i += 2) chain.particles.mass[i] = 1e-6;
   chain.f = VectorXd::LinSpaced(60, -1, 1);
@@ -106,7 +106,7 @@ TEST(Redundant, WireAndRodHoldABeadTogether) {
 }
 
 TEST(Redundant, AllDistancesOfARigidBodyAgree) {
-  // Six particles, fifteen rods, twelve of which a rigid body needs. It spins, without any force.
+  // Six particles have fifteen rods; a rigid body needs twelve of them. It spins, without any force.
   ConstrainedMotion body;
   body.particles = {(VectorXd(6) << 0.3, 2, 0.7, 5, 1.1, 0.5).finished(), std::vector<char>(6, 0)};
   body.state = {VectorXd(18), VectorXd(18)};
@@ -142,7 +142,7 @@ TEST(Redundant, ContradictionsEndAndSayHowFarTheyCame) {
   motion.constraints.rods.push_back({0, 1, 1.7});
   const particles::ConstraintReport report = motion.solve();
   const VectorXd rhs = motion.right_hand_side();
-  // No lambda can do better than half of what the two rows differ by.
+  // No lambda can leave less than half of the difference of the two rows.
   EXPECT_GE(report.residual, 0.99 * std::abs(rhs[0] - rhs[4]) / std::sqrt(2.0));
   EXPECT_TRUE(motion.lambda.allFinite());
   EXPECT_LE(report.steps, 180);

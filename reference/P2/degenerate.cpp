@@ -9,8 +9,7 @@ namespace grader::p2 {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Pinned particles have no inverse mass, whatever their mass and whatever pulls at them, and move with the
-// velocity that they have.
+// Pinned particles have an inverse mass of 0, with any mass and any force on them, and keep their velocity.
 void pinned(Trial& trial) {
   Random& random = trial.random;
   for (int rods : {1, 2, 4}) {
@@ -30,7 +29,7 @@ void pinned(Trial& trial) {
     expect_same_lambda(trial, solve(trial, pulled).lambda, lambda,
                        "the change of lambda where pinned particles have another mass and force");
   }
-  // Pinned ends that move.
+  // The pinned ends move.
   ConstrainedSystem moving = held(separate_rods(random, 3));
   moving.name = "pinned ends that move";
   for (int k : {0, 2}) moving.particles.pinned[moving.constraints.rods[k].j] = 1;
@@ -38,8 +37,8 @@ void pinned(Trial& trial) {
   expect_solved(trial, moving, solve(trial, moving).lambda);
 }
 
-// A rod of length 0, and one between pinned particles, hold nothing: the others' lambda is as if they were
-// not there.
+// A rod of length 0, and one between pinned particles, hold nothing: the others' lambda is the same without
+// them.
 void nothing(Trial& trial) {
   Random& random = trial.random;
   const ConstrainedSystem held_rods = at_rest(held(separate_rods(random, 3)));

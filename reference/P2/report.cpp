@@ -1,4 +1,4 @@
-// STAFF ONLY. P2: hidden cases of how tightly lambda is solved for, and of what is reported about that.
+// STAFF ONLY. P2: hidden cases of the tolerance of solves for lambda, and of their report.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -27,7 +27,7 @@ int reference_steps(const ConstrainedSystem& system) {
   return steps;
 }
 
-// Asks for the limit of the solve before; not for fewer than five rows, which take no more than a few steps.
+// Checks the limit of the solve before. Fewer than five rows take too few steps for that.
 void expect_limit(Trial& trial, const ConstrainedSystem& system) {
   if (trial.provided_solves().size() != 1 || system.rows() < 5) return;
   const int most = trial.provided_solves()[0].most, limit = std::max(100, 20 * system.rows());
@@ -39,12 +39,12 @@ void expect_limit(Trial& trial, const ConstrainedSystem& system) {
 
 }  // namespace
 
-// At rest, and the stiffness of the feedback alone pulls, at rods that share no particle and have lengths
-// from 1 to `longest`. So the matrix has their squares for eigenvalues, and the number of steps grows with
-// `longest`: rods of one length take a step or two.
+// Everything is at rest, and only the stiffness of the feedback pulls, at rods that share no particle and
+// have lengths from 1 to `longest`. Their squares are the matrix's eigenvalues, so the number of steps grows
+// with `longest`: rods of one length take a step or two.
 void report(Trial& trial) {
   Random& random = trial.random;
-  // Forces of 1e30 N tell a residual from its square, which for small ones is lost in rounding.
+  // Forces of 1e30 N tell a residual from its square; with small forces rounding hides the difference.
   for (const auto& [rods, longest, scale] : {std::tuple{1, 1.0, 1.0},
                                              {3, 2.0, 1.0},
                                              {10, 5.0, 1.0},
@@ -75,8 +75,8 @@ void report(Trial& trial) {
                  std::to_string(solved.steps) + ", of " + std::to_string(expected));
   }
 
-  // Two particles in one place, and a rod between them that should be longer: J = 0, so nothing solves that.
-  // It ends, and does not claim a solution.
+  // Two particles are in one place, and the rod between them should be longer: J = 0, so there is no
+  // solution. The call must end, and not claim one.
   ConstrainedSystem apart = at_rest(separate_rods(random, 1));
   apart.name = "a rod whose ends are in one place";
   apart.state.x.tail<3>() = apart.state.x.head<3>();

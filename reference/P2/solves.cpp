@@ -21,7 +21,7 @@ void move_rigidly(Random& random, ConstrainedSystem& system) {
 
 }  // namespace
 
-// Without feedback: J W f and J' v.
+// Solves without feedback: the terms are J W f and J' v.
 void solve(Trial& trial) {
   Random& random = trial.random;
   const auto solves = [&](const ConstrainedSystem& system) {
@@ -32,7 +32,7 @@ void solve(Trial& trial) {
       solves(at_rest(held(system)));
       solves(held(system));
     }
-  // At rest, where the rows' order is the student's own.
+  // These are at rest, since there the rows' order may be the student's own.
   for (const ConstrainedSystem& system : hung_chains(random)) solves(at_rest(held(system)));
 
   ConstrainedSystem top = rigid_body(random, 4);
@@ -40,7 +40,7 @@ void solve(Trial& trial) {
   move_rigidly(random, top);
   solves(top);
 
-  // Hair: masses of 1e-8 kg and segments of a centimetre.
+  // Hair has masses of 1e-8 kg and segments of a centimetre.
   ConstrainedSystem hair = at_rest(random_chain(random, 8));
   hair.name = "hair";
   hair.particles.mass *= 1e-8;
@@ -48,8 +48,8 @@ void solve(Trial& trial) {
   hair.state.x *= 0.01;
   solves(held(hair));
 
-  // Constraints that say the same more than once: rods twice and three times, either end first; six particles
-  // with all fifteen distances, three more than a rigid body needs; a wire, and a rod from its pinned centre.
+  // Redundant constraints: rods twice and three times, either end first; six particles with all fifteen
+  // distances, three more than a rigid body needs; a wire, and a rod from its pinned centre.
   ConstrainedSystem twice = at_rest(held(random_chain(random, 5)));
   twice.name = "rods twice";
   for (int k = 0; k < 4; ++k) {
@@ -69,8 +69,8 @@ void solve(Trial& trial) {
   solves(at_rest(held(both)));
 }
 
-// Feedback adds -stiffness C - damping J v to the right-hand side, and so what solves that to lambda: the
-// difference of two solves.
+// Feedback adds -stiffness C - damping J v to the right-hand side. The difference of two lambdas, with and
+// without feedback, solves the system for that.
 void feedback(Trial& trial) {
   Random& random = trial.random;
   const ConstrainedSystem plain = separate_rods(random, 4);
@@ -96,7 +96,7 @@ void feedback(Trial& trial) {
   }
 }
 
-// Rods and wires of different particles know nothing of each other: each part of the answers is that of its
+// Rods and wires of different particles do not affect each other: each part of an answer equals that of its
 // own constraints alone, the rods' part first.
 void rows(Trial& trial) {
   Random& random = trial.random;
@@ -130,8 +130,8 @@ void rows(Trial& trial) {
                "rods and wires together have other values or rates than each alone, in this order");
 }
 
-// The same rods in a unit of length that is 2^40 times as large: numbers of 1e-12. Powers of two round
-// nothing.
+// The same rods in a unit of length that is 2^40 times as large, so that numbers are 1e-12. Powers of two
+// round nothing.
 void units(Trial& trial) {
   Random& random = trial.random;
   const double unit = 0x1p-40;

@@ -1,4 +1,4 @@
-// STAFF ONLY. Draws systems of constraints, and states them, for the cases of P2.
+// STAFF ONLY. Draws systems of constraints for the cases of P2, and builds their tables.
 #include "reference/P2/system.h"
 
 #include <cmath>

@@ -32,8 +32,8 @@ struct ConstrainedSystem {
   Eigen::VectorXd right_hand_side() const;  // -J' v - J W f - stiffness C - damping J v
 
   double matrix_size() const;           // the norm of |J| W |J|^T, at least that of the matrix
-  double value_size() const;            // of the terms in C
-  double right_hand_side_size() const;  // of the terms in the right-hand side
+  double value_size() const;            // the size of the terms in C
+  double right_hand_side_size() const;  // the size of the terms in the right-hand side
 
   // The largest allowed difference between ||right-hand side - J W J^T lambda|| and the value of a student's
   // ConjGrad: from the contract of solver/linearSolver.h, and from the rounding of the student's right-hand

@@ -1,4 +1,4 @@
-// STAFF ONLY. P2: hidden cases of what the solve is put together from: C, J v, J^T lambda, J W J^T.
+// STAFF ONLY. P2: hidden cases of the solve's parts: C, J v, J^T lambda, J W J^T.
 #include <cmath>
 
 #include "reference/P2/answers.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. What several categories of S1 take from the step limit's.
+// STAFF ONLY. The step limit's measurement that other categories of S1 use, too.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace grader::s1 {
 
-// How much too large the student's count of steps is everywhere, which is the step limit's subject; nothing
-// if it counts no steps. Other categories take it off before they look at a count.
+// The number by which the student's counts of steps are always too large; nothing if it counts no steps. Only
+// the step limit's category is about it: the others subtract it from a count.
 std::optional<int> own_offset(Trial& trial);
 
 }  // namespace grader::s1

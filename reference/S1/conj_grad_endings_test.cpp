@@ -1,4 +1,4 @@
-// STAFF ONLY. How ConjGrad ends where Ax = b can't be solved: at once, with the last finite x and an honest
+// STAFF ONLY. If Ax = b can't be solved, ConjGrad ends at once, with the last finite x and an honest
 // residual.
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace reference_tests {
 namespace {
 
-// Not within epsilon by accident: a number above it, an infinity or a NaN.
+// The residual is above epsilon: a number, an infinity or a NaN.
 void expect_failure(const Solution& s, double epsilon) {
   EXPECT_FALSE(s.squared_residual <= epsilon);
 }

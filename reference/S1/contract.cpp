@@ -1,4 +1,4 @@
-// STAFF ONLY. S1: ConjGrad's hidden cases on what its arguments and its return value mean.
+// STAFF ONLY. S1: ConjGrad's hidden cases on its arguments and its return value.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +16,7 @@ bool same(const Solution& a, const Solution& b) {
 }
 
 std::optional<int> own_offset(Trial& trial) {
-  // Three different eigenvalues: after three steps nothing is left, however epsilon is compared.
+  // With three different eigenvalues nothing is left after three steps, however epsilon is compared.
   const LinearSystem system =
       even(spectral_system("a count of steps", {1, 1, 3, 3, 3, 7, 7, 7, 7}, trial.random));
   std::optional<int> offset;
@@ -58,7 +58,7 @@ void first_guess(Trial& trial) {
                "the identity does not give x = b after 0 steps");
 }
 
-// The limit alone decides: epsilon is 0, or met by the first guess, or after a step by any direction.
+// Only the limit decides here: epsilon is 0, or the first guess meets it, or one step in any direction does.
 void step_limit(Trial& trial) {
   Random& random = trial.random;
   expect_solves_ordinary_system(trial);
@@ -106,9 +106,9 @@ void step_limit(Trial& trial) {
   }
 }
 
-// It ends at the first x that is good enough. To ask for just what was reached then changes nothing, and to
-// ask for less does: that holds for any directions, and whatever is counted. The return value may be off by
-// the drift, and epsilon leaves room for that.
+// It ends at the first x that is good enough. If epsilon is the reached residual, nothing changes; if it is
+// smaller, there are more steps. This holds for any directions and any way to count. The return value may be
+// off by the drift, and epsilon leaves room for that.
 void expect_ends_in_time(Trial& trial, const LinearSystem& system, double epsilon) {
   const int limit = usual_limit(system);
   const Solution solution = solve(trial, system, epsilon, limit);
@@ -161,8 +161,8 @@ void return_value(Trial& trial) {
                              log_spaced(random.integer(50, 80), 1 / condition, 1), random));
     expect_honest_value(trial, hard, solve(trial, hard, 1e-16, usual_limit(hard)));
   }
-  // Rounded to doubles, these may have a negative eigenvalue: where CG then ends is open, but not that it
-  // says what it has reached.
+  // Rounded to doubles, these may have a negative eigenvalue. CG may then end at any step, but must report
+  // the residual that it reached.
   for (int size = 8; size <= 12; ++size) {
     const LinearSystem hilbert = sparse_system("Hilbert", solver::hilbert(size), random.normals(size), 0);
     expect_honest_value(trial, hilbert, solve(trial, hilbert, 0, usual_limit(hilbert)));

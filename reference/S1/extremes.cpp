@@ -1,4 +1,5 @@
-// STAFF ONLY. S1: ConjGrad's hidden cases on what it can't solve, and on how it goes about its work.
+// STAFF ONLY. S1: ConjGrad's hidden cases on systems that it can't solve, on the 64th step, and on repeated
+// calls.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,8 +11,8 @@
 namespace grader::s1 {
 namespace {
 
-// A tridiagonal matrix; whatever reaches unknown `at` makes its product `value` there. Steps reach one
-// unknown more each, so the step that fails does not depend on how many products a program takes.
+// A tridiagonal matrix whose product is `value` at unknown `at` once its input reaches this unknown. Each
+// step reaches one unknown more, so the step that fails does not depend on a program's number of products.
 class PoisonedMatrix : public implicitMatrix {
  public:
   PoisonedMatrix(int n, int at, double value)
@@ -28,7 +29,7 @@ class PoisonedMatrix : public implicitMatrix {
   double value_;
 };
 
-// Products of `inside`, all but one, whose entries are no numbers.
+// Multiplies by `inside`, but one product is all NaN.
 class LatePoison : public implicitMatrix {
  public:
   LatePoison(std::shared_ptr<implicitMatrix> inside, int at) : inside_(std::move(inside)), left_(at) {}
@@ -69,8 +70,8 @@ void expect_breakdown(Trial& trial, const LinearSystem& system, const Solution& 
                        "the error of the x that it ends with");
 }
 
-// What is finite on paper and what is not, where numbers end. The first direction is r = b - Ax = b (1 - a)
-// of A = a I, alpha is 1 / a, and the next x is b / a.
+// Values near the largest double, some of which overflow. For A = a I the first direction is r = b - Ax =
+// b (1 - a), alpha is 1 / a, and the next x is b / a.
 void where_numbers_end(Trial& trial, std::optional<int> offset) {
   Random& random = trial.random;
   const auto diagonal = [](std::string name, const std::vector<double>& d, std::vector<double> b) {
@@ -84,24 +85,23 @@ void where_numbers_end(Trial& trial, std::optional<int> offset) {
     const Solution solution = solve(trial, system, 1e-12, 50);
     expect_breakdown(trial, system, solution, 1e-12, 1, system.b, offset);
   }
-  // Sums in long double have a wider range: then d'Ad is finite, and so is all else, and the system is
-  // solved. Where it is not, and the loop goes on all the same, x stays b: a residual of 1e150, and 1e137 is
-  // allowed.
+  // Sums in long double have a wider range: then d'Ad and all else are finite, and the system is solved. If
+  // d'Ad is infinite and the loop still goes on, x stays b: a residual of 1e150, where 1e137 is allowed.
   const LinearSystem wide = diagonal("d'Ad overflows", {1e10, 2e10}, {size * 1e140, 1e140});
   const Solution gone_on = solve(trial, wide, 1e-12, 50);
   if (gone_on.x == wide.b)
     expect_breakdown(trial, wide, gone_on, 1e-12, 1, wide.b, offset);
   else
     expect_solved(trial, wide, gone_on, 1e-12);
-  // A solution near the end of the numbers, 1.8e308, is one.
+  // A solution near the largest double, 1.8e308, is still a solution.
   const double b = random.uniform(1, 2) * 1e150;
   const LinearSystem large = diagonal("x is 1e308", {1.25e-158, 1.25e-158}, {b, 1e150});
   const Solution solution = solve(trial, large, 0, 1);
   trial.expect_at_most(std::abs(solution.x[0] / (8e157 * b) - 1) + std::abs(solution.x[1] / 8e307 - 1), 1e-14,
                        "the relative error of an x near the end of the numbers");
-  // Of diag(s, 2 s) with equal entries b, x is two thirds of b / s after one step, and (1, 1/2) of it after
-  // two: here that is where numbers have ended, so x stays what it was. The way back, (1/3, 5/6) of it, has
-  // numbers.
+  // For diag(s, 2 s) and equal entries b, x is two thirds of b / s after one step, and (1, 1/2) of it after
+  // two. That overflows here, so x stays the same. The residual of the first x would lead to (1/3, 5/6) of
+  // it, which is finite.
   const double end = 1.05e308, s = b / end / 2;
   const LinearSystem last = diagonal("x overflows in the second step", {s, 2 * s}, {b, b});
   const Solution stays = solve(trial, last, 1e-12, 50);
@@ -120,7 +120,7 @@ void not_positive_definite(Trial& trial) {
   const double epsilon = 1e-12;
   const int n = random.integer(5, 9);
 
-  // The first direction already has d'Ad <= 0: one step that fails, and x = b.
+  // The first direction already has d'Ad <= 0, so the first step fails, and x = b.
   const std::vector<double> b = random.normals(n);
   const LinearSystem negative = with_right_side(
       "negative definite", solver::diagonal(std::vector<double>(n, -random.uniform(0.5, 3))), b);
@@ -128,8 +128,8 @@ void not_positive_definite(Trial& trial) {
   const LinearSystem zero = with_right_side("zero matrix", solver::diagonal(std::vector<double>(n, 0.0)), b);
   expect_breakdown(trial, zero, solve(trial, zero, epsilon, 50), epsilon, 1, b, offset);
 
-  // diag(p, -q) with r = (1, s) first: d'Ad = p - q s^2 > 0. The second direction has d'Ad < 0: by
-  // Sylvester's law of inertia, and the second residual, a multiple of (-s, 1), too, since p s^2 < q.
+  // diag(p, -q) has first r = (1, s), with d'Ad = p - q s^2 > 0. The second direction has d'Ad < 0, by
+  // Sylvester's law of inertia, and so has the second residual, a multiple of (-s, 1), since p s^2 < q.
   const double p = random.uniform(4, 6), q = random.uniform(1, 2), s = random.uniform(0.2, 0.3);
   const LinearSystem indefinite =
       with_right_side("indefinite", solver::diagonal({p, -q}), {1 / (1 - p), s / (1 + q)});
@@ -137,7 +137,7 @@ void not_positive_definite(Trial& trial) {
   expect_breakdown(trial, indefinite, solve(trial, indefinite, epsilon, 50), epsilon, 2,
                    {indefinite.b[0] + alpha, indefinite.b[1] + alpha * s}, offset);
 
-  // Singular: eigenvalue 0 once, for the vector of ones.
+  // The matrix is singular: it has the eigenvalue 0 once, for the vector of ones.
   const int size = random.integer(6, 10);
   std::vector<solver::SparseMatrix::Entry> ring;
   for (int i = 0; i < size; ++i) {
@@ -146,13 +146,13 @@ void not_positive_definite(Trial& trial) {
     ring.push_back({i, (i + size - 1) % size, -1});
   }
   const solver::SparseMatrix laplacian(size, size, ring);
-  // Rounding decides where CG ends; but it ends, with a finite x, and claims no more than it has.
+  // Rounding decides at which step CG ends. It must end, with a finite x and a true residual.
   const LinearSystem consistent =
       sparse_system("semi-definite, consistent", laplacian, random.normals(size), 0);
   LinearSystem inconsistent = with_right_side("semi-definite, inconsistent", laplacian, random.normals(size));
   double mean = 0;
   for (double value : inconsistent.b) mean += value / size;
-  for (double& value : inconsistent.b) value += 1 - mean;  // a mean of 1: what no x can reach
+  for (double& value : inconsistent.b) value += 1 - mean;  // no x can reach a mean of 1
   for (const LinearSystem* singular : {&consistent, &std::as_const(inconsistent)}) {
     const Solution solution = solve(trial, *singular, epsilon, 100);
     if (solution.value <= epsilon) expect_solved(trial, *singular, solution, epsilon);
@@ -177,8 +177,8 @@ void not_finite(Trial& trial) {
     expect_no_step(nothing);
     trial.expect(!std::isfinite(nothing.value), "b is not finite, and yet the return value is");
 
-    // b has its first `reach` entries, the first residual one more, and the direction of step k reaches k
-    // more than b.
+    // b has its first `reach` entries, the first residual one more, and the direction of step k has k more
+    // than b.
     for (int failing : {0, 1, 3}) {
       const int reach = random.integer(2, 3), at = failing == 0 ? reach - 1 : reach + failing - 1;
       LinearSystem poisoned =
@@ -194,7 +194,7 @@ void not_finite(Trial& trial) {
         continue;
       }
       expect_failed(trial, solution, 1e-12, failing, offset);
-      // The last finite x has been moved by the steps before, and by no other.
+      // Only the steps before the failing one have moved x.
       for (int i = reach; i < n; ++i)
         trial.expect((solution.x[i] != 0) == (i < at), "x is not the last finite one",
                      "entry " + std::to_string(i) + " is " + std::to_string(solution.x[i]));
@@ -202,20 +202,20 @@ void not_finite(Trial& trial) {
   }
   where_numbers_end(trial, offset);
 
-  // The 66th product is that of the true residual after 64 steps. ConjGrad ends with an x; solve() asks for
-  // no more.
+  // The 66th product makes the true residual after 64 steps. ConjGrad ends with an x, and solve() checks
+  // nothing else.
   LinearSystem late =
       spectral_system("the 66th product is not finite", solver::log_spaced(220, 1, 1000), random);
   late.A = std::make_shared<LatePoison>(late.A, 66);
   solve(trial, late, 0, 100);
 }
 
-// Products and x at the step that takes the true residual, and around it. epsilon = 0: it goes on to the
-// limit.
+// Compares products and x at the step that takes the true residual, and around it. With epsilon = 0 it goes
+// on to the limit.
 void sixty_fourth(Trial& trial) {
   Random& random = trial.random;
   expect_solves_ordinary_system(trial);
-  // No residual is longer than the one before: who keeps the best x has each.
+  // No residual is longer than the one before, so the best x is always the last one.
   const LinearSystem system = scaled(
       planned_system("the 64th step", random.uniforms(random.integer(132, 138), 0.9, 0.95), random), 0x1p50);
   for (int steps : {1, 63, 64, 65, 127, 128, 129}) {
@@ -224,7 +224,7 @@ void sixty_fourth(Trial& trial) {
                  "the number of products is not 1 + steps + floor(steps / 64)",
                  std::to_string(solution.products) + " for " + std::to_string(steps) + " steps");
   }
-  // The same if epsilon ends it, whatever is counted.
+  // The same holds if epsilon ends it, for any way to count.
   const LinearSystem ends =
       even(spectral_system("ended by epsilon", solver::log_spaced(random.integer(20, 30), 1, 50), random));
   const auto [epsilon, least] = tolerance_after(ends, 5);
@@ -232,10 +232,9 @@ void sixty_fourth(Trial& trial) {
   trial.expect(ended.products == 1 + ended.steps + ended.steps / 64 || ended.products == 1 + least,
                "it takes one product more than its steps need", std::to_string(ended.products) + " products");
 
-  // Each 64th step moves x as any other does: along a direction to where the residual is
-  // orthogonal to it. By then rounding has turned the directions, and steps differ several times in length;
-  // but each ends there, within (10 + 2e) u ||A|| X for the last step's own rounding and 65 times that for
-  // the residual's.
+  // Each 64th step moves x like any other: along a direction until the residual is orthogonal to it. By then
+  // rounding has turned the directions, and steps differ several times in length. But each ends there, within
+  // (10 + 2e) u ||A|| X for the last step's own rounding and 65 times that for the residual's.
   for (int last : {63, 64, 65, 128}) {
     std::vector<double> x = solve(trial, system, 0, last).x, Ax(x.size());
     const std::vector<double> before = solve(trial, system, 0, last - 1).x;
@@ -252,7 +251,7 @@ void sixty_fourth(Trial& trial) {
   }
 }
 
-// Each answer is compared with the same call's before.
+// Compares each answer with that of the same call before.
 void call_after_call(Trial& trial) {
   Random& random = trial.random;
   const int n = random.integer(10, 20);
@@ -267,7 +266,7 @@ void call_after_call(Trial& trial) {
   };
   const Solution before = ask(first);
   expect_solved(trial, first, before, epsilon);
-  // Forty steps, and forty more: none is a 64th.
+  // It takes forty steps, and forty more, none of which is a 64th.
   const Solution forty = solve(trial, larger, 0, 40);
   for (const LinearSystem* other : {&larger, &smaller}) {
     expect_solved(trial, *other, ask(*other), epsilon);

@@ -1,5 +1,5 @@
-// STAFF ONLY. ConjGrad as the tests call it: vectors by value, the products counted, watched and, if wanted,
-// spoilt.
+// STAFF ONLY. Calls ConjGrad for the tests, with vectors by value. It counts and watches the products, and
+// spoils one if asked to.
 #pragma once
 
 #include <cmath>

@@ -14,7 +14,7 @@ namespace {
 
 using solver::log_spaced;
 
-// At a tolerance that CG meets after a certain number of steps.
+// Solves with a tolerance that CG meets after a known number of steps.
 Solution expect_solves(Trial& trial, const LinearSystem& any, int least_steps) {
   const LinearSystem system = even(any);
   const double epsilon = tolerance_after(system, least_steps).epsilon;
@@ -23,8 +23,8 @@ Solution expect_solves(Trial& trial, const LinearSystem& any, int least_steps) {
   return solution;
 }
 
-// So large a b that no fixed tolerance is in the way, and an epsilon that nothing meets: `limit` steps are
-// taken, unless rounding is all that is left before. Then ||b - Ax|| is at most `tolerance` ||b||.
+// b is so large that no fixed tolerance ends the loop, and nothing meets epsilon. So the call takes `limit`
+// steps, unless only rounding is left before. Then ||b - Ax|| is at most `tolerance` ||b||.
 void expect_goes_on(Trial& trial, const LinearSystem& system, int limit, double tolerance = 1) {
   constexpr double kLength = 0x1p50;
   const LinearSystem large = scaled(system, kLength / norm(system.b));
@@ -34,10 +34,10 @@ void expect_goes_on(Trial& trial, const LinearSystem& system, int limit, double 
                        "the norm of b - Ax over that of b", std::to_string(limit) + " steps");
 }
 
-// Hundreds of steps. Rounding turns the directions, and each right program pays some steps for that: 0.9 to
-// 1.2 times ours for the systems below, whatever its formulas and orders of sums. Forgetting the directions
-// so far at each 64th or n-th step takes at least 2.4 times as many in one of them. The fewer unknowns, the
-// more is up to chance: 0.7 to 1.6 times for n = 30 and a condition of 1e6.
+// The solve takes hundreds of steps. Rounding turns the directions, which costs each right program some
+// steps: 0.9 to 1.2 times ours for the systems below, with any formulas and orders of sums. A program that
+// forgets its directions at each 64th or n-th step takes at least 2.4 times as many in one of them. With
+// fewer unknowns chance counts more: 0.7 to 1.6 times for n = 30 and a condition of 1e6.
 void expect_long_solve(Trial& trial, const LinearSystem& system) {
   const double length = norm(system.b);
   const Solution ours = reference_solution(system, std::pow(1e-8 * length, 2), 100 * system.n());
@@ -61,13 +61,13 @@ void examples(Trial& trial) {
   const LinearSystem first = sparse_system("Example 1", solver::diagonal({2, 1}), {0.5, 1}, 1);
   expect_solved(trial, first, solve(trial, first, 1e-5, 1), 1e-5);
 
-  // Eigenvalues (3 -+ sqrt(5)) / 2.
+  // The eigenvalues are (3 -+ sqrt(5)) / 2.
   const LinearSystem second = sparse_system(
       "Example 2", solver::SparseMatrix(2, 2, {{0, 0, 2}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}}), {-1, 5}, 0.38);
   expect_solved(trial, second, solve(trial, second, 1e-5, 2), 1e-5);
 }
 
-// k different eigenvalues take k steps: no more are allowed.
+// k different eigenvalues take k steps, and no more are allowed.
 void clusters(Trial& trial) {
   Random& random = trial.random;
   for (int distinct = 1; distinct <= 6; ++distinct) {
@@ -105,7 +105,7 @@ void ill_conditioned(Trial& trial) {
                                                 log_spaced(random.integer(50, 80), 1 / condition, 1), random);
     expect_goes_on(trial, system, usual_limit(system));
   }
-  // Smallest eigenvalues, from below: 1 / ||H^-1||_F.
+  // Lower bounds of the smallest eigenvalues: 1 / ||H^-1||_F.
   const double hilbert_smallest[] = {9.6e-5, 3.2e-6, 1.0e-7, 3.4e-9};
   for (int size = 4; size <= 7; ++size) {
     const LinearSystem hilbert =
@@ -122,8 +122,8 @@ void systems(Trial& trial) {
   examples(trial);
   clusters(trial);
 
-  // Fewer different eigenvalues than unknowns, and no more than 64 steps: another category asks what happens
-  // then.
+  // It has fewer different eigenvalues than unknowns, and takes at most 64 steps; another category is about
+  // the 64th.
   const int grid = random.integer(9, 14);
   const LinearSystem poisson =
       sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
@@ -151,7 +151,7 @@ void systems(Trial& trial) {
       3);
 }
 
-// Conditions of at most 4: what converges slowly is solved here, too, if it reaches all unknowns.
+// Conditions are at most 4, so that a program that converges slowly passes, too, if it reaches all unknowns.
 void sizes(Trial& trial) {
   for (int n : {1, 2, 3, 10, 100, 1000, 10000}) {
     const std::vector<double> d = trial.random.uniforms(n, 1, 4);
@@ -191,12 +191,12 @@ void hard(Trial& trial) {
   expect_long_solve(trial, string_of(random.integer(300, 400), random));
   expect_long_solve(trial, spectral_system("random, condition 5000",
                                            log_spaced(random.integer(250, 300), 1, 5000), random));
-  // Far more steps than unknowns: directions that rounding has turned are what costs them.
+  // This takes far more steps than unknowns, since rounding turns the directions.
   expect_long_solve(
       trial, spectral_system("random, condition 1e6", log_spaced(random.integer(60, 80), 1, 1e6), random));
 }
 
-// Whoever solves nothing at all gets nothing for that.
+// A program that solves no ordinary system gets no points here.
 void empty(Trial& trial) {
   expect_solves_ordinary_system(trial);
   const LinearSystem nothing = sparse_system("nothing", solver::diagonal({}), {}, 1);

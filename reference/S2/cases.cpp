@@ -70,12 +70,12 @@ std::vector<double> numbers_in(const VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-// Two products with the same x, into buffers that held anything; entries may be off by `rounding`.
+// Compares two products with the same x, into buffers with junk. Entries may be off by `rounding`.
 void expect_products(Trial& trial, const std::vector<VectorXd>& products, const std::vector<double>& expected,
                      double rounding, const std::string& what) {
   trial.expect_at_most(distance(numbers_in(products[0]), expected), rounding, "the error of " + what,
                        {products[0], vector_of(expected), 1});
-  // Of the same x: a product that changes it shows here.
+  // Both products have the same x, so a product that changes x shows here.
   trial.expect(products[0] == products[1], what + " gives another result the second time");
 }
 
@@ -109,8 +109,8 @@ NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix
   trial.describe(name + ", " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
   Counted counted(matrix);
   const int limit = steps == 0 ? std::max(100, 2 * matrix.cols) : std::max(0, steps);
-  counted.most = 2 * calls * (limit + limit / 64 + 4);  // of either kind
-  VectorXd x, right_side = vector_of(b);                // what one call does to b, the next one meets
+  counted.most = 2 * calls * (limit + limit / 64 + 4);  // products of both kinds together
+  VectorXd x, right_side = vector_of(b);                // b goes from call to call, with any change to it
   NormalSolution solution;
   CaseAsker asker(trial);
   for (int call = 0; call < calls; ++call) {
@@ -140,12 +140,11 @@ double normal_residual(const Matrix& table, const std::vector<double>& x, std::v
   return norm(table.transposed().times(b));
 }
 
-// x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says;
-// `smallest` is a lower bound of A's smallest singular value.
+// x solves A'A x = A'b up to epsilon and rounding, and so is close to `expected`. `smallest` is a lower
+// bound of A's smallest singular value.
 void expect_solves(Trial& trial, const std::string& name, const Matrix& table, std::vector<double> b,
                    std::vector<double> expected, double smallest) {
-  // ||A'b|| = 1: there a relative epsilon is the same. What is made of epsilon is a question for
-  // steps_and_products.
+  // With ||A'b|| = 1 a relative epsilon is the same. The meaning of epsilon is for steps_and_products.
   const double length = norm(table.transposed().times(b));
   for (std::vector<double>* vector : {&b, &expected})
     for (double& value : *vector) value /= length;
@@ -158,8 +157,8 @@ void expect_solves(Trial& trial, const std::string& name, const Matrix& table, s
   trial.expect_at_most(distance(solution.x, expected), bound, "the error of x", numbers);
 }
 
-// A = D + N: D diagonal with entries of size `large` or more, ||N||_F <= 1, so that no singular value is
-// below large - 1.
+// A = D + N, where D is diagonal with entries of size `large` or more, and ||N||_F <= 1. So no singular value
+// is below large - 1.
 Matrix dominant(Random& random, const std::vector<double>& diagonal) {
   const int n = static_cast<int>(diagonal.size());
   Matrix table = random_table(random, n, n);
@@ -210,8 +209,8 @@ void normal_operator(Trial& trial) {
   }
 }
 
-// A'A A'A x, of a symmetric A. Each of the four products may be off by its dot products' rounding, and the
-// later ones multiply that.
+// Compares A'A A'A x for a symmetric A. Each of the four products may be off by its dot products' rounding,
+// and the later ones multiply that.
 void nested(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 5, 8}) {
@@ -229,7 +228,7 @@ void nested(Trial& trial) {
   }
 }
 
-// A product has no unit of its own: powers of two round nothing.
+// A product works in each unit, and powers of two round nothing.
 void units(Trial& trial) {
   Random& random = trial.random;
   const Matrix table = random_table(random, 4, 4);
@@ -273,7 +272,7 @@ void expect_solves_non_symmetric(Trial& trial) {
     const std::vector<double> x = random.normals(n);
     expect_solves(trial, "non-symmetric", A, A.times(x), x, 1);
   }
-  // A rotation: A'A is the identity, and one look suffices.
+  // A is a rotation: A'A is the identity, so the first guess is the solution.
   const double angle = random.uniform(0.5, 1);
   const Matrix rotation{2, 2, {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}};
   const std::vector<double> x = random.normals(2);
@@ -290,15 +289,15 @@ void expect_solves_indefinite(Trial& trial) {
     const std::vector<double> x = random.normals(n);
     expect_solves(trial, "symmetric, indefinite", A, A.times(x), x, 2 - std::sqrt(2.0));
   }
-  // Saddle point: [[1, 1], [1, 0]], eigenvalues (1 -+ sqrt(5)) / 2.
+  // The saddle point [[1, 1], [1, 0]] has the eigenvalues (1 -+ sqrt(5)) / 2.
   expect_solves(trial, "saddle point", {2, 2, {1, 1, 1, 0}}, {3, 1}, {1, 2}, 0.618);
 }
 
 void expect_least_squares(Trial& trial) {
   Random& random = trial.random;
   for (auto [rows, cols] : {std::pair{6, 3}, {30, 10}}) {
-    // A = Q [B; 0] with Q orthogonal has B's singular values, at least 1, and Q [0; z] is orthogonal to its
-    // columns: b = A x + Q [0; z] has the solution x.
+    // A = Q [B; 0] with an orthogonal Q has B's singular values, at least 1. Q [0; z] is orthogonal to its
+    // columns, so b = A x + Q [0; z] has the solution x.
     std::vector<double> diagonal(cols);
     for (double& value : diagonal) value = random.uniform(2, 5);
     const Matrix B = dominant(random, diagonal);
@@ -327,7 +326,7 @@ void expect_least_squares(Trial& trial) {
     // Rounding leaves A'Q[0; z] at u ||A|| ||z||, within the drift's allowance.
     expect_solves(trial, "least squares", A, b, x, 0.99);
   }
-  // Fewer rows than columns: A'A is singular, and any x that solves will do. The first guess, A'b, is in its
+  // With fewer rows than columns A'A is singular, and any solution x passes. The first guess, A'b, is in its
   // range.
   for (auto [rows, cols] : {std::pair{2, 5}, {3, 40}}) {
     const Matrix A = random_table(random, rows, cols);
@@ -348,7 +347,7 @@ void systems(Trial& trial) {
   expect_least_squares(trial);
 }
 
-// Of a symmetric A, for which it does not matter which of the two products comes first.
+// A is symmetric here, so the order of the two products does not matter.
 void steps_and_products(Trial& trial) {
   Random& random = trial.random;
   const int n = random.integer(12, 18);
@@ -357,7 +356,8 @@ void steps_and_products(Trial& trial) {
   const Matrix A = symmetric(dominant(random, diagonal));
   const std::vector<double> x = random.normals(n), b = A.times(x), Atb = A.transposed().times(b);
   expect_solves(trial, "ordinary", A, b, x, 1);
-  // epsilon decides, in a unit in which nothing is 1: a little more than three steps leave.
+  // epsilon decides here: it is a little more than the residual after three steps, in a unit in which no
+  // length is 1.
   std::vector<double> large = b;
   for (double& value : large) value *= 0x1p20;
   const double left = normal_residual(A, solve(trial, "three steps", A, large, 0, 3).x, large);

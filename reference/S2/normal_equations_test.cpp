@@ -1,5 +1,5 @@
-// STAFF ONLY. S2 where its columns depend, and without allocations. What solver/normal_equations.h promises
-// the public checks ask.
+// STAFF ONLY. S2 with dependent columns, and its allocations. The public checks test the promises of
+// solver/normal_equations.h.
 
 #include "solver/normal_equations.h"
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the solver's study measures of ConjGrad and of the normal equations is what theory says.
+// STAFF ONLY. The solver's study measures ConjGrad and the normal equations as theory predicts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,8 +38,8 @@ TEST(SolverTheory, TheErrorInTheANormIsBelowTheBoundOfConjugateGradients) {
 }
 
 TEST(SolverTheory, AsManyDifferentEigenvaluesAsIterations) {
-  // Cancellation costs digits, as these polynomials are large between the clusters: what is left is far from
-  // what one iteration fewer leaves, and that is what is shown.
+  // Cancellation costs digits, as these polynomials are large between the clusters. The test shows that the
+  // error is far below the one after one iteration fewer.
   for (const int clusters : {2, 3, 5}) {
     const System system = clustered_system(200, 1e3, clusters);
     const History measured = history(system, 10);
@@ -62,7 +62,7 @@ TEST(SolverTheory, TheResidualThatIsReturnedIsTheTrueOneUntilRoundingEndsIt) {
     }
 }
 
-// Errors as the condition number grows by a factor of 10^decades; the slope in the logarithm.
+// The slope of the errors' logarithm while the condition number grows by a factor of 10^decades.
 double slope(double first, double last, int decades) {
   return std::log10(last / first) / decades;
 }
@@ -80,7 +80,8 @@ TEST(SolverTheory, QrLosesADigitWhereTheNormalEquationsLoseTwo) {
     EXPECT_LE(one.cholesky, normal) << "condition " << one.condition;
     EXPECT_LE(one.conj_grad, normal) << "condition " << one.condition;
   }
-  // Three decades, and room for constants that differ by 10: a third tells one digit from two.
+  // Over three decades constants that differ by 10 change the slope by a third, which tells one digit from
+  // two.
   const double tolerance = 1.0 / 3;
   EXPECT_NEAR(slope(low.qr, high.qr, 3), 1, tolerance);
   EXPECT_NEAR(slope(low.pivoted_qr, high.pivoted_qr, 3), 1, tolerance);

@@ -1,6 +1,6 @@
-// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the way back to memory, and the head. The
-// points of a group that are near the head are listed first and pushed out then, as many at a time as a
-// vector of single precision has lanes: which strands they belong to does not matter.
+// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the way back to memory, and the head. It
+// first lists a group's points that are near the head, of all strands together, and then pushes them out, as
+// many at a time as a vector of single precision has lanes.
 #if defined(HAIR_REFERENCE_ENGINE_CONTACT_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_CONTACT_H_
 #undef HAIR_REFERENCE_ENGINE_CONTACT_H_
@@ -17,7 +17,7 @@ namespace hair::engine::HWY_NAMESPACE {
 
 inline constexpr int kMostPushes = 20;
 
-// What friction takes from a vector: its part across n, at most `limit` of it.
+// The part of a vector that friction takes away: that across n, at most `limit` long.
 HWY_INLINE Floats3 friction(const Floats3& vector, const Floats3& n, Floats limit) {
   const Floats3 across = minus(vector, dot(n, vector), n);
   return hn::Min(floats(1), limit * per_length(across)) * across;
@@ -29,7 +29,7 @@ class NearHead {
   HWY_INLINE NearHead(const StepConstants& step, const Scratch& scratch)
       : step_(step), rows_(scratch.near), index_in_group_(scratch.near_index), row_(scratch.near_row) {}
 
-  // Points that were at `old` and are at `now`; `at`: where the first lane's x is in the group.
+  // Adds points that moved from `old` to `now`. `at` is the index of the first lane's x in the group.
   HWY_INLINE void add(const Vec3& old, const Vec3& now, std::int32_t at) {
     const HalfTag tag;
     const hn::Rebind<std::int32_t, Tag> integers;
@@ -61,8 +61,8 @@ class NearHead {
       for (std::size_t k = 0; k < count_; k += kFloats) {
         const Floats3 place = next_place;
         const CellCorners corners = next_corners;
-        // The next points' distances, which the nearest cache does not hold, are on their way while these
-        // points are pushed.
+        // The nearest cache does not hold the next points' distances: they are fetched while these points are
+        // pushed.
         if (k + kFloats < count_) {
           next_place = read(kPlace, k + kFloats);
           next_corners = CellCorners(step_.grid, next_place);
@@ -77,7 +77,7 @@ class NearHead {
         const Floats3 change = speed * n - friction(u, n, mu * speed);
         add_to(group, k, inside, shift, change);
         // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in
-        // slope by less than a tenth. Whether a point is done depends on no other.
+        // slope by less than a tenth. Each point ends by itself.
         const auto again = hn::And(inside, surface.depth > floats(10) * rest);
         keep(tag, again, place + shift, kPlace, left);
         keep(tag, again, way + shift, kWay, left);
@@ -94,7 +94,7 @@ class NearHead {
  private:
   using HalfTag = hn::Rebind<float, Tag>;
   using Half = hn::Vec<HalfTag>;
-  // Places, ways and velocities beside the head.
+  // The first rows of places, ways and velocities near the head.
   enum Row : std::size_t { kPlace = 0, kWay = 3, kSpeed = 6 };
 
   HWY_INLINE float* number(std::size_t row, std::size_t k) { return rows_ + row * row_ + k; }
@@ -103,8 +103,8 @@ class NearHead {
     return {hn::LoadU(tag, number(first, k)), hn::LoadU(tag, number(first + 1, k)),
             hn::LoadU(tag, number(first + 2, k))};
   }
-  // Whole vectors, of which the next ones overwrite what is too much: some processors take hundreds of cycles
-  // to store the parts that a mask picks.
+  // Stores whole vectors; the next ones overwrite the lanes that are too many. Some processors take
+  // hundreds of cycles to store the lanes that a mask picks.
   template <class D, class M>
   HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
     hn::StoreU(hn::Compress(a.x, which), tag, number(first, k));
@@ -116,7 +116,7 @@ class NearHead {
     return {hn::DemoteTo(tag, a.x), hn::DemoteTo(tag, a.y), hn::DemoteTo(tag, a.z)};
   }
 
-  // All at once: one by one, each number has to wait for its own change of precision.
+  // Stores all lanes at once. One by one each number would wait for its own change of precision.
   static HWY_INLINE void store_doubles(Floats a, double* to) {
 #if HWY_TARGET == HWY_SCALAR
     *to = a.raw;
@@ -127,7 +127,7 @@ class NearHead {
 #endif
   }
 
-  // x and v of the points from k on, where `which`.
+  // Adds to x and v of the points from k on, in the lanes `which`.
   template <class M>
   HWY_INLINE void add_to(const Group& group, std::size_t k, M which, const Floats3& shift,
                          const Floats3& change) {
@@ -176,7 +176,7 @@ HWY_NOINLINE void finish(const StepConstants& step, const Group& group, std::siz
     store3<kGroup>(v, group.v + at);
     if constexpr (kContact)
       if (i > 0) near.add(old, now, static_cast<std::int32_t>(at));
-    // A sum of squares is finite if its parts are, and not too large for a step to come back from.
+    // The sum of squares is finite if all parts are finite, and small enough for the next step to recover.
     finite = hn::And(finite, dot(now, now) + dot(v, v) < infinite);
   }
   if constexpr (kContact) near.push_out(group);

@@ -1,7 +1,6 @@
-// STAFF ONLY. A solid's distances on a grid, in integers of 16 bits, the largest of which is the largest
-// distance: a solid itself, whose distance between the grid's points is interpolated (trilinear) and whose
-// normal is the interpolated distance's gradient. Of a bust distances are right to 5e-6 m, a tenth of a
-// hair's radius.
+// STAFF ONLY. A solid's distances on a grid, in integers of 16 bits, scaled to the largest distance. It is a
+// solid itself: its distance between the grid's points is interpolated (trilinear), and its normal is the
+// gradient of that. A bust's distances are right to 5e-6 m, a tenth of a hair's radius.
 #pragma once
 
 #include <array>
@@ -14,13 +13,13 @@ namespace hair::engine {
 
 class DistanceGrid : public Solid {
  public:
-  // Points `spacing` metres apart, which reach two of it beyond the solid's box. Throws std::invalid_argument
-  // for more than kMostPoints.
+  // The points are `spacing` metres apart and reach two spacings beyond the solid's box. Throws
+  // std::invalid_argument for more than kMostPoints.
   DistanceGrid(const Solid& solid, double spacing);
 
   static constexpr double kMostPoints = 2e8;
 
-  // Beyond the grid: the distance from the solid's box, at least one spacing, and the way from it.
+  // Beyond the grid it returns the distance from the solid's box, at least one spacing, and the way from it.
   Surface surface_at(const Vector3d& point) const override;
   Eigen::AlignedBox3d box() const override { return box_; }
 

@@ -15,7 +15,7 @@
 namespace hair::engine {
 namespace {
 
-// Integers of a unit are right to half of it; single precision before adds little. The largest distance is at
+// Integers are right to half a unit; the single precision before them adds little. The largest distance is at
 // a corner.
 TEST(DistanceGrid, KeepsDistancesToHalfAUnit) {
   constexpr double kSpacing = 0.01;
@@ -54,7 +54,7 @@ TEST_P(Engine, PushesHairOutOfTheHeadAsGivenCodeDoes) {
     const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
     particles::State expected = free[k];
     contacts += collide(obstacles, moving->particles, h, all[k].x, expected).contacts;
-    // Given code goes on until a point is within rounding; normals differ by less than 1 in what is left.
+    // Given code goes on until a point is within rounding, and there the normals differ by less than 1.
     EXPECT_LE((states[k].x - expected.x).cwiseAbs().maxCoeff(), 3 * kContactDepth) << "strand " << k;
     EXPECT_LE((states[k].v - expected.v).cwiseAbs().maxCoeff(), 1e-3) << "strand " << k;
     for (int i = 1; i < kPoints[k]; ++i)
@@ -68,8 +68,8 @@ std::shared_ptr<const Solid> ball_beside_the_axis(double radius) {
   return std::make_shared<Ball>(radius, Vector3d(0.02, -0.01, 0.015));
 }
 
-// Given code's collision in the head's axes, where the head is at rest: before the step these are the
-// world's.
+// Given code's collision in the head's axes, in which the head is at rest. Before the step they are the
+// world's axes.
 CollisionReport collide_in_the_heads_axes(const FullHeadSettings& settings, const MovingStrand& moving,
                                           const Eigen::Isometry3d& pose, double h, const VectorXd& x_before,
                                           particles::State& state) {
@@ -120,17 +120,18 @@ TEST_P(Engine, PushesHairOutOfATurnedHeadAsGivenCodeDoes) {
   }
 }
 
-// All of a step, bending too, by given code. How far apart may they be?
+// Compares a whole step, with bending, with given code's. The bound on their distance has four parts:
 //
-//   - The matrix A is at least M, since springs and drag add nothing negative: a residual r is an error of at most |r| / m in v and
-//     h |r| / m in x, m the least mass. The residuals are what ConjGrad reports, and rounding's bound for the engine.
-//   - The correction projects in the metric of masses, which are m to 2 m: in our metric an error grows at most by sqrt 2. It also turns the
-//     segments' directions by 2 error / l0, and what they carry is at most the sum of all lengths that are corrected, n s l0 with the
-//     largest stretch s: 2 n s times the error more.
-//   - Pushing out of a ball from less than half of its radius, and friction, make an error at most twice as large each.
-//   - Where a push ends: as in the tests above.
+//   - The matrix A is at least M, since springs and drag add nothing negative: a residual r is an error of at
+//     most |r| / m in v and h |r| / m in x, with the least mass m. ConjGrad reports its residual; rounding
+//     bounds the engine's.
+//   - The correction projects in the metric of masses, which are m to 2 m: in our metric an error grows at
+//     most by sqrt 2. It also turns the segments' directions by 2 error / l0. These directions carry at most
+//     all corrected lengths together, n s l0 with the largest stretch s: 2 n s times the error more.
+//   - Pushing out of a ball from less than half of its radius, and friction, each at most double an error.
+//   - A push ends as in the tests above.
 //
-// A point that touches or not, as errors decide, has either velocity: these are left out.
+// Points that touch only because of an error are left out, since they may have either velocity.
 TEST_P(Engine, DoesAllOfAStepAsGivenCodeDoes) {
   constexpr double h = 1.0 / 240;
   FullHeadSettings settings = bare();
@@ -179,7 +180,7 @@ TEST_P(Engine, DoesAllOfAStepAsGivenCodeDoes) {
       EXPECT_LE((at(states[k].v) - at(expected.v)).cwiseAbs().maxCoeff(), error / h + 1e-3)
           << "strand " << k << ", point " << i;
     }
-    // The bound tells something: it is half of a hair's radius for 25 points.
+    // The bound is useful: it is half of a hair's radius for 25 points.
     EXPECT_LE(error, 1e-6 * n) << "strand " << k << ", solve " << solve_error << ", stretch " << stretch;
   }
   EXPECT_GT(contacts, 10);

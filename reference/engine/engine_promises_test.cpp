@@ -1,4 +1,4 @@
-// STAFF ONLY. What the engine promises of itself: the same bits, strands that do not know of each other,
+// STAFF ONLY. The engine's own promises: the same bits each time, strands that do not affect each other,
 // steps that allocate nothing, and hair that holds.
 
 #include <bit>
@@ -59,7 +59,7 @@ TEST_P(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
   }
 }
 
-// A strand alone, and among others, one of which has no numbers.
+// Compares a strand alone with the same strand among others, one of which is NaN.
 TEST_P(Engine, KeepsNansInTheirStrandAndSaysWhich) {
   constexpr int kLost = 4;
   FullHead head(kPoints, everything());
@@ -96,8 +96,8 @@ TEST_P(Engine, HoldsStiffHairOnAHeadThatShakes) {
     }
 }
 
-// Roots that are flung to and fro at 100 m/s. Once lengths are right, each point is within L of its root, so
-// it moves relative to that by at most 2 L in a step.
+// Roots are flung to and fro at 100 m/s. Once lengths are right, each point is within L of its root, so it
+// moves relative to the root by at most 2 L in a step.
 TEST_P(Engine, HoldsStiffHairThatIsFlung) {
   constexpr double kFlung = 100;
   FullHeadSettings settings = bare();

@@ -14,12 +14,12 @@ namespace hair::engine {
 
 using Eigen::VectorXd;
 
-// AVX-512, and all that Highway has beyond it: better targets have smaller numbers.
+// AVX-512 and all better targets of Highway, which have smaller numbers.
 inline constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
 
 struct InstructionSet {
   const char* name;
-  long long disabled;  // of Highway's targets
+  long long disabled;  // Highway's targets that are switched off
 };
 
 // Each test runs with each of the kernels that this processor can run.
@@ -53,7 +53,7 @@ class Ball : public Solid {
   Vector3d centre_;
 };
 
-// Turned about an axis that no matrix of turns treats specially.
+// A head turned about an axis that is not special to any rotation matrix.
 inline Eigen::Isometry3d turned_head(double angle, const Vector3d& at = Vector3d::Zero()) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = Eigen::AngleAxisd(angle, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
@@ -96,7 +96,7 @@ inline Start some_start(int points, std::uint64_t seed, double bend = 0.4, doubl
   return start;
 }
 
-// Lengths that fill groups, and that do not; the shortest and a long one.
+// Numbers of points, of which some fill a group and others do not; the least and a large one are among them.
 inline const std::vector<int> kPoints = {25, 2, 25, 3, 25, 4, 25, 25, 200, 25, 25, 25, 25, 5, 25, 3, 25};
 
 inline std::vector<Start> starts(double bend = 0.4, double speed = 1) {
@@ -129,7 +129,7 @@ inline std::vector<particles::State> after(const FullHeadSettings& settings, con
   return states;
 }
 
-// What rounding may leave of H4's equation, N s: see expect_solved.
+// The largest residual of H4's equation that rounding explains, N s: see expect_solved.
 inline double residual_bound(double matrix_norm, double rhs_norm, const particles::State& before,
                              const particles::State& after, double h) {
   const double speeds = (after.v - before.v).norm() + before.v.norm() +

@@ -16,11 +16,11 @@ INSTANTIATE_TEST_SUITE_P(, Engine,
                                          InstructionSet{"scalar", ~0LL}),
                          [](const testing::TestParamInfo<InstructionSet>& set) { return set.param.name; });
 
-// What the engine's dv leaves of H4's equation in given code. A residual of rounding: with the matrix' norm
-// N, each of its numbers is a sum of at most 15 products of some ten roundings each, and is multiplied by
-// velocities: those of the solution, those before, and what rounding of positions makes of velocities, u |x|
-// / h. The forces' own rounding, h k u |x|, is less than N u |x| / h. The head turns in the step: the clamp's
-// tangent is that at its end, and each root has a velocity of its own.
+// Puts the engine's dv into H4's equation in given code: only rounding is left as a residual. Let N be the
+// matrix' norm. Each of its numbers is a sum of at most 15 products of some ten roundings each, and is
+// multiplied by velocities: the solution's, those before, and u |x| / h from rounded positions. The forces'
+// own rounding, h k u |x|, is less than N u |x| / h. The head turns in the step: the clamp's tangent is that
+// at its end, and each root has a velocity of its own.
 void expect_solved(const FullHeadSettings& settings, const std::vector<Start>& all, double h,
                    const Eigen::Isometry3d& pose = turned_head(0.3, Vector3d(2e-3, -5e-3, 1e-3))) {
   const auto states = after(settings, all, h, pose);
@@ -79,7 +79,7 @@ TEST_P(Engine, SolvesStiffHairInShortAndLongSteps) {
     }
 }
 
-// A joint that is folded, and a segment of length 0: neither has a direction to turn to.
+// A folded joint and a segment of length 0 have no direction to turn to.
 TEST_P(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
   FullHeadSettings settings = bare();
   settings.bending = true;
@@ -94,9 +94,9 @@ TEST_P(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
   expect_solved(settings, all, 1.0 / 240);
 }
 
-// From the same positions, both corrections end with lengths that are right to 1e-12. What they may differ by
-// is an error C of lengths, which moves points by W J^T (J W J^T)^-1 C, and the smallest singular value of a
-// hanging strand's J is about pi / 2n.
+// From the same positions, both corrections end with lengths that are right to 1e-12. They may differ by an
+// error C of lengths, which moves points by W J^T (J W J^T)^-1 C. The smallest singular value of a hanging
+// strand's J is about pi / 2n.
 TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
   constexpr double h = 1.0 / 240;
   FullHeadSettings settings = bare();
@@ -120,7 +120,7 @@ TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
   }
 }
 
-// Of so many right angles, the product of all pivots is 2^3000: more than a double holds. Given code knows no
+// With so many right angles the product of all pivots is 2^3000, more than a double holds. Given code has no
 // such product.
 TEST_P(Engine, CorrectsTheLengthsOfManyRightAngles) {
   constexpr int kMany = 3000;
@@ -148,7 +148,7 @@ TEST_P(Engine, CorrectsTheLengthsOfManyRightAngles) {
   EXPECT_LE(largest_stretch(moving->strand, after.x), 1.01 * tolerance);
 }
 
-// Newton's method gives way to `place` where hair is torn or flung: lengths are right all the same.
+// Newton's method gives way to `place` where hair is torn or flung, and lengths are still right.
 TEST_P(Engine, CorrectsTheLengthsOfFlungHair) {
   FullHeadSettings settings;
   for (const double h : {1.0 / 960, 1.0 / 60, 1.0 / 24}) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. The study's two ways to move a head: the engine beside given code with the reference's
+// STAFF ONLY. Compares the study's two ways to move a head: the engine, and given code with the reference's
 // exercises.
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ struct BothHeads {
   std::vector<double> fast_points, given_points;
 };
 
-// Turned by the same motion, in other arithmetic: each of 90 steps rounds a place of at most 0.2 m.
+// Both turn by the same motion, in other arithmetic: each of 90 steps rounds a place of at most 0.2 m.
 TEST(FastHead, MovesRootsAsGivenCodeDoes) {
   BothHeads heads(true);
   for (int frame = 0; frame < kSettle + kMoving; ++frame) {
@@ -52,11 +52,11 @@ TEST(FastHead, MovesRootsAsGivenCodeDoes) {
   }
 }
 
-// Both end at the same rest, under the same weight and drag. What they do on the way differs: given code does
+// Both come to the same rest, under the same weight and drag. On the way they differ, since given code does
 // not correct lengths. A pendulum of 36 cm with a drag of 20/s creeps to rest as exp(-(1.4 g / L) / 20 t) or
 // faster; after five seconds 1e-4 of less than 0.3 m is left of each. The weight of 36 cm of hair stretches
-// it by 1e-5 of itself. And the engine's segments have one length, where given code's are as the hair grew:
-// that moves a point by what segments differ from their mean.
+// it by 1e-5 of itself. The engine's segments have one length, and given code's are as the hair grew: that
+// moves a point by the segments' differences from their mean.
 TEST(FastHead, ComesToRestWhereGivenCodeDoes) {
   BothHeads heads(false);
   for (int frame = 0; frame < 5 * kFramesPerSecond; ++frame) heads.advance();

@@ -1,5 +1,5 @@
 // STAFF ONLY. The factorisation A = L D L^T of a strand's matrix, a block column at a time, and the solve
-// with it. Each column is eliminated as soon as it is complete: what is then left of the matrix is a front of
+// with it. Each column is eliminated as soon as it is complete. The active part of the matrix is a front of
 // three points, which stays in registers. Source: I. S. Duff and J. K. Reid, "The Multifrontal Solution of
 // Indefinite Sparse Symmetric Linear Equations" (ACM TOMS 9, 1983); for L D L^T: G. H. Golub and C. F. Van
 // Loan, "Matrix Computations" (2013), section 4.1.2.
@@ -49,7 +49,7 @@ struct Below {
   }
 };
 
-// What an elimination takes away from the blocks beyond.
+// Subtracts an elimination's part from the blocks beyond it.
 HWY_INLINE void take(const Below& b, Sym3& a) {
   const auto column = [&](const Vec3& l, const Vec3& c) {
     a.xx = hn::NegMulAdd(l.x, c.x, a.xx);

@@ -41,7 +41,7 @@ void check_settings(const FullHeadSettings& settings) {
   require_finite("wind", settings.wind);
 }
 
-// From the world to a grid's cells.
+// The map from the world to a grid's cells.
 Eigen::Affine3d cells_of(const engine::GridView& grid, const Eigen::Isometry3d& pose) {
   return Eigen::Scaling(grid.per_cell) *
          Eigen::Translation3d(-Vector3d(grid.low[0], grid.low[1], grid.low[2])) * pose.inverse();
@@ -63,15 +63,15 @@ void ask_for_large_pages([[maybe_unused]] double* memory, [[maybe_unused]] std::
   constexpr std::size_t kPage = 1 << 21;
   void* begin = memory;
   std::size_t bytes = numbers * sizeof(double);
-  // Refused, it costs time and nothing else.
+  // If the system refuses, the step only takes longer.
   if (std::align(kPage, kPage, begin, bytes)) static_cast<void>(madvise(begin, bytes, MADV_HUGEPAGE));
 #endif
 }
 
-// Groups of a task, at most.
+// A task has at most so many groups.
 constexpr int kLongestRun = 32;
 
-// A thread's own.
+// Memory that each thread has for itself.
 struct ThreadMemory {
   explicit ThreadMemory(std::size_t points)
       : near_row(kGroup * (points + 2)),
@@ -101,7 +101,7 @@ struct ThreadMemory {
 struct FullHead::Engine {
   Engine(std::span<const int> points, const FullHeadSettings& settings);
 
-  // Where a strand lies.
+  // The place of a strand in the groups.
   struct Place {
     std::int32_t group;
     std::int32_t lane;
@@ -111,7 +111,7 @@ struct FullHead::Engine {
   FullHeadSettings settings;
   std::optional<engine::DistanceGrid> grid;
   engine::StepGroup step_group = nullptr;
-  std::vector<Place> places;  // of each strand
+  std::vector<Place> places;  // one for each strand
   std::vector<Group> groups;
   std::vector<std::int64_t> broke_at;
   hwy::AlignedFreeUniquePtr<double[]> memory;
@@ -251,8 +251,8 @@ void FullHead::step(double h, const Eigen::Isometry3d& pose) {
   }
   step.after = pose_of(pose);
   step.step = ++engine.steps;
-  // A task is a run of neighbouring groups, so that the state fetched ahead (Sweep::fetch_next) is wanted by
-  // the same core. Runs stay short enough for threads to end together.
+  // A task is a run of neighbouring groups, so that the same core needs the state that is fetched ahead
+  // (Sweep::fetch_next). Runs stay short enough for threads to end together.
   const int groups = static_cast<int>(engine.groups.size());
   struct Work {
     const Engine& engine;

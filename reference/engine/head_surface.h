@@ -1,6 +1,6 @@
-// STAFF ONLY. The head's surface near some points: distances between a grid's points by trilinear
-// interpolation. Points are in the grid's own units: cells, from its lowest corner. Single precision does for
-// them: StepConstants::contact_depth leaves room for its rounding.
+// STAFF ONLY. The head's surface near some points, by trilinear interpolation of the grid's distances. Points
+// are in the grid's own units: cells, from its lowest corner. Single precision is enough for them:
+// StepConstants::contact_depth leaves room for its rounding.
 #if defined(HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_
 #undef HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_
@@ -24,7 +24,7 @@ HWY_INLINE Floats floats(double value) {
   return hn::Set(FloatTag(), static_cast<float>(value));
 }
 
-// 1 / |a|; where a = 0 a large number.
+// 1 / |a|, or a large number if a = 0.
 HWY_INLINE Floats per_length(const Floats3& a) {
   const Floats squared = hn::Max(floats(1e-30), dot(a, a));
 #if HWY_TARGET == HWY_SCALAR
@@ -36,8 +36,8 @@ HWY_INLINE Floats per_length(const Floats3& a) {
 #endif
 }
 
-// The cells that points are in. A point beyond the grid, or without numbers, gets the cell of the border that
-// is next to it (or the first one): all of those are outside the head.
+// The cells that points are in. A point beyond the grid gets the nearest cell of the border, and NaN the
+// first one. All cells of the border are outside the head.
 template <class D>
 struct Cells {
   using V = hn::Vec<D>;
@@ -57,7 +57,7 @@ struct Cells {
     along = inside - low;
   }
 
-  Integers index;  // of a cell's lowest point
+  Integers index;  // the number of a cell's lowest point
   Three<V> along;  // 0 to 1, from there
 };
 
@@ -67,17 +67,17 @@ class CellCorners {
   HWY_INLINE CellCorners(const GridView& grid, const Floats3& point)
       : CellCorners(grid, Cells<FloatTag>(grid, point)) {}
 
-  // Of the first of two neighbours, and what the second has more.
+  // The first of two neighbours' distances, and the second's difference from it.
   struct Edge {
     Floats low, slope;
   };
-  // In y and z.
+  // The edge at these steps in y and z.
   HWY_INLINE Edge edge(int dj, int dk) const {
     const Integers both = pairs_[2 * dk + dj];
     const Floats low = hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
     return {low, hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(both)) - low};
   }
-  // 0 to 1, from a cell's lowest corner.
+  // The place in the cell, 0 to 1 from its lowest corner.
   HWY_INLINE const Floats3& along() const { return along_; }
 
  private:
@@ -106,7 +106,7 @@ class CellCorners {
 
 struct HeadSurface {
   Floats depth;    // in cells, > 0 inside; else 0
-  Floats3 normal;  // of length 1 where depth > 0
+  Floats3 normal;  // has length 1 where depth > 0
 
   HWY_INLINE HeadSurface(const GridView& grid, const CellCorners& corners) {
     const Floats3& t = corners.along();
@@ -120,7 +120,7 @@ struct HeadSurface {
     const Floats c0 = mix(c00, y0, t.y), z = mix(c01, y1, t.y) - c0;
     const Floats3 gradient{mix(x0, x1 - x0, t.z), mix(y0, y1 - y0, t.z), z};
     const Floats per_slope = per_length(gradient);
-    // The gradient is one of differences between the grid's points.
+    // The gradient is in differences between the grid's points.
     depth = hn::Max(hn::Zero(FloatTag()) - mix(c0, z, t.z), hn::Zero(FloatTag())) *
             hn::Min(per_slope, floats(grid.per_cell * grid.unit / kLeastSlope));
     normal = per_slope * gradient;

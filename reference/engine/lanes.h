@@ -37,9 +37,8 @@ HWY_INLINE void store(Lanes value, double* to) {
 //
 //   1 / a = r (1 + e) (1 + e^2),   1 / sqrt(a) = r (1 + e / 2 + 3 e^2 / 8 + 5 e^3 / 16),
 //
-// and takes a quarter of the time that divisions and roots keep the processor's unit for them busy. Which
-// bits of r are right beyond these 14 is up to the processor's maker. Targets better than AVX3 have smaller
-// numbers.
+// and takes a quarter of the time that the processor's unit needs for divisions and roots. Processors differ
+// in the bits of r beyond these 14. Targets better than AVX3 have smaller numbers.
 HWY_INLINE Lanes reciprocal(Lanes a) {
 #if HWY_TARGET <= HWY_AVX3
   const Lanes r{_mm512_rcp14_pd(a.raw)}, e = hn::NegMulAdd(a, r, all(1)), closer = hn::MulAdd(r, e, r);
@@ -63,7 +62,7 @@ struct Three {
 };
 using Vec3 = Three<Lanes>;
 
-// Numbers `stride` doubles apart: kGroup of a group's, kWidth of scratch memory.
+// Loads numbers that are kStride doubles apart: kGroup in a group, kWidth in scratch memory.
 template <std::size_t kStride>
 HWY_INLINE Vec3 load3(const double* from) {
   return {load(from), load(from + kStride), load(from + 2 * kStride)};
@@ -109,7 +108,8 @@ HWY_INLINE V dot(const Three<V>& a, const Three<V>& b) {
 HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
   return {hn::MulSub(a.y, b.z, a.z * b.y), hn::MulSub(a.z, b.x, a.x * b.z), hn::MulSub(a.x, b.y, a.y * b.x)};
 }
-// The length of e and its reciprocal; of a length of 0 a large one. Max's order lets NaN through.
+// The length of e and its reciprocal, which is a large number for a length of 0. Max's order lets NaN
+// through.
 struct Length {
   Lanes value, reciprocal;
 };
@@ -123,7 +123,7 @@ HWY_INLINE Three<V> choose(M which, const Three<V>& yes, const Three<V>& no) {
           hn::IfThenElse(which, yes.z, no.z)};
 }
 
-// Of a symmetric matrix the lower half.
+// The lower half of a symmetric matrix.
 struct Sym3 {
   Lanes xx, yx, yy, zx, zy, zz;
 };
@@ -172,7 +172,7 @@ HWY_INLINE Mat3 full(const Sym3& a) {
 HWY_INLINE Vec3 turned(const double (&turn)[3][3], const Vec3& a) {
   return {dot(all3(turn[0]), a), dot(all3(turn[1]), a), dot(all3(turn[2]), a)};
 }
-// Where the head brings a root; or any other change of axes.
+// A vector after a change of axes: a root's place on the head, for instance.
 HWY_INLINE Vec3 placed(const Pose& pose, const Vec3& a) {
   const auto along = [&](int row) {
     const double* const turn = pose.turn[row];

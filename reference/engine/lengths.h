@@ -1,6 +1,6 @@
-// STAFF ONLY. Step 4 of hair/head/full_head.h: H5's correct_lengths for several strands, as the reference has
-// it: Newton's method with a tridiagonal matrix, halved steps, and `place` where that fails. A strand's steps
-// depend on no other strand: those that are done wait unchanged for the rest.
+// STAFF ONLY. Step 4 of hair/head/full_head.h: H5's correct_lengths for several strands, as in the reference:
+// Newton's method with a tridiagonal matrix, halved steps, and `place` where that fails. A strand's steps
+// depend on no other strand: strands that are done wait unchanged for the rest.
 //
 // A Newton step is one sweep along the strand. At each segment it solves for the multiplier, moves a point,
 // measures the segment, and eliminates it from the next step's matrix. An elimination ends where the solve
@@ -12,8 +12,8 @@
 //
 //   q_0 = w of the first end,   q_k = 1 - c_k^2 / (1 + q_{k-1}) = (q_{k-1} + s_k^2) / d_{k-1}.
 //
-// That is a chain of divisions. With the products P_k = d_0 ... d_k, and G_k = q_k P_{k-1}, it is one of
-// sums,
+// That is a chain of divisions. With the products P_k = d_0 ... d_k, and G_k = q_k P_{k-1}, it becomes a
+// chain of sums,
 //
 //   G_k = G_{k-1} + s_k^2 P_{k-2},   P_k = w' P_{k-1} + G_k,   1 / d_k = P_{k-1} / P_k.
 #if defined(HAIR_REFERENCE_ENGINE_LENGTHS_H_) == defined(HWY_TARGET_TOGGLE)
@@ -38,8 +38,8 @@ struct LengthErrors {
   Lanes largest, squared;
 };
 
-// Positions, and per segment five numbers: its direction along the sweep that measured it, and what the solve
-// needs: y / d and, of the segment measured before, c / d.
+// Positions, and five numbers a segment: its direction along the sweep that measured it, and for the solve y
+// / d and the c / d of the segment before it in the sweep.
 inline constexpr std::size_t kSegmentRow = 5;
 struct MeasuredStrands {
   double *x, *rows;
@@ -56,19 +56,19 @@ class LengthCorrection {
                   : sweep<false, false>(strands, strands, all(0), all(0) == all(0));
   }
 
-  // What was measured is made ready for an attempt.
+  // Prepares the measured strands for an attempt.
   HWY_INLINE void eliminate(bool to_tip, const MeasuredStrands& strands) const {
     return to_tip ? eliminate_along<true>(strands.rows) : eliminate_along<false>(strands.rows);
   }
 
-  // x of `to` = x + part W J^T lambda where `active`, x elsewhere; measures it. `from` was measured the other
-  // way.
+  // Sets x of `to` to x + part W J^T lambda in active lanes, to x in the others, and measures it. `from` was
+  // measured by a sweep the other way.
   HWY_INLINE LengthErrors attempt(bool to_tip, const MeasuredStrands& from, Lanes part, Which active,
                                   const MeasuredStrands& to) const {
     return to_tip ? sweep<true, true>(from, to, part, active) : sweep<false, true>(from, to, part, active);
   }
 
-  // Each point at its distance from the one before, towards where it was; where `which`.
+  // Puts each point at its distance from the one before, in its old direction, in the lanes `which`.
   HWY_INLINE void place(const double* x, Which which, double* to) const {
     Vec3 here = load3<kWidth>(x), u = tangent_;
     for (int i = 0; i < last_; ++i) {
@@ -163,7 +163,7 @@ class LengthCorrection {
     }
   }
 
-  // A pivot is at most 3, so that a product of so many is a number.
+  // A pivot is at most 3, so a product of so many does not overflow.
   static constexpr int kLongestProduct = 64;
 
   int last_;

@@ -18,12 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace hair::engine::HWY_NAMESPACE {
 
-// Rows of points that nothing follows have no such blocks.
+// The last rows lack these blocks, since no point follows: they are set to 0.
 HWY_INLINE void store_none(double* row, int from, int to) {
   for (int k = from; k < to; ++k) store(all(0), row + k * kWidth);
 }
 
-// What the sweeps of a step have in common.
+// The data that all sweeps of a step use.
 struct Sweep {
   int n;
   const double *x, *v;
@@ -56,17 +56,17 @@ struct Sweep {
   HWY_INLINE Lanes mass(const StepConstants& step, int i) const {
     return all(i == n - 1 ? 0.5 * step.mass : step.mass);
   }
-  // The state of the next group, if it has as many points, follows this one's.
+  // Fetches the next group's state, which follows this one's if it has as many points.
   HWY_INLINE void fetch_next(int i) const {
     const double* const next = x + (6 * n + 7) * kGroup;
     for (int k = 0; k < 6; ++k) __builtin_prefetch(next + (6 * i + k) * kGroup, 0, 2);
   }
 };
 
-// The way back: y, and from it x1, which takes the place of the right-hand sides.
+// The sweep back, which computes y, and from it x1 in the place of the right-hand sides.
 template <bool kBend>
 HWY_INLINE void solve_back(const StepConstants& step, const Sweep& sweep, Which definite, double* moved) {
-  // A strand whose matrix is not definite gets no numbers.
+  // A strand whose matrix is not definite becomes NaN.
   const Vec3 v0 = choose(definite, sweep.v0, all(std::numeric_limits<double>::quiet_NaN()) * all3(step.push));
   Vec3 near = zero3(), far = zero3();
   for (int i = sweep.n - 1; i > 0; --i) {
@@ -81,8 +81,8 @@ HWY_INLINE void solve_back(const StepConstants& step, const Sweep& sweep, Which 
   store3<kWidth>(sweep.root, moved);
 }
 
-// x1 goes to `moved`, 3 numbers a point; `factor`: kFactorRow a point, and one more. `lane`: the first strand
-// of these.
+// Writes x1 to `moved`, 3 numbers a point. `factor` has kFactorRow numbers a point, and one row more. `lane`
+// is the first strand's.
 HWY_NOINLINE void solve_stretch(const StepConstants& step, const Group& group, std::size_t lane,
                                 double* factor, double* moved) {
   const Sweep sweep(step, group, lane, factor);

@@ -1,10 +1,11 @@
 // STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h with bending. Two sweeps measure segments and joints,
 // whose points do not wait for each other; a third eliminates, and one goes back.
 //
-// The energy is one of segments' vectors e. With its second derivatives H_ss and X_s = H_{s+1,s}, point i
-// between the segments i - 1 and i has
+// The energy depends on the segments' vectors e. With its second derivatives H_ss and X_s = H_{s+1,s}, point
+// i between the segments i - 1 and i has
 //
-//   A_ii = m + H_{i-1,i-1} + H_ii - X_{i-1} - X_{i-1}^T,   A_{i+1,i} = X_{i-1} + X_i - H_ii,   A_{i+2,i} = -X_i,
+//   A_ii = m + H_{i-1,i-1} + H_ii - X_{i-1} - X_{i-1}^T,
+//   A_{i+1,i} = X_{i-1} + X_i - H_ii,   A_{i+2,i} = -X_i,
 //
 // and the force dE/de_i - dE/de_{i-1}.
 #if defined(HAIR_REFERENCE_ENGINE_SOLVE_BENDING_H_) == defined(HWY_TARGET_TOGGLE)
@@ -21,14 +22,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace hair::engine::HWY_NAMESPACE {
 
-// What a segment has to do with the matrix: dE/de, and the second derivatives by e twice, and by the next
-// segment's e and e.
+// A segment's part of the matrix and of the right-hand side: dE/de, and the second derivatives by e twice,
+// and by the next segment's e and e.
 struct SegmentBlocks {
   Vec3 force;
   Sym3 own;
   Mat3 next;
 
-  // `row`: of the segment; the next one's follows it.
+  // `row` is the segment's row; the next one's follows it.
   HWY_INLINE SegmentBlocks(const Vec3& u_before, const double* row, Lanes stretch) {
     constexpr std::size_t kNext = kFactorRow * kWidth;
     const auto at = [&](std::size_t k) { return load(row + k * kWidth); };
@@ -92,7 +93,7 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
   const Sweep sweep(step, group, lane, factor);
   const int n = sweep.n;
   Which definite = all(0) == all(0);
-  // A segment's row is that of its far end: the factor's rows are written over them.
+  // A segment's numbers are in the row of its far end, which the factor overwrites later.
   const Vec3 tangent = turned(step.after.turn, load3<kGroup>(group.tangent + lane));
   store_none(sweep.row(n), 0, kSegmentNumbers);
   measure_segments(step, sweep);
@@ -102,7 +103,7 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
   const auto direction = [&](int s) { return load3<kWidth>(sweep.row(s + 1) + kU * kWidth); };
   SegmentBlocks before(tangent, sweep.row(1), sweep.stretch), segment = before;
   if (n > 2) segment = SegmentBlocks(direction(0), sweep.row(2), sweep.stretch);
-  // What eliminations made of the rows of the point (own block, right-hand side) and of the next one (also
+  // The eliminations' part of the rows of the point (own block, right-hand side) and of the next one (also
   // its block with the point).
   Sym3 own = diagonal(all(0)), next_own = diagonal(all(0));
   Mat3 next_with = zero33();
@@ -111,7 +112,7 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
     sweep.fetch_next(i);
     const Mat3 inner = full(segment.own) - before.next;
     const Mat3& x = before.next;
-    // What the eliminations before have to be waited for comes last.
+    // The results of earlier eliminations are added last, so that the other sums need not wait for them.
     const Lanes mass = sweep.mass(step, i);
     const Sym3 a{before.own.xx + mass + (inner.x.x - x.x.x), before.own.yx + (inner.x.y - x.y.x),
                  before.own.yy + mass + (inner.y.y - x.y.y), before.own.zx + (inner.x.z - x.z.x),

@@ -42,14 +42,14 @@ HWY_INLINE Segment segment_along(const Vec3& e) {
   return {length.reciprocal * e, length.value, length.reciprocal};
 }
 
-// What s S / k is across the segment, S / k = g 1 + (1 - g) u u^T. Along it is s.
+// The factor of s S / k across the segment, where S / k = g 1 + (1 - g) u u^T. Along the segment it is s.
 HWY_INLINE Lanes stretch_across(const Segment& segment, Lanes rest_length, Lanes s) {
   return s * hn::Max(hn::NegMulAdd(rest_length, segment.per_length, all(1)), all(0));
 }
 
-// Per segment, from its row on: its direction and 1 / l, and the stretch's h f / m and h^2 / m times what S
-// is across the segment. Then of the joint with the segment before, without the lengths: c, and k, k s, k (s
-// - r), k cos, h k q.
+// The numbers of a segment, from its row on: its direction and 1 / l, the stretch's h f / m, and h^2 / m
+// times S across the segment. Then those of the joint with the segment before, without the lengths: c, and k,
+// k s, k (s - r), k cos, h k q.
 enum SegmentRow : std::size_t {
   kU = 0,
   kPerLength = 3,
@@ -71,7 +71,7 @@ HWY_INLINE Lanes polynomial(Lanes z) {
       -0.05249518584337663,   0.04705209153071265,    -0.04165211802350559,   0.03536066107263382,
       -0.027590832895856107,  0.01880522404364234,    -0.01059534604369583,   0.004642163938026353,
       -0.0014627303082646208, 0.00029221739308086863, -2.7633793313601145e-05};
-  // Even and odd powers apart: half as long a chain.
+  // Even and odd powers are summed apart, which makes the chain half as long.
   const Lanes square = z * z;
   Lanes even = all(kP[18]), odd = all(kP[17]);
   for (int k = 16; k > 0; k -= 2) {
@@ -100,11 +100,11 @@ HWY_INLINE Angle angle_of(Lanes cosine, Lanes sine_squared) {
   return angle;
 }
 
-// The joint of one and two: c to the row's end.
+// Stores the joint of one and two: the numbers from c to the row's end.
 HWY_INLINE void store_joint(const Vec3& one, const Vec3& two, Lanes k, Lanes h, double* row) {
   const Vec3 c = cross(one, two);
   const Lanes cosine = dot(one, two), sine_squared = dot(c, c);
-  // Folded, or without a direction: neither force nor product.
+  // A joint that is folded, or has no direction, has neither force nor product.
   const Which rigid = hn::And(sine_squared == all(0), cosine <= all(0));
   k = hn::IfThenZeroElse(rigid, k);
   const Angle angle = angle_of(cosine, sine_squared);

@@ -81,8 +81,8 @@ SparseMatrix random_table(int rows, int cols, std::mt19937& random) {
   return SparseMatrix(rows, cols, entries);
 }
 
-// The smallest singular value of A: of a symmetric, positive definite matrix the smallest eigenvalue. One
-// percent is left off, far more than rounding takes.
+// The smallest singular value of A, which is the smallest eigenvalue of a symmetric, positive definite
+// matrix, less one percent, far more than rounding.
 double smallest_singular_value(const SparseMatrix& A) {
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(A.rows(), A.cols());
   for (const SparseMatrix::Entry& e : A.entries()) dense(e.row, e.col) = e.value;
@@ -137,8 +137,8 @@ System reordered(const System& system, std::mt19937& random) {
   return {SparseMatrix(system.A.rows(), system.A.cols(), entries), b};
 }
 
-// An epsilon that the squared residual crosses in one leap, from twice as much at the least to a half,
-// whatever the order of the sums: then rounding can't change the number of steps.
+// An epsilon that the squared residual crosses in one leap, from at least twice to at most half of it, in
+// each order of the sums. So rounding can't change the number of steps.
 double clear_epsilon(const System& system, const Solve& solve) {
   std::mt19937 random(1);
   std::vector<System> orders = {system};
@@ -192,7 +192,7 @@ void make_golden(const std::filesystem::path& dir) {
   std::mt19937 random(20071);
   std::string list;
 
-  // Scaled to ||b|| = ||b - Ab|| = 1.
+  // The system is scaled to ||b|| = ||b - Ab|| = 1.
   auto positive = [&](const std::string& name, SparseMatrix A) {
     Vector b = random_vector(A.rows(), 1, random);
     const double length = std::sqrt(std::inner_product(b.begin(), b.end(), b.begin(), 0.0));

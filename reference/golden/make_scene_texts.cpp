@@ -1,4 +1,4 @@
-// STAFF ONLY. Makes what the handout says of scenes: make_scene_texts EXERCISES.json SCENES DIR.
+// STAFF ONLY. Makes the handout's texts about scenes: make_scene_texts EXERCISES.json SCENES DIR.
 // DIR/scenes.md is the table of the scenes in the folder SCENES, by the exercise that completes what they
 // call; DIR/scene-keys.md has all keys of a scene.
 #include <algorithm>

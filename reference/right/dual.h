@@ -1,5 +1,5 @@
 // STAFF ONLY. make_samples puts the rest of this file in the place of its #include: a hand-in is one file.
-// A number with its derivative; of duals, with second derivatives.
+// A number with its derivative; a dual of duals has second derivatives.
 template <class T>
 struct Dual {
   T v, d;

@@ -55,7 +55,7 @@ std::vector<Point> points_of(const Sweep& sweep, Norm norm, Against against, dou
     point.failed = run.ending != RunEnding::finished;
     if (!point.failed && point.y < floor) {
       point.y = floor;
-      point.note += ": below what the reference knows";
+      point.note += ": below the accuracy of the reference";
     }
     points.push_back(std::move(point));
   }
@@ -86,7 +86,7 @@ Figure error_figure(const Study& study, Norm norm, Against against) {
     series.look = static_cast<int>(i);
     if (!series.points.empty()) figure.series.push_back(std::move(series));
   }
-  add_level(figure, "what the reference knows", floor);
+  add_level(figure, "accuracy of the reference", floor);
   if (against == Against::step) figure.guides = {{1, "order 1"}, {2, "order 2"}, {4, "order 4"}};
   return figure;
 }

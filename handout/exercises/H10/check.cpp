@@ -50,7 +50,7 @@ Matrix3d some_turn(double angle = 2) {
   return Eigen::AngleAxisd(angle, Vector3d(2, -1, 2).normalized()).toRotationMatrix();
 }
 
-// The frame whose axis, side and axis x side are the columns.
+// The root frame whose axis, side and axis x side are the columns of `axes`.
 RootFrame root_of(const Vector3d& position, const Matrix3d& axes) {
   return {position, axes.col(0), axes.col(1)};
 }
@@ -60,8 +60,7 @@ Lock upright(const VectorXd& points) {
   return {{points.head<3>(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, points};
 }
 
-// n points whose distances from the root, as a root with the axis z, the side x and the position 0 sees them,
-// are the given ones.
+// A guide of n points. Seen from a root with the axis z, the side x and the position 0 they would be `seen`.
 Lock lock(const RootFrame& root, const VectorXd& seen) {
   Lock made{root, seen};
   Matrix3d axes;
@@ -77,7 +76,7 @@ VectorXd line(int n, const Vector3d& to) {
   return points;
 }
 
-// A helix about z that starts at 0: `phase` says where on its circle.
+// A helix about z that starts at 0, which is at the angle `phase` on its circle.
 VectorXd curl(int n, double radius, double pitch, double turns, double phase) {
   VectorXd points(3 * n);
   const Vector3d start(std::cos(phase), std::sin(phase), 0);
@@ -125,7 +124,7 @@ namespace {
 
 const Corners kTriangle = {Vector3d(0, 0, 1), Vector3d(4, 0, 1), Vector3d(0, 3, 1)};
 
-// Wherever the triangle lies.
+// The weights are the same wherever the triangle lies.
 void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where,
                     double unit = 1) {
   for (const Vector3d& way : {Vector3d(0, 0, 0), Vector3d(-2, 1, 3)}) {
@@ -169,11 +168,11 @@ TEST(WeightsOutside, OfARootBesideTheTriangleAreThoseOfTheNearestPoint) {
   expect_weights(Vector3d(-2, 1.5, 1), {0.5, 0, 0.5}, "beside the last edge of");
   expect_weights(Vector3d(-1, -1, 1), {1, 0, 0}, "beyond the first corner of");
   expect_weights(Vector3d(9, 1, 4), {0, 1, 0}, "beyond the second corner of");
-  // The foot on the edge from (4, 0) to (0, 3) is its middle; weights that are cut off at 0 and scaled say
-  // otherwise.
+  // The nearest point of the edge from (4, 0) to (0, 3) is its middle; weights that are cut off at 0 and
+  // scaled say otherwise.
   expect_weights(Vector3d(2 + 3, 1.5 + 4, 1), {0, 0.5, 0.5}, "beside the longest edge of");
-  // Here the weight of the first corner is negative, and that of the third, too; the foot on the longest edge
-  // counts.
+  // Here the weights of the first and of the third corner are negative. The nearest point lies on the longest
+  // edge.
   expect_weights(Vector3d(4, -1, 1), {0, 1, 0}, "below the second corner of");
 }
 
@@ -199,7 +198,7 @@ TEST(NoWidth, OfTrianglesWithoutAWidth) {
         "the point of three corners on the line x = y = z up to (2, 2, 2) that is nearest to (3, 3, 0)",
         "the contract's");
   }
-  // A line with two corners side by side: what the cross product of its edges says is rounding.
+  // A line with two corners side by side: the cross product of its edges is only rounding.
   const Vector3d end(1.1, 0.7, 1.9), aside = 1e-13 * Vector3d(0.3, -0.8, 0.5), root = end / 2 + aside / 4;
   const Corners corners = {Vector3d::Zero(), end, end + aside};
   const Weights weights = hair::root_weights(corners, root);
@@ -247,7 +246,7 @@ TEST(NoWidth, OfALineInAnyOrder) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-// Thin is a height over an edge, and no length.
+// A triangle is thin if its height over an edge is small; no length in metres decides.
 TEST(ThinTriangles, OfThinTrianglesInAnyUnit) {
   const Vector3d along = Vector3d(2, -1, 2) / 3, up = Vector3d(1, 2, 0) / std::sqrt(5.0);
   for (const double unit : {1.0, 0x1p-90, 0x1p-30, 0x1p50})
@@ -302,7 +301,7 @@ TEST(CurvedScalp, OfOneGuideIsItsShapeAtAnotherRoot) {
   }
 }
 
-// Who turns the whole head turns every hair of it.
+// A head that turns as a whole turns every hair with it.
 TEST(CurvedScalp, TurnsWithTheHead) {
   const Matrix3d turn = some_turn(1.1);
   const Vector3d way(0.3, -0.2, 0.5);
@@ -324,7 +323,7 @@ TEST(CurvedScalp, TurnsWithTheHead) {
              expected, "a strand between guides on a head that was turned and moved");
 }
 
-// What the pictures show: curls that are out of step cancel each other.
+// Curls that are out of step cancel each other, as the pictures show.
 TEST(FlatScalp, OfCurlsOutOfStepHasNoCurl) {
   const RootFrame root{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)};
   std::array<Lock, 3> locks;
@@ -368,7 +367,8 @@ TEST(CarriedTurns, TurnsNothingAlongAStraightGuide) {
                   "a turn along a guide that leaves the scalp straight along its normal", "rounding");
 }
 
-// What the guide does not turn by stays: it leaves the scalp sideways, and its frames are still the root's.
+// Frames turn only as the guide turns. This one leaves the scalp sideways and then goes straight on, so its
+// frames stay the root's.
 TEST(CarriedTurns, BeginsWithTheFirstSegment) {
   const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(0, 1, 0)}, line(4, Vector3d(3, 0, 0))};
   for (const Matrix3d& turn : carried(guide).turns)
@@ -413,7 +413,7 @@ TEST(Units, InAnyUnitByCarryAlong) {
     other.points *= unit;
     const GuideFrames frames = carried(other);
     const std::string where =
-        " of a curl, all lengths times " + in_powers_of_2(unit) + ", beside the same in metres";
+        " of a curl, all lengths times " + in_powers_of_2(unit) + ", compared with the same in metres";
     expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
     for (std::size_t i = 0; i < 12; ++i)
       expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
@@ -443,8 +443,7 @@ TEST(CarriedTurns, DoesNotTwist) {
                    "the direction that R_" + std::to_string(i) + " takes along a curl", "the contract's");
     const Vector3d axis = before.cross(now);
     expect_entries(R * axis, axis, 1e-10,
-                   "what is across both directions, which R_" + std::to_string(i) + " keeps",
-                   "the contract's");
+                   "the direction across both, which R_" + std::to_string(i) + " keeps", "the contract's");
     before = now;
   }
 }
@@ -539,10 +538,10 @@ TEST(Wisps, GoesAlongWithTheFrames) {
   for (int i = 0; i < 3; ++i)
     expect_point(
         child.segment<3>(3 * i), Vector3d(0, 0, i) + frames.turns[i] * between,
-        "point " + std::to_string(i) + " of a wisp's strand: what is between the roots, turned by turns_i");
+        "point " + std::to_string(i) + " of a wisp's strand: the difference of the roots, turned by turns_i");
 }
 
-// The strand beside a curl is as far from it everywhere as at the root, and curls, too.
+// A strand beside a curl keeps the distance that it has at the root, and curls, too.
 TEST(Wisps, KeepsCurls) {
   look_at("turns");
   const Lock guide =

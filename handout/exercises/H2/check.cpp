@@ -28,8 +28,8 @@ Strand strand_of(const VectorXd& rest_length) {
   return strand_with(&Strand::bend_rigidity, 4, rest_length);
 }
 
-// Segments of 1 m whose rest lengths are 1 m: k = EI = 4 N m. First down, then turned by `bend` each, in
-// planes that turn.
+// Segments of 1 m with rest lengths of 1 m: k = EI = 4 N m. The first one points down; each next one is
+// turned by `bend`, in planes that turn.
 Case bent(int count, double bend) {
   Case result{strand_of(VectorXd::Ones(count - 1)), VectorXd::Zero(3 * count)};
   Vector3d direction(0, 0, -1), axis(1, 0, 0);
@@ -77,10 +77,10 @@ VectorXd product_spd(const Strand& strand, const VectorXd& x, const VectorXd& dx
   return df;
 }
 
-// All that the exercise's functions answer.
+// The answer of one of the exercise's functions.
 struct Answer {
   const char* name;
-  int power;  // of the unit of length
+  int power;  // the answer has the unit of length to this power
   double bound;
   const char* source_of_bound;
   VectorXd (*of)(const Strand&, const VectorXd& x, const VectorXd& dx);
@@ -105,7 +105,7 @@ void expect_no_force(const Strand& strand, const VectorXd& x, const std::string&
   }
 }
 
-// Straight, but for a right angle at this joint.
+// A straight strand, but for a right angle at this joint.
 VectorXd with_corner(int segments, int joint) {
   VectorXd x = VectorXd::Zero(3 * segments + 3);
   for (int i = 0; i < segments; ++i)
@@ -122,7 +122,7 @@ const VectorXd kRightAngle = with_corner(2, 1);
 const VectorXd kBentByLess = vector({0, 0, 0, 0, 0, -1, 0, std::sin(0.8), -1 - std::cos(0.8)});
 const VectorXd kFold = vector({0, 0, 0, 0, 0, -1, 0, 0, 0});
 
-// Clamped, and its only segment has no length.
+// A clamped strand whose only segment has no length.
 const Case kLone = clamped({strand_of(vector({1})), vector({1, 2, 3, 1, 2, 3})});
 
 }  // namespace
@@ -233,7 +233,7 @@ TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
                    force(strand_of(VectorXd::Ones(4)), with_corner(4, joint)), 64 * kU * 4 * pi,
                    "the force of a right angle between rest lengths whose mean is " +
                        std::to_string(mean_at(joint)) +
-                       " m, times that, beside the force with rest lengths of 1 m",
+                       " m, times that, compared with the force with rest lengths of 1 m",
                    "64 u of k phi / |e|: rounding");
 }
 
@@ -378,8 +378,8 @@ TEST(StraightProducts, OfABendThatIsRounding) {
 
 TEST(ExactProduct, IsIndefinite) {
   look_at("indefinite");
-  // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2)
-  // = -2 pi.
+  // phi = pi/2, k = 4, |e| = 1: if the ends leave the bend's plane, one to either side, the second derivative
+  // is -k phi tan(phi/2) = -2 pi.
   const Strand strand = strand_of(vector({1, 1}));
   const VectorXd out = vector({1, 0, 0, 0, 0, 0, -1, 0, 0}), df = product(strand, kRightAngle, out);
   EXPECT_NUMBER(out.dot(df) / 2, 2 * pi, 64 * kU * 4 * pi)
@@ -395,7 +395,7 @@ TEST(SpdProduct, IsTheFormula) {
     expect_entries(product_spd(strand, kRightAngle, dx), -4 * gradient * gradient.dot(dx), 256 * kU * 4 * 9,
                    "-k grad phi (grad phi . dx) at a right angle, k = 4 N m, dx = " + particles_in_words(dx),
                    "256 u of k / |e|^2: rounding");
-  // phi = 1, phi cot(phi) = 0.642: out of the plane the bend resists with that.
+  // phi = 1: out of the plane the bend resists with phi cot(phi) = 0.642.
   const VectorXd x = vector({0, 0, 0, 0, 0, -1, 0, std::sin(1), -1 - std::cos(1)}),
                  out = vector({1, 0, 0, 0, 0, 0, 1, 0, 0});
   const double turn = -4 / std::tan(1) * 2;  // g . out = 2 b . (1, 0, 0), over two entries
@@ -452,7 +452,7 @@ TEST(StraightProducts, IsExactForAStraightStrand) {
     for (int i = 0; i < 6; ++i) c.x.segment<3>(3 * i) = 0.1 * i * direction;
     expect_entries(product_spd(c.strand, c.x, dx), product(c.strand, c.x, dx), 1e-4 * 4 * 100,
                    "the semi-definite product of a strand along " + particles_in_words(direction) +
-                       ", against your exact one; dx = " + particles_in_words(dx),
+                       ", compared with your exact one; dx = " + particles_in_words(dx),
                    "1e-4 of k / |e|^2. A bend that is nothing but rounding has no axis: choose one");
   }
 }
@@ -478,8 +478,7 @@ TEST(Fold, AtTheFoldIsZero) {
   }
 }
 
-// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands
-// of their own.
+// A segment of length 0 has no joints, so the hair in front of it and the hair behind it are two strands.
 TEST(NoDirection, BesideASegmentOfLengthZero) {
   look_at("beside");
   Case whole = clamped(uneven(7, 5));
@@ -495,11 +494,12 @@ TEST(NoDirection, BesideASegmentOfLengthZero) {
   for (const Answer& answer : std::span(kAnswers).subspan(1)) {
     VectorXd expected(21);
     expected << answer.of(front.strand, front.x, dx.head(12)), answer.of(behind.strand, behind.x, dx.tail(9));
-    expect_entries(answer.of(whole.strand, whole.x, dx), expected, 512 * kU * 200,
-                   std::string(answer.name) +
-                       " of 7 particles, where particles 3 and 4 are in the same place, beside those of "
-                       "particles 0 to 3 and of particles 4 to 6 as strands of their own",
-                   "512 u of k pi / |e|^2: rounding");
+    expect_entries(
+        answer.of(whole.strand, whole.x, dx), expected, 512 * kU * 200,
+        std::string(answer.name) +
+            " of 7 particles, where particles 3 and 4 are in the same place, compared with those of "
+            "particles 0 to 3 and of particles 4 to 6 as strands of their own",
+        "512 u of k pi / |e|^2: rounding");
   }
 }
 
@@ -511,7 +511,7 @@ TEST(NoDirection, WhereDirectionsAreLostIsZero) {
     expect_no_force(strand_of(vector({1, 1})), x, "beside a segment of length 0");
 }
 
-// EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
+// EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and so are the energies and forces of its joints.
 TEST(Extremes, OfAHairAsOfAWire) {
   look_at("hair");
   for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
@@ -519,10 +519,10 @@ TEST(Extremes, OfAHairAsOfAWire) {
     hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
     const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
     for (const Answer& answer : kAnswers)
-      expect_entries(
-          answer.of(hair, c.x, dx) * 0x1p30, answer.of(c.strand, c.x, dx), answer.bound,
-          "2^30 times " + std::string(answer.name) + " for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
-          answer.source_of_bound);
+      expect_entries(answer.of(hair, c.x, dx) * 0x1p30, answer.of(c.strand, c.x, dx), answer.bound,
+                     "2^30 times " + std::string(answer.name) +
+                         " for EI = 3.7e-9 N m^2, compared with that for EI = 4 N m^2",
+                     answer.source_of_bound);
   }
 }
 

@@ -75,7 +75,8 @@ struct Air {
   }
 };
 
-// Reflected along (1, 2, 3, ...), so that no number of a product is 0: eigenvalues 1, 2, ... times `unit`.
+// A matrix with the eigenvalues 1, 2, ... times `unit`, reflected along (1, 2, 3, ...), so that no number of
+// a product is 0.
 Table counted_table(int size, double unit) {
   VectorXd w = VectorXd::LinSpaced(size, 1, size).normalized(),
            eigenvalues = VectorXd::LinSpaced(size, 1, size);
@@ -137,7 +138,7 @@ TEST(Pinned, HasPinnedRowsAndColumnsOfTheIdentity) {
   }
   expect_entries(
       multiplied(dx), expected, 64 * kU * 9,
-      "the product for five particles in a row on springs, 1 and 4 pinned, beside that for free ones "
+      "the product for five particles in a row on springs, 1 and 4 pinned, compared with that for free ones "
       "with 0 in their place; x = " +
           particles_in_words(dx),
       "64 u of numbers up to 9: rounding", dx);
@@ -187,7 +188,7 @@ TEST(Units, IsTheSameInEveryUnitByImplicitMatrix) {
   for (const double unit : {0x1p-50, 0x1p50})
     expect_entries(times(*matrix, unit * x) / unit, product, 0,
                    "the product with (1, 2, 3, 4, 5, 6) times " + ::testing::PrintToString(unit) +
-                       ", over that number, beside the product with (1, 2, ...)",
+                       ", over that number, compared with the product with (1, 2, ...)",
                    "powers of two don't round. What is compared with a number that has a unit?");
 }
 
@@ -237,7 +238,8 @@ TEST(Pinned, IsZeroWherePinned) {
     expected.segment<3>(particles.is_pinned(0) ? 0 : 3).setZero();
     expect_entries(rhs, expected, 64 * kU,
                    "a (f + b df/dx v) " + pinned_text(particles).substr(2) +
-                       ", beside that of two free ones with 0 in its place: v is all of v, for " + kText,
+                       ", compared with that of two free ones with 0 in its place: v is all of v, for " +
+                       kText,
                    "64 u: rounding");
   }
 }
@@ -270,8 +272,8 @@ TEST(Solve, SolvesItsSystem) {
     VectorXd rhs = right, dv = VectorXd::Constant(size, 1e3);
     solve_plain(matrix, rhs, 1e-10, 20 * size, dv);
     SCOPED_TRACE(table_text(size, 1, right.norm()) + ", tolerance 1e-10");
-    expect_entries(matrix.A * dv, right, 1e-9 * right.norm(), "matrix times dv, beside the right-hand side",
-                   "the tolerance, ten times");
+    expect_entries(matrix.A * dv, right, 1e-9 * right.norm(),
+                   "matrix times dv, compared with the right-hand side", "the tolerance, ten times");
     EXPECT_EQ(rhs, right) << "the right-hand side is another one afterwards";
   }
 }
@@ -410,7 +412,7 @@ TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
 
 TEST(Step, SolvesForTheWholeStep) {
   look_at("system");
-  // a = b = h: the system and its solution by your own matrix and right-hand side.
+  // With a = b = h your own matrix and right-hand side make the system and its solution.
   const double h = 0.5;
   const Spring spring(1, 1.5, GeometricTerm::dropped, 0.1);
   const State before = apart();
@@ -419,10 +421,10 @@ TEST(Step, SolvesForTheWholeStep) {
   const SolveReport report = implicit_euler(spring, kFree, h, 1e-10, state, scratch);
   VectorXd rhs(6);
   implicit_rhs(spring, kFree, before, h, h, rhs);
-  expect_entries(
-      times(*implicit_matrix(spring, kFree, before, h, h), state.v - before.v), rhs, 1e-8,
-      "your matrix times the change of v, beside your right-hand side, a = b = h = 0.5, springs of 1 N/m",
-      "a hundred times the tolerance");
+  expect_entries(times(*implicit_matrix(spring, kFree, before, h, h), state.v - before.v), rhs, 1e-8,
+                 "your matrix times the change of v, compared with your right-hand side, a = b = h = 0.5, "
+                 "springs of 1 N/m",
+                 "a hundred times the tolerance");
   EXPECT_TRUE(report.converged) << "the report of solve_implicit";
   EXPECT_NUMBER(report.rhs, rhs.norm(), 1e-12) << "the report's ||right-hand side||";
 }

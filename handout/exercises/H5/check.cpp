@@ -27,8 +27,8 @@ namespace {
 const double kU = std::ldexp(1.0, -53);
 const Vector3d kAlong = Vector3d(2, -1, 2) / 3;
 
-// Takes a straight strand, its segments so long, with rest lengths of 0.8 and 2 m; and what an iteration
-// makes of it, if one is made.
+// Allows no iteration to a straight strand of these lengths, with rest lengths of 0.8 and 2 m, so that the
+// report's error is the input's.
 void measures_the_error(Correction correction) {
   for (const auto& [first, second] : {std::pair{1.0, 2.0}, {0.6, 2.0}, {0.8, 2.5}, {0.4, 2.5}, {0.8, 1.2}}) {
     Strand strand = strand_of(3);
@@ -56,7 +56,7 @@ void corrects_one_segment(Correction correction) {
   }
 }
 
-// It is asked of strands whose lengths are right.
+// The strands' lengths are right already.
 void says_that_it_converged(Correction correction) {
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count);
@@ -94,8 +94,8 @@ void moves_by_masses(Correction correction) {
   correction(strand, 1e-12, 100000, x);
   expect_entries(x, right, 1e-11, "a straight strand of 0.8 and 1.7 m, corrected to 0.8 and 1.3 m",
                  "the tolerance, 1e-12, twice");
-  // Only one segment is wrong, and not at the root: its ends move against each other by 1/mass, and the first
-  // then pulls its own end back. For a small error e across a right angle the first segment does not see it.
+  // Only the second segment is wrong. Its ends move against each other by 1/mass, and the first segment then
+  // pulls its own end back. Across a right angle the first segment does not notice a small error e.
   strand.rest_length = vector({2, 1.5});
   for (const double e : {1e-6, -1e-6}) {
     const VectorXd before = vector({0, 0, 0, 2, 0, 0, 2, 1.5 + e, 0});
@@ -114,7 +114,7 @@ void moves_by_masses(Correction correction) {
   }
 }
 
-// It weighs what the others do, and is held.
+// The root has a mass like the others, and is held.
 void leaves_the_root_alone(Correction correction, const VectorXd& wrong) {
   VectorXd after = wrong;
   correction(strand_of(10), 1e-9, 3, after);
@@ -136,7 +136,7 @@ void expect_impulses_along(const Strand& strand, const VectorXd& x, const Vector
   }
 }
 
-// For errors of 1e-6 directions change by some 1e-5. Lengths are off either way, or all too long.
+// With errors of 1e-6 directions change by some 1e-5. Lengths are off both ways, or all too long.
 void moves_by_impulses_along_the_segments(Correction correction, const Strand& strand) {
   for (const bool all_too_long : {false, true}) {
     const VectorXd before = all_too_long ? VectorXd((1 + 1e-6) * bent(strand, 0)) : bent(strand, 1e-6);
@@ -145,7 +145,7 @@ void moves_by_impulses_along_the_segments(Correction correction, const Strand& s
     expect_impulses_along(
         strand, x, x - before, 1e-9, "kg m",
         std::string(", where lengths were ") + (all_too_long ? "too long" : "off") + " by 1e-6 m",
-        "what directions change, times a correction of 1e-5 kg m");
+        "the change of directions, times a correction of 1e-5 kg m");
   }
 }
 
@@ -157,7 +157,7 @@ void ends_for_a_long_strand(Correction correction) {
       << "iterations for 10,000 particles. Each takes linear time: no full matrix";
 }
 
-// With all iterations that it needs, with one less, and with none.
+// Allows all iterations that the correction needs, one less, and none.
 void reports_what_it_did(Correction correction, const VectorXd& before,
                          double error(const Strand&, const VectorXd&)) {
   const Strand strand = strand_of(10);
@@ -170,7 +170,7 @@ void reports_what_it_did(Correction correction, const VectorXd& before,
     const CorrectionReport report = correction(strand, 1e-9, most, after);
     EXPECT_COUNT(report.iterations, most);
     EXPECT_EQ(report.converged, most == needed);
-    EXPECT_NUMBER(report.error, error(strand, after), 64 * kU) << "the error of what is returned";
+    EXPECT_NUMBER(report.error, error(strand, after), 64 * kU) << "the error of the returned values";
     EXPECT_EQ(after == before, most == 0) << "only with no iteration nothing changes";
   }
   const VectorXd kept = right;
@@ -178,7 +178,7 @@ void reports_what_it_did(Correction correction, const VectorXd& before,
   EXPECT_EQ(right, kept) << "nothing was left to correct";
 }
 
-// One segment of rest length 0.5 m. An error of 0.25 or 0.25 m/s, without any rounding.
+// One segment of rest length 0.5 m has an error of 0.25 or 0.25 m/s, without any rounding.
 void leaves_an_error_that_is_the_tolerance(Correction correction, const VectorXd& before) {
   VectorXd lone = VectorXd::Zero(3);
   const CorrectionReport nothing = correction(strand_of(1), 1e-9, 100, lone);
@@ -198,7 +198,7 @@ void expect_few_or_sweeps(int iterations, int few, const std::string& of) {
       << " at most, and sweeps take hundreds";
 }
 
-// Nearly straight: sweeps take few where hair is much bent.
+// The strand is nearly straight, since much bent hair takes few sweeps.
 const double kLittleBent = 0.05;
 
 void takes_few_iterations(Correction correction, VectorXd wrong, double tolerance, int few) {
@@ -229,7 +229,7 @@ void works_in_every_unit(Correction correction) {
     SCOPED_TRACE("segments of some " + ::testing::PrintToString(unit) + " m, tolerance 1e-8");
     EXPECT_LE(largest_error(strand, x), 1e-8 + 64 * kU) << "the largest |l - l0| / l0 that is left";
     EXPECT_TRUE(report.converged);
-    expect_entries(x / unit, known, 1e-9, "x over that length, beside x of segments of some metres",
+    expect_entries(x / unit, known, 1e-9, "x over that length, compared with x of segments of some metres",
                    "powers of two don't round");
   }
 }
@@ -436,7 +436,7 @@ TEST(Degenerate, GivesASegmentOfNoLengthADirection) {
   EXPECT_LE(largest_error(longer, point), 1e-9 + 64 * kU) << "four particles in one place";
 }
 
-// One segment along z, and one along x behind it, open and close.
+// One segment along z, and one along x behind it, get longer and shorter.
 TEST(Report, MeasuresTheErrorByCorrectVelocities) {
   for (const auto& [first, second] : {std::pair{-0.5, 0.0}, {0.5, 0.0}, {0.25, 0.75}, {-0.75, -0.25}}) {
     VectorXd v = vector({0, 0, 0, 0, 0, first, second, 0, first});
@@ -565,8 +565,8 @@ TEST(Velocities, ByImpulsesAlongTheSegments) {
 
 TEST(Masses, ByEqualAndOppositeImpulses) {
   look_at("velocities");
-  // A right angle: the first segment sees nothing of what the second needs, so that this is a collision of 2
-  // and 3 kg.
+  // Across a right angle the first segment does not feel the second one's impulse, so this is a collision of
+  // 2 and 3 kg.
   Strand strand = strand_of(3);
   strand.mass = vector({0.7, 2, 3});
   strand.rest_length = vector({0.8, 1.5});

@@ -57,7 +57,7 @@ StepReport step(const particles::Force& force, double h, State& state) {
   return predictor_corrector(force, kTwo, two(), h, 1e-10, state, scratch);
 }
 
-constexpr double kHalf = 0.5;  // s, of the steps below
+constexpr double kHalf = 0.5;  // s, the length of the steps below
 
 // h^2 k/m is about 1: every step shows. The spring pulls: it is shorter at rest than the strand.
 constexpr double kStiffness = 9, kSpring = 0.65, kRatio = kHalf * kHalf * kStiffness / 2;  // N/m, m, kg
@@ -182,7 +182,7 @@ TEST(SecondSolve, IsTheSameWithAPreconditioner) {
   EXPECT_GT(plain.v.norm(), 0.1);
   expect_entries(preconditioned.v, plain.v, 1e-7,
                  "v of 8 particles in a row, springs of 1e-3 N/m that know their band, "
-                 "beside v with springs that do not",
+                 "compared with v with springs that do not",
                  source);
   expect_entries(preconditioned.x, plain.x, 1e-7 * kTick, "x of the same", source);
 }
@@ -197,7 +197,7 @@ TEST(Lengths, MovesAStrandOfOneParticleWithItsRoot) {
   expect_entries(state.x, Vector3d(0.5, 1, 1.5), 0, "x after 0.5 s of a root alone, at (1, 2, 3) m/s", "0");
 }
 
-// The tolerance is that of the solves; step 3 has kLengthTolerance.
+// The solves take the caller's tolerance; step 3 takes kLengthTolerance.
 TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
   const Chain chain(0.1, 12);
   int steps[2];
@@ -222,9 +222,8 @@ TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
 
 TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
   look_at("unconverged");
-  // Without forces the way of a particle over h is its velocity, whatever the correction did. A root that is
-  // 1e12 m away leaves a correction that never converges; a strand that is flung about takes it many
-  // iterations.
+  // Without forces a particle's velocity is its way over h, even if the correction does not converge, as with
+  // a root that is 1e12 m away. A strand that is flung about takes the correction many iterations.
   for (const double root : {0.0, 1e12}) {
     Chain chain(0, 12);
     State state = chain.state;
@@ -244,7 +243,7 @@ TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
     const VectorXd way = (state.x - chain.state.x) / kTick;
     EXPECT_GE((state.v - before).tail(33).norm(), 0.1 * (way - before).tail(33).norm())
         << "how much v changes after " << input
-        << " without forces, beside a tenth of what the way over h asks";
+        << " without forces, compared with a tenth of what the way over h asks";
   }
 }
 

@@ -57,8 +57,8 @@ int rates_of(const Links& links) {
   return links.size() == 1 ? 0 : links.back().first + hair::rates_of(links.back().joint);
 }
 
-// A mass of m at the end of a rod of length l without mass, which hangs from (0, 0, 0), turned by `angle`
-// about y away from -z; under the weight m g.
+// A mass m of weight m g at the end of a rod of length l, which has no mass, hangs from (0, 0, 0), and is
+// turned by `angle` about y away from -z.
 Links pendulum(double m, double l, double angle, double g = 0) {
   const Vector3d d = l * Vector3d(-std::sin(angle), 0, -std::cos(angle));
   Links links = chain_of({link_of(JointType::revolute, kY, d, d, m)});
@@ -66,8 +66,8 @@ Links pendulum(double m, double l, double angle, double g = 0) {
   return links;
 }
 
-// Of 1 kg, 0.5 m and 0.3 rad and of 2 kg, 0.4 m and -1.2 rad. Both hang from the base: neither feels the
-// other.
+// Pendulums of 1 kg, 0.5 m, 0.3 rad and of 2 kg, 0.4 m, -1.2 rad. Both hang from the base, so neither feels
+// the other.
 Links two_pendulums() {
   Links links = chain_of({pendulum(1, 0.5, 0.3, 9.81)[1], pendulum(2, 0.4, -1.2, 9.81)[1]});
   links[2].parent = 0;
@@ -83,7 +83,7 @@ struct Shape {
 
 struct Placed {
   Links links;
-  std::vector<Vector3d> position;  // of centres of mass
+  std::vector<Vector3d> position;  // the centres of mass
 };
 
 const std::vector<Shape>& shapes() {
@@ -121,7 +121,7 @@ const VectorXd kRates = vector({1.5, 0.7, -2, 0.9});
 
 // Central differences over 1e-5 s: errors of 1e-10 times the third derivative, and of 1e-16 / 1e-5.
 constexpr double kStep = 1e-5, kByDifferences = 1e-7;
-const std::string kSource = "1e-7: what central differences over 1e-5 s leave";
+const std::string kSource = "1e-7: the error of central differences over 1e-5 s";
 
 // ---- Calls
 
@@ -157,8 +157,8 @@ VectorXd one(double value) {
   return VectorXd::Constant(1, value);
 }
 
-// Newton's and Euler's laws, and nothing of the recursion: the joint's force that each link needs with all
-// that hangs from it and with its stiffening, less Q, after all three passes.
+// The force that each joint must carry by Newton's and Euler's laws, for its link and all links that hang
+// from it, with its stiffening, less Q: 0 after three right passes. It does not use the recursion.
 VectorXd unbalanced(const Links& links, const VectorXd& rates, const VectorXd& Q, const LinkPass& base = {}) {
   const Passes first = pass_1(links, rates, base);
   Passes passes = pass_2(links, Q, first);
@@ -182,8 +182,9 @@ VectorXd unbalanced(const Links& links, const VectorXd& rates, const VectorXd& Q
 
 enum class Part { inertia, bias };
 
-// I^A or Z^A of the base, from pass 1 alone. With B and S the links' velocities for each motion of the base
-// and for each rate, the base needs B'(I (B a + S q" + c) + Z), where the joints' forces S'(...) are Q.
+// Compares I^A or Z^A of the base with values from pass 1 alone. B and S are the links' velocities for each
+// motion of the base and for each rate. The base needs B'(I (B a + S q" + c) + Z), where the joints' forces
+// S'(...) are Q.
 void expect_base(const Links& links, const VectorXd& rates, const VectorXd& Q, Part asked) {
   const auto n = static_cast<Eigen::Index>(Q.size());
   const auto six = [](const Vector3d& angular, const Vector3d& linear) {
@@ -236,7 +237,7 @@ TEST(Velocities, AreThoseOfThePlaces) {
   const Passes passes = pass_1(placed(kQ).links, kRates);
   for (int i = 1; i <= 4; ++i)
     expect_vector(passes[i].v.linear, (after.position[i] - before.position[i]) / (2 * kStep), kByDifferences,
-                  "v of link " + std::to_string(i) + ", beside how its place changes", kSource);
+                  "v of link " + std::to_string(i) + ", compared with how its place changes", kSource);
   expect_vector(passes[1].v.angular, Vector3d(0, 0, 1.5), 1e-14, "omega of link 1, which turns about z",
                 "1e-14");
   expect_vector(passes[2].v.angular, Vector3d(0, 0, 1.5), 1e-14,
@@ -257,12 +258,13 @@ TEST(Velocities, BeginAtTheBase) {
 
 TEST(Trees, GoFromParentToChild) {
   const Passes passes = pass_1(two_pendulums(), vector({3, 5}));
-  expect_vector(passes[2].v.angular, Vector3d(0, 5, 0), 1e-14,
-                "omega of a pendulum that hangs from the base, beside another one that turns at 3 rad/s",
-                "1e-14");
+  expect_vector(
+      passes[2].v.angular, Vector3d(0, 5, 0), 1e-14,
+      "omega of a pendulum that hangs from the base, compared with another one that turns at 3 rad/s",
+      "1e-14");
 }
 
-// (4.23) with q" = 0: c^_i is how v^_i changes beside what the parent's change makes of it.
+// By (4.23) with q" = 0, c^_i is the change of v^_i that does not come from the parent's acceleration.
 TEST(MovingJoints, AccelerateWhatMovesOnACurve) {
   const auto at = [](double t) { return pass_1(placed(kQ + t * kRates).links, kRates); };
   const Passes after = at(kStep), before = at(-kStep), now = at(0);
@@ -274,7 +276,7 @@ TEST(MovingJoints, AccelerateWhatMovesOnACurve) {
   for (int i = 1; i <= 4; ++i) {
     const hair::SpatialMotion parents = i == 1 ? hair::SpatialMotion() : to_child(change(i - 1), links[i].r);
     const hair::SpatialMotion c = change(i) + (-1.0) * parents;
-    const std::string name = " of link " + std::to_string(i) + ", beside how its v^ changes";
+    const std::string name = " of link " + std::to_string(i) + ", compared with how its v^ changes";
     expect_vector(now[i].c.angular, c.angular, 10 * kByDifferences, "the first half of c^" + name, kSource);
     expect_vector(now[i].c.linear, c.linear, 10 * kByDifferences, "the second half of c^" + name, kSource);
   }
@@ -312,7 +314,7 @@ TEST(OtherUnits, OfJointsOfAnySpeed) {
   }
 }
 
-// A light second link has other numbers in its pass before, as from an earlier step.
+// The passes hold other numbers before the call, those of a lighter second link, as from an earlier step.
 TEST(ValuesBefore, OverwriteWhatStoodThereByOutwardVelocities) {
   look_at("velocities");
   const Links links = chain_of({pendulum(1, 0.5, 0.3)[1], pendulum(1, 0.4, -0.2)[1]});
@@ -373,7 +375,7 @@ TEST(ValuesBefore, BeginWithTheBasesInertiaToo) {
                 "1e-14");
 }
 
-// All blocks of I^A of the base, and the whole of Z^A.
+// Compares all blocks of the base's I^A, and the whole of its Z^A.
 TEST(Inertias, OfAChainAreWhatItsJointsLeave) {
   look_at("parent");
   expect_base(placed(kQ).links, VectorXd::Zero(4), VectorXd::Zero(4), Part::inertia);
@@ -411,7 +413,8 @@ TEST(Trees, GoFromChildToParent) {
   for (const Links& alone : {pendulum(1, 0.5, 0.3, 9.81), pendulum(2, 0.4, -1.2, 9.81)})
     expected += pass_2(alone, one(0), pass_1(alone, one(0)))[0].inertia.M;
   EXPECT_LE((both[0].inertia.M - expected).norm(), 1e-13)
-      << "M of I^A of a base from which two pendulums hang, beside the sum of those of either alone; it is\n"
+      << "M of I^A of a base from which two pendulums hang, compared with the sum of those of either alone; "
+         "it is\n"
       << both[0].inertia.M << "\nand not\n"
       << expected;
 }
@@ -426,8 +429,9 @@ TEST(Trees, AddUpWhereTwoLinksHangFromOne) {
     return pass_2(links, rates, pass_1(links, rates))[0];
   };
   const LinkPass one = base_of(first), other = base_of(second), sum = base_of(both);
-  const std::string of = " of a base from which two links hang, beside the sum of those with one link each",
-                    source = "1e-12: rounding";
+  const std::string
+      of = " of a base from which two links hang, compared with the sum of those with one link each",
+      source = "1e-12: rounding";
   expect_matrix(sum.inertia.M, one.inertia.M + other.inertia.M, 1e-12, "M of I^A" + of, source);
   expect_matrix(sum.inertia.H, one.inertia.H + other.inertia.H, 1e-12, "H of I^A" + of, source);
   expect_matrix(sum.inertia.J, one.inertia.J + other.inertia.J, 1e-12, "J of I^A" + of, source);
@@ -459,7 +463,7 @@ TEST(AddedBySteps, TakeTheInertiaThatALinkHas) {
       << "1 / (m l^2 + J) of a link that resists as 3 kg along x, 0.5 m below its joint";
 }
 
-// They add no mass that spins: Z^ is what it was.
+// They add no mass that spins, so Z^ does not change.
 TEST(AddedBySteps, LeaveEulersTermAlone) {
   look_at("tensor");
   Links links = placed(kQ).links;
@@ -469,7 +473,7 @@ TEST(AddedBySteps, LeaveEulersTermAlone) {
   for (int i = 1; i <= 4; ++i)
     expect_vector(added[i].bias.torque, plain[i].bias.torque, 1e-13,
                   "the torque in Z^ of link " + std::to_string(i) +
-                      " of 4, where a step adds to its inertia.J, beside that without",
+                      " of 4, where a step adds to its inertia.J, compared with that without",
                   "1e-13");
 }
 
@@ -521,7 +525,7 @@ TEST(Trees, OfTwoPendulumsOnOneBase) {
 
 TEST(Accelerations, OfABaseThatFalls) {
   look_at("base");
-  // Seen from a lift whose rope is cut, nothing has weight.
+  // In a lift whose rope is cut nothing has weight.
   const Links links = pendulum(2, 0.5, 0.7, 9.81);
   Passes passes = pass_1(links, one(0));
   passes[0].a.linear = Vector3d(0, 0, -9.81);
@@ -530,9 +534,10 @@ TEST(Accelerations, OfABaseThatFalls) {
                  "1e-12");
 }
 
-// Two equal pendulums, one at the other's end: the textbook's equations,
-//   2 q1" + cos(q1 - p) p" + sin(q1 - p) p'^2 + 2 g/l sin q1 = 0,   p" + cos(q1 - p) q1" - sin(q1 - p) q1'^2 + g/l sin p = 0,
-// where p = q1 + q2 is the lower one's angle to the vertical.
+// The textbook's equations of two equal pendulums, one at the other's end. The lower one's angle to the
+// vertical is p = q1 + q2:
+//   2 q1" + cos(q1 - p) p" + sin(q1 - p) p'^2 + 2 g/l sin q1 = 0,
+//   p" + cos(q1 - p) q1" - sin(q1 - p) q1'^2 + g/l sin p = 0.
 TEST(Accelerations, OfADoublePendulum) {
   const double l = 0.4, g = 9.81, q1 = 0.8, p = -0.5, q1_rate = 2, p_rate = -3;
   Links links = chain_of({pendulum(1, l, q1, g)[1], pendulum(1, l, p, g)[1]});
@@ -603,7 +608,7 @@ TEST(SphericalJoints, TurnATopAsEulerSays) {
                  "omega' of a top with the moments 1, 2, 3 at omega = (2, 3, 5), Q = (1, 0, -1)", "1e-12");
 }
 
-// Of three rates each: those of link i begin at links[i].first, which is not i - 1.
+// Each spherical joint has three rates. Those of link i begin at links[i].first, which is not i - 1.
 TEST(SphericalJoints, HaveThreeRatesEach) {
   const Link ball = link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, kX, 1);
   const Links links = chain_of({ball, link_of(JointType::revolute, kZ, 0.5 * kX, kX, 1), ball});
@@ -616,8 +621,7 @@ TEST(SphericalJoints, HaveThreeRatesEach) {
                 "omega of link 3, a spherical joint with the rates 4, 5, 6", "1e-13");
 }
 
-// Pass 2 and 3 with what they say of each: q" = gain (Q - s'(I^A a^ + Z^A)), with the numbers of its own
-// joint.
+// Passes 2 and 3 use the numbers of each joint for itself: q" = gain (Q - s'(I^A a^ + Z^A)).
 TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
   const Link ball = link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), 1,
                             Vector3d(1, 2, 4).asDiagonal());
@@ -632,7 +636,7 @@ TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
       "1e-13");
 }
 
-// The axes of its rates are the world's: what turns with the parent adds no omega x w.
+// The axes of its rates are the world's and do not turn with the parent, so there is no omega x w.
 TEST(SphericalJoints, TurnAboutAxesOfTheWorld) {
   look_at("axes");
   const Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, 0.8 * kX, 1)});

@@ -42,16 +42,16 @@ MaterialFrame some_root() {
 
 const Vector3d kCurvature(1.2, -0.7, 0.9);  // 1/m: an element of 1 m winds by 1.66
 
-// ---- Strands for sums: straight elements, each in a direction of its own, so that their Jacobians are known. Sums
-// don't ask whether frames fit together.
+// ---- Strands for sums have straight elements, each in a direction of its own, so that their Jacobians are
+// known. Sums don't need frames that fit together.
 
 struct Lying {
   std::vector<HelixElement> elements;
   std::vector<HelixPoint> points;
 };
 
-// Of a straight element: its rates bend it about n1 and n2, and twist it. The columns of `moves` are n1 x t
-// and n2 x t times s^2 / 2, and 0.
+// The Jacobian of a straight element, whose rates bend it about n1 and n2, and twist it. The columns of
+// `moves` are n1 x t and n2 x t times s^2 / 2, and 0.
 HelixJacobian straight(const Matrix3d& axes, double s) {
   HelixJacobian J;
   J.turns = s * axes;
@@ -88,7 +88,7 @@ Lying straight_strand(int elements, double length, double line_density) {
   return lying;
 }
 
-// Corners at every joint, forces on all points, and points that resist more in one direction.
+// A strand with corners at every joint, forces on all points, and points that resist more in one direction.
 Lying crooked_strand() {
   Lying lying;
   for (int i = 0; i < 4; ++i) {
@@ -103,8 +103,8 @@ Lying crooked_strand() {
   return lying;
 }
 
-// From the root to the tip, and without J: the velocities of all points at these rates. Each element turns
-// and carries what comes after it.
+// The velocities of all points at these rates, without J: from the root to the tip each element turns and
+// carries those after it.
 std::vector<Vector3d> velocities(const Lying& lying, const VectorXd& rates) {
   std::vector<Vector3d> found;
   Vector3d velocity = Vector3d::Zero(), spin = Vector3d::Zero();
@@ -146,7 +146,7 @@ VectorXd elastic_of(const HelixStrand& strand, const VectorXd& q) {
   return force;
 }
 
-// A copy has no room behind its last point, so that sanitizers see who reads there.
+// A copy has no room behind its last point, so that sanitizers find a read there.
 using Points = std::vector<HelixPoint>;
 
 VectorXd force_of(const Lying& lying) {
@@ -254,9 +254,10 @@ TEST(CentreLine, GoesOnFromItsStart) {
   const MaterialFrame root = some_root(), alone = hair::frame_at({}, kCurvature, 0.7),
                       end = hair::frame_at(root, kCurvature, 0.7);
   expect_vector(end.position, root.position + root.axes * alone.position, 1e-13,
-                "the point at 0.7 m, beside start.position + start.axes (the same of a start at 0)", "1e-13");
+                "the point at 0.7 m, compared with start.position + start.axes (the same of a start at 0)",
+                "1e-13");
   expect_matrix(end.axes, root.axes * alone.axes, 1e-13,
-                "the frame at 0.7 m, beside start.axes (the same of a start at 0)", "1e-13");
+                "the frame at 0.7 m, compared with start.axes (the same of a start at 0)", "1e-13");
 }
 
 namespace {
@@ -349,7 +350,7 @@ TEST(CarriedFrames, GoOnWhereTheElementBeforeEnds) {
   }
 }
 
-// One helix, however many elements make it: radius kappa / (kappa^2 + tau^2) about the axis Omega.
+// Any number of elements makes the same helix, of radius kappa / (kappa^2 + tau^2) about the axis Omega.
 TEST(CarriedFrames, MakeOneHelix) {
   const double radius = kCurvature.head<2>().norm() / kCurvature.squaredNorm();
   std::vector<HelixElement> elements(10);
@@ -458,17 +459,18 @@ TEST(OtherUnits, OfElementsOfAnyLength) {
   for (const double scale : {0x1p-40, 0x1p40}) {
     const HelixJacobian J = hair::jacobian_at({}, 0.3 / scale * kCurvature, scale);
     expect_entries((J.turns / scale).reshaped(), one.turns.reshaped(), 1e-10,
-                   "turns / s of an element of " + number(scale) + " m, beside that of 1 m", "1e-10");
+                   "turns / s of an element of " + number(scale) + " m, compared with that of 1 m", "1e-10");
     expect_entries((J.moves / (scale * scale)).reshaped(), one.moves.reshaped(), 1e-10,
-                   "moves / s^2 of an element of " + number(scale) + " m, beside that of 1 m", "1e-10");
+                   "moves / s^2 of an element of " + number(scale) + " m, compared with that of 1 m",
+                   "1e-10");
   }
 }
 
 // ---- (5)
 
 TEST(Forces, OfAForceAtTheTip) {
-  // 2 m along z, held at 0: 3 N along y at the tip bend element 0 about -x with the arm from each of its
-  // points.
+  // The strand goes 2 m along z and is held at 0. 3 N along y at the tip bend element 0 about -x, with the
+  // arm from each of its points.
   Lying lying = straight_strand(2, 2, 1);
   HelixPoint tip;
   tip.element = 1;
@@ -477,7 +479,7 @@ TEST(Forces, OfAForceAtTheTip) {
   tip.moves = straight(Matrix3d::Identity(), 1).moves;
   tip.force = Vector3d(0, 3, 0);
   lying.points.push_back(tip);
-  // Of element 0 the arms are 2 to 1 m, 1.5 on average over 1 m; of element 1 0.5.
+  // Element 0 has arms of 2 to 1 m, 1.5 m on average over its length of 1 m; element 1 has 0.5 m on average.
   expect_numbers(force_of(lying), vector({-4.5, 0, 0, -1.5, 0, 0}), 1e-13,
                  "Q of 3 N across the tip of a straight strand: minus the integral of force times arm",
                  "1e-13");
@@ -548,7 +550,7 @@ TEST(Masses, OfTwoElements) {
   EXPECT_GE(least, -1e-12 * M.norm()) << "the least pivot of M, which is positive semi-definite";
 }
 
-// Elements without points carry those further out.
+// Elements without points of their own carry the points further out.
 TEST(BareElements, OfElementsWithoutPoints) {
   Lying light = crooked_strand(), bare = light;
   for (HelixPoint& point : light.points)
@@ -556,7 +558,7 @@ TEST(BareElements, OfElementsWithoutPoints) {
   std::erase_if(bare.points,
                 [](const HelixPoint& point) { return point.element == 0 || point.element == 2; });
   expect_entries(mass_of(bare).reshaped(), mass_of(light).reshaped(), 1e-11,
-                 "M where elements 0 and 2 have no points, beside M where their points have no mass",
+                 "M where elements 0 and 2 have no points, compared with M where their points have no mass",
                  "1e-11");
 }
 

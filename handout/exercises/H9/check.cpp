@@ -1,5 +1,5 @@
-// The public checks of H9, function by function. Lengths, stiffnesses and masses are about 1, so that bounds
-// of 1e-12 are thousands of roundings. The contract is in hair/static_links.h.
+// The public checks of H9, function by function. Lengths, stiffnesses and masses are about 1, so bounds of
+// 1e-12 are thousands of roundings. The contract is in hair/static_links.h.
 
 #include "hair/static_links.h"
 
@@ -182,11 +182,12 @@ TEST(TurnedFrames, TakesTheFrameOfEachLinksParticle) {
   const Linked s, same = s.straight();
   expect_numbers(
       stretches_of(s), stretches_of(same), 1e-12,
-      "stretches of three links, beside those of links whose offsets are turned in place of frames",
+      "stretches of three links, compared with those of links whose offsets are turned in place of frames",
       kRounding);
   expect_entries(
       forces(s.links, s.frames, s.largest, s.x), forces(same.links, same.frames, s.largest, s.x), 1e-11,
-      "forces of three links, beside those of links whose offsets are turned in place of frames", kRounding);
+      "forces of three links, compared with those of links whose offsets are turned in place of frames",
+      kRounding);
 }
 
 TEST(Added, AddsToWhatIsThereByAddLinkForce) {
@@ -218,7 +219,7 @@ TEST(WornLinks, TakeTheirOwnStrength) {
   fresh.links[2].stiffness = 0;
   const VectorXd dx = scattered_vector(15, 2);
   const std::string beside =
-      " of a new link, one that has 0.75 of its strength, and a broken one, beside that of "
+      " of a new link, one that has 0.75 of its strength, and a broken one, compared with that of "
       "new links that are less stiff";
   EXPECT_NUMBER(link_energy(s.links, s.frames, s.largest, s.x),
                 link_energy(fresh.links, s.frames, fresh.largest, s.x), 1e-11)
@@ -312,7 +313,7 @@ VectorXd strip_products(const std::vector<StripContact>& contacts, const VectorX
   return df;
 }
 
-// Two contacts that share particles, one of which presses, along no axis.
+// Two contacts that share particles, with normals along no axis. One of them presses.
 struct Pressed {
   std::vector<StripContact> contacts = {{3, {0, 1, 2}, {0.2, 0.5, 0.3}, Vector3d(2, -1, 2) / 3, 0.7},
                                         {4, {3, 2, 0}, {0.6, 0.3, 0.1}, Vector3d(1, 2, -2) / 3, 0.4}};
@@ -385,7 +386,7 @@ TEST(FlatTriangles, FindsEdgesAndNoFlatTriangle) {
   EXPECT_FALSE(touch(flat, 1, contact)) << "a triangle without an area";
 }
 
-// "Without an area" is an area of exactly 0.
+// Only an area of exactly 0 is "without an area".
 TEST(FlatTriangles, FindsTrianglesOfAnySize) {
   look_at("limit");
   StripContact contact;
@@ -506,10 +507,10 @@ TEST(StripProducts, IsTheSlopeOfTheForce) {
   const VectorXd dx = scattered_vector(15, 4);
   std::vector<StripContact> contacts(2, some_contact());
   contacts[1].point = 4;
-  expect_entries(
-      strip_products(contacts, two, dx), strip_products({contacts[1]}, two, dx), 1e-12,
-      "the product of a contact that does not press and of one that does, beside that of the second alone",
-      kRounding);
+  expect_entries(strip_products(contacts, two, dx), strip_products({contacts[1]}, two, dx), 1e-12,
+                 "the product of a contact that does not press and of one that does, compared with that of "
+                 "the second alone",
+                 kRounding);
   expect_entries(strip_products({some_contact()}, above_triangle(0.3), scattered_vector(12, 1)), zeros(4), 0,
                  "the product of a point farther away than the thickness", "0");
 }
@@ -580,9 +581,8 @@ TEST(FrictionOrder, GoesContactAfterContact) {
   inverse_mass[3] = 0.5;
   const std::vector<StripContact> twice(2, some_contact());
   apply_strip_friction(twice, kLaw, inverse_mass, 0.8, x, v);
-  EXPECT_NUMBER(v[9], 0, 1e-12)
-      << "m/s: 1.5, less 0.96 of the first contact; the second one stops what is left";
-  // A contact whose particles are all pinned leaves the others to the next one.
+  EXPECT_NUMBER(v[9], 0, 1e-12) << "m/s: 1.5, less 0.96 of the first contact; the second one stops the rest";
+  // A contact whose particles are all pinned changes nothing for the next one.
   VectorXd two = zeros(5), w = zeros(5);
   two.head(12) = x;
   two.tail<3>() = x.tail<3>();
@@ -620,7 +620,8 @@ TEST(Frictions, NeverAccelerates) {
       is += v.segment<3>(3 * i).squaredNorm() / inverse_mass[i] / 2;
       gained += (v - before).segment<3>(3 * i) / inverse_mass[i];
     }
-    EXPECT_LE(is, was * (1 + 1e-12)) << "the kinetic energy after friction, in J, beside that before it";
+    EXPECT_LE(is, was * (1 + 1e-12))
+        << "the kinetic energy after friction, in J, compared with that before it";
     expect_entries(gained, zeros(1), 1e-10, "the momentum that friction adds to all particles together",
                    kRounding);
   }

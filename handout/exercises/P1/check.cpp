@@ -54,7 +54,7 @@ const Method kMidpoint = {"midpoint", 2, 2, midpoint, kMidpointSwing, 1.25, -1.2
 const Method kRungeKutta4 = {"runge_kutta_4", 4, 4, runge_kutta_4, kRungeKuttaSwing, 1 + 3.3125 / 12,
                              2 - 33.0625 / 12};
 
-// So that a failure says forward_euler, and not a pointer.
+// With this a failure names forward_euler, instead of printing a pointer.
 void PrintTo(const Method& method, std::ostream* out) {
   *out << method.name;
 }
@@ -101,10 +101,10 @@ void steps(const Method& method, Dynamics& dynamics, double h, int count, State&
 }
 
 class Integrator : public testing::TestWithParam<Method> {};
-// Asked after all of Integrator.
+// These run after all of Integrator.
 class Oscillator : public Integrator {};
 class Spiral : public Integrator {};
-// Asked of each method.
+// These run for each method.
 class Evaluations : public Integrator {};
 class EitherSign : public Integrator {};
 class ScratchMemory : public Integrator {};
@@ -224,7 +224,7 @@ TEST_P(SizesAndUnits, MovesEveryParticle) {
 
 TEST_P(SizesAndUnits, HasNoUnitOfItsOwn) {
   look_at("limit");
-  // a = -4 x - v has none, and powers of two change no digit.
+  // a = -4 x - v has no unit of length, and powers of two change no digit.
   Spring1 spring(4, 1);
   State metres{scattered_vector(6, 1), scattered_vector(6, 2)};
   for (int power : {-90, 90}) {

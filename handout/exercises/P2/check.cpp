@@ -53,7 +53,7 @@ Example bead() {
   return system;
 }
 
-// Five particles without a pattern, four rods between them and two wires; nothing holds.
+// Five particles without a pattern, four rods between them and two wires. No constraint holds.
 Example tangle() {
   Example system;
   Scatter scatter(2);
@@ -223,9 +223,10 @@ TEST(Matrix, IsTheTableOfItsProducts) {
     const VectorXd unit = VectorXd::Unit(rows, k);
     VectorXd change = forces(system, unit);
     for (int i = 0; i < 5; ++i) change.segment<3>(3 * i) *= i == 4 ? 0 : 1 / system.particles.mass[i];
-    expect_numbers(product(system, unit), rates(system, change), 1e-13,
-                   "J W J^T e_k against your own rates of W times your own forces; particle 4 is pinned",
-                   "some 50 roundings of numbers up to 10");
+    expect_numbers(
+        product(system, unit), rates(system, change), 1e-13,
+        "J W J^T e_k, compared with your own rates of W times your own forces; particle 4 is pinned",
+        "some 50 roundings of numbers up to 10");
   }
 }
 
@@ -323,7 +324,7 @@ TEST(Feedback, FeedsErrorsBack) {
   system.constraints.damping = 6;
   const VectorXd a = accelerations(system), v = system.state.v;
   const VectorXd expected = -40 * values(system, system.state.x) - 6 * rates(system, v);
-  // J' v: rates are linear in x, but for what does not depend on it.
+  // J' v as a difference of rates, since the part of the rates that depends on x is linear in x.
   Example moved = system, still = system;
   moved.state.x += v;
   const VectorXd curvature = rates(moved, v) - rates(still, v);

@@ -1,6 +1,6 @@
-// The public checks of S1. Every failure prints the input, what was expected, what came, the error and its
-// bound. The contract is in solver/linearSolver.h. Grading checks the same contract on other inputs, and more
-// of them.
+// The public checks of S1. Every failure prints the input, the expected and the actual value, the error and
+// its bound. The contract is in solver/linearSolver.h. Grading checks the same contract with more and other
+// inputs.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,8 @@ namespace {
 
 const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// For checks that are not about them: a residual of 1e-3 ||b|| if ||b|| = 1, and more steps than it takes.
+// Values for checks that are about something else: a residual of 1e-3 if ||b|| = 1, and more than enough
+// steps.
 constexpr double kEpsilon = 1e-6;
 constexpr int kEnough = 1000;
 
@@ -77,7 +78,8 @@ System even(System s) {
   return s;
 }
 
-// epsilon = 0 and a large b: only the step limit ends this. Then ||b - Ax|| is at most `tolerance` ||b||.
+// With epsilon = 0 and a large b only the step limit ends the call. Then ||b - Ax|| is at most `tolerance`
+// ||b||.
 void expect_goes_on(System s, int most_steps, double tolerance) {
   const double scale = 0x1p50 / norm(s.b);
   for (double& value : s.b) value *= scale;
@@ -91,8 +93,8 @@ void expect_goes_on(System s, int most_steps, double tolerance) {
   }
 }
 
-// Converges too slowly to get anywhere near a residual of 0: eigenvalues from 1e-10 to 1, and no zeros in the
-// matrix.
+// A matrix without zeros, with eigenvalues from 1e-10 to 1. ConjGrad converges on it so slowly that the
+// residual stays far from 0.
 solver::SpectralMatrix slow_matrix(int n) {
   return {solver::log_spaced(n, 1e-10, 1), {Vector(n, 1.0), scattered(n)}};
 }
@@ -246,7 +248,7 @@ TEST(FirstGuess, OnlyWritesX) {
   }
 }
 
-// An epsilon between the squares of what its third and its fourth step leave is met by the fourth.
+// If epsilon lies between the squared residuals of the third and of the fourth step, the fourth one meets it.
 void expect_four_steps(double scale) {
   System s = even(
       system_with("the tridiagonal (-1, 3, -1), n = 30", solver::tridiagonal(30, 3, -1), scattered(30), 1));
@@ -341,8 +343,8 @@ TEST(SixtyFourth, TakesOneProductAStepAndOneMoreEvery64) {
 
 TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
   look_at("order");
-  // The residual falls from r to r - A s by the step s = alpha d, and what is left is orthogonal to r. So A s
-  // is at least as long as r, and s as ||r|| / ||A||. Half of that leaves room for rounding.
+  // The step s = alpha d makes the residual r - A s, which is orthogonal to r. So A s is at least as long as
+  // r, and s is at least ||r|| / ||A|| long. Half of that leaves room for rounding.
   System s = falling();
   for (int last : {1, 63, 64, 65, 128}) {
     SCOPED_TRACE("step " + std::to_string(last) + " of " + call(s.name, 0, last));
@@ -360,9 +362,9 @@ TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
 
 TEST(Hard, TakesNoMoreStepsOnALongWayThanItsDirectionsNeed) {
   look_at("restart");
-  // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: a beta
-  // of 0 there forgets all directions so far. Rounding turns them a little; that costs no program a third
-  // more.
+  // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: with a
+  // beta of 0 there all earlier directions are forgotten. Rounding turns directions a little; that costs a
+  // right program less than a third more.
   const int n = 250;
   expect_goes_on(
       system_with("the tridiagonal (-1, 2, -1), n = 250, whose 250 different eigenvalues take 250 steps",
@@ -473,7 +475,7 @@ TEST(NotFinite, EndsAtAValueThatIsNotFinite) {
 
 TEST(NotFinite, EndsAtATrueResidualThatIsNotFinite) {
   look_at("residual");
-  // One product, one in each of 64 steps, and one for the residual that replaces the recurrence's: 66.
+  // 66 products: one at first, one in each of 64 steps, and one for the residual that is computed anew.
   class Broken : public implicitMatrix {
    public:
     void matVecMult(double x[], double b[]) override {
@@ -523,7 +525,7 @@ TEST(NotFinite, EndsBeforeXOverflows) {
     EXPECT_EQ(out.x, b) << "x is the last one that was finite: the first guess, b";
     EXPECT_FALSE(out.returned <= 1e-9) << "returned " << out.returned;
   }
-  // With B = b / a: after the first step x = (1.6 B, 1.6 B), to some twenty roundings; the second one would
+  // With B = b / a, x is (1.6 B, 1.6 B) after the first step, to some twenty roundings. The second one would
   // lead to (B, 4 B), and 4 B = 2.4e308 is no double, though 1.6 B - 2.4 B is one.
   const double b = 2e140, B = 6e307;
   const std::string name = "A = [a 0; 0 a/4], a = 3.3e-168, b = (2e140, 2e140)";

@@ -25,7 +25,7 @@ SparseMatrix dense(int rows, int cols, const Vector& a) {
   return SparseMatrix(rows, cols, entries);
 }
 
-// A x, into memory that is not a number beforehand: all of it must be overwritten.
+// The product A x. Its memory holds NaN before, so the product must overwrite all of it.
 Vector multiply(implicitMatrix& A, int rows, Vector x) {
   const Vector before = x;
   Vector b(rows, kNaN);
@@ -64,7 +64,7 @@ std::string call(const std::string& name, double epsilon, int most_steps) {
   return text.str();
 }
 
-// residual_gap for A'A x = A'b, and the rounding of A'b itself.
+// The residual_gap of A'A x = A'b, plus the rounding of A'b itself.
 double gap(System& s) {
   SparseMatrix transposed = s.A.transposed();
   const double norm_of_A = s.A.norm_bound(), e = s.A.longest_row(), e_transposed = transposed.longest_row();

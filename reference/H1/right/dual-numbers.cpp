@@ -1,4 +1,4 @@
-// STAFF ONLY. A right solution of H1 that writes down a length, and leaves derivatives to dual numbers.
+// STAFF ONLY. A right solution of H1 that writes down a length. Dual numbers make the derivatives.
 
 #include "hair/stretch_springs.h"
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. A right solution of H1 with everything multiplied out: squares of differences, and the vector k
-// e instead of k l u. Its terms cancel near the rest length.
+// STAFF ONLY. A right solution of H1 with everything multiplied out: squares of differences, and the vector
+// k e instead of k l u. Its terms cancel near the rest length.
 
 #include "hair/stretch_springs.h"
 

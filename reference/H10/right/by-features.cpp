@@ -1,5 +1,5 @@
-// STAFF ONLY. H10 by features: of the triangle, its edges and its corners each has a nearest point, and the
-// nearest of these counts. Frames are seen by their components, and a turn takes a basis to a basis.
+// STAFF ONLY. H10 by features: the triangle, its edges and its corners each have a nearest point, and the
+// nearest of these counts. Frames go by their components, and a turn takes a basis to a basis.
 #include "hair/strand_synthesis.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Vector3d across(const Vector3d& along, const Vector3d& wanted) {
     one = along.cross(Vector3d::Unit(least));
   }
   one.normalize();
-  // Twice: what was left of it may have been little.
+  // The projection is made twice, since a short remainder has large rounding errors.
   return (one - along * along.dot(one)).normalized();
 }
 

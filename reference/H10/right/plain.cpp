@@ -6,7 +6,7 @@
 namespace hair {
 namespace {
 
-// Columns: axis, side, axis x side.
+// The columns are axis, side, axis x side.
 Matrix3d matrix_of(const RootFrame& frame) {
   Matrix3d A;
   A.col(0) = frame.axis;

@@ -1,6 +1,6 @@
-// STAFF ONLY. A right solution of H10 with matrices: a turn is two half turns, about the direction that it
-// takes and about the middle of both; a guide is carried over by the product of two frames; weights by the
-// regions around a triangle, in long double.
+// STAFF ONLY. A right solution of H10 with matrices: a turn is two half turns, about the first direction and
+// about the middle of both. The product of two frames carries a guide over. Weights come from the regions
+// around a triangle, in long double.
 #include "hair/strand_synthesis.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Matrix3d axes(const RootFrame& frame) {
   return (Matrix3d() << frame.axis, frame.side, frame.axis.cross(frame.side)).finished();
 }
 
-// How far along the edge from a to b, 0 to 1, the point nearest to p lies; and its squared distance.
+// The place of the point nearest to p on the edge from a to b, 0 to 1, and its squared distance.
 Real place_on_edge(const Long3& a, const Long3& b, const Long3& p, Real& distance) {
   const Long3 edge = b - a;
   const Real square = edge.squaredNorm();
@@ -42,7 +42,7 @@ std::array<double, 3> root_weights(const std::array<Vector3d, 3>& corners, const
   std::array<Long3, 3> x;
   for (int k = 0; k < 3; ++k) x[k] = corners[k].cast<Real>();
   const Long3 a = x[1] - x[0], b = x[2] - x[0], N = a.cross(b);
-  // Inside: each edge has the point on its inner side.
+  // Inside, the point is on the inner side of each edge.
   const Real area = N.squaredNorm(),
              size = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
   if (area > 1e-20L * size * size) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. A right solution of H2 that writes down an energy, and leaves derivatives to dual numbers.
+// STAFF ONLY. A right solution of H2 that writes down an energy. Dual numbers make the derivatives.
 
 #include "hair/angular_springs.h"
 

@@ -2,8 +2,8 @@
 //
 //   grad phi = -grad c / s,   d2phi = -d2c / s - (c / s^3) grad c grad c^T.
 //
-// It divides by the sine where other formulas need not, and so rounds most. A joint that is as good as
-// straight has products of its own.
+// It divides by the sine more often than other formulas, and so rounds most. A nearly straight joint has
+// products of its own.
 
 #include "hair/angular_springs.h"
 
@@ -47,7 +47,7 @@ void for_each(const Strand& strand, particles::Input x, Visit visit) {
     visit(0, Joint(strand.bend_rigidity / (strand.rest_length[0] / 2), strand.root_tangent, segment(0)));
 }
 
-// f -= the derivative by the particles of what has the derivatives d1 and d2 by e1 and e2.
+// Subtracts from f the derivative by the particles of a function with the derivatives d1 and d2 by e1 and e2.
 void subtract(int i, const Vector3d& d1, const Vector3d& d2, particles::Output f) {
   f.segment<3>(3 * i + 3) -= d2;
   f.segment<3>(3 * i) += d2;
@@ -66,7 +66,7 @@ Change change(int i, particles::Input dx) {
   return {dx.segment<3>(3 * i) - dx.segment<3>(3 * i - 3), second};
 }
 
-// Both products of a straight joint: the bend is across the strand, (I - u u^T) (de2 / l2 - de1 / l1).
+// Both products of a straight joint, whose bend is across the strand: (I - u u^T) (de2 / l2 - de1 / l1).
 void subtract_straight(int i, const Joint& joint, const Change& de, particles::Output df) {
   const Vector3d u = (joint.u1 + joint.u2) / 2, apart = de.second / joint.l2 - de.first / joint.l1;
   const Vector3d across = joint.k * (apart - u.dot(apart) * u);

@@ -35,11 +35,11 @@ Bend bend_of(const Vector3d& e1, const Vector3d& e2, double k) {
   double dot = bend.u1.dot(bend.u2);
   bend.phi = std::atan2(s, dot);
   if (s < 1e-8 && dot > 0) {
-    // As good as straight: any axis will do.
+    // The joint is nearly straight, so any axis will do.
     bend.b = bend.u1.unitOrthogonal();
     bend.ratio = 1;
     bend.cot = 1;
-    // Small as it is, the bend has its direction.
+    // Even a small bend has a direction.
     if (s > 0) bend.b = (c - bend.u1 * bend.u1.dot(c)).normalized();
     if (!(bend.b.norm() > 0.5)) bend.b = bend.u1.unitOrthogonal();
   } else if (s == 0) {

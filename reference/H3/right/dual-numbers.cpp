@@ -1,4 +1,4 @@
-// STAFF ONLY. A right solution of H3 that writes down a distance, and leaves derivatives to dual numbers.
+// STAFF ONLY. A right solution of H3 that writes down a distance. Dual numbers make the derivatives.
 
 #include "hair/bend_springs.h"
 
@@ -16,7 +16,7 @@ T distance(const Vec<T>& e) {
 
 struct Spring {
   double d0, k, d;
-  Eigen::Vector3d gradient, turned;  // of the distance; along a change
+  Eigen::Vector3d gradient, turned;  // the distance's gradient, and its change along de
 };
 
 Spring spring_of(const hair::Strand& strand, int i, const Eigen::Vector3d& e, const Eigen::Vector3d& de) {

@@ -1,5 +1,5 @@
 // STAFF ONLY. A right H4 that writes its matrix out: products with unit vectors give its columns, once, and
-// every product that ConjGrad asks for is a product of the table.
+// then ConjGrad multiplies by the table.
 #include "particles/implicit_euler.h"
 
 #include <cmath>

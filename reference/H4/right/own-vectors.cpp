@@ -1,5 +1,5 @@
-// STAFF ONLY. A right H4 with vectors of its own, particle by particle, that gives ConjGrad a right-hand side
-// of length 1.
+// STAFF ONLY. A right H4 with vectors of its own, particle by particle. It scales the right-hand side for
+// ConjGrad to length 1.
 #include "particles/implicit_euler.h"
 
 #include <cmath>
@@ -22,7 +22,7 @@ double length(particles::Input numbers) {
   return sum;
 }
 
-// (M - P (a D + a b K) P + (1 - P) (1 - M)) x, where P leaves free particles alone and sets pinned ones to 0.
+// (M - P (a D + a b K) P + (1 - P) (1 - M)) x, where P keeps free particles and sets pinned ones to 0.
 class Projected : public implicitMatrix {
  public:
   Projected(const particles::Force& force, const particles::Particles& particles,

@@ -1,5 +1,4 @@
-// STAFF ONLY. A right H5 by relaxation alone, from the tip to the root and back: no Newton's method, another
-// direction.
+// STAFF ONLY. A right H5 by relaxation alone, from the tip to the root and back, without Newton's method.
 #include "hair/length_correction.h"
 
 #include <cmath>
@@ -7,7 +6,7 @@
 namespace hair {
 namespace {
 
-// The larger one; a NaN, if there is one.
+// The larger value, or NaN if one is NaN.
 double larger(double value, double other) {
   return other > value || std::isnan(other) ? other : value;
 }
@@ -25,7 +24,7 @@ void share(const Strand& strand, int i, const Vector3d& change, Output values) {
   values.segment<3>(3 * i + 3) -= m0 / (m0 + m1) * change;
 }
 
-// Of the nearest segment from i towards the root that has one.
+// The direction of segment i, or of the nearest one towards the root that has a direction.
 Vector3d direction(const Strand& strand, Input x, int i) {
   for (; i >= 0; --i) {
     const Vector3d e = x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);

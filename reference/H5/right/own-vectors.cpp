@@ -1,5 +1,5 @@
-// STAFF ONLY. A right H5 with vectors of its own, that eliminates from the tip to the root, sweeps that way,
-// too, and takes all impulses on velocities at once.
+// STAFF ONLY. A right H5 with vectors of its own. It eliminates and sweeps from the tip to the root, and
+// solves for all impulses on velocities at once.
 #include "hair/length_correction.h"
 
 #include <array>
@@ -36,7 +36,7 @@ double inverse(const Strand& strand, std::size_t i) {
   return i > 0 ? 1 / strand.mass[static_cast<Eigen::Index>(i)] : 0;
 }
 
-// Adds to y what impulses along u do, so that the differences of neighbours along u change by `wanted`.
+// Adds impulses along u to y, so that the differences of neighbours along u change by `wanted`.
 void push(const Strand& strand, const std::vector<Point>& u, std::vector<double> wanted, Output y) {
   const std::size_t m = u.size();
   std::vector<double> pivot(m), beside(m);

@@ -30,7 +30,7 @@ static vector<Vector3d> directions(const Strand& strand, Input x) {
   return u;
 }
 
-// A NaN, if there is one.
+// The larger value, or NaN if one is NaN.
 static double larger(double a, double b) {
   return b > a || std::isnan(b) ? b : a;
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. A right H6 as the lecture prints it, with its names: what the solves find is written as the
+// STAFF ONLY. A right H6 as the lecture prints it, with its names: each solve's result is written as the
 // force F^{n+1} that acts for dt/2.
 #include "hair/predictor_corrector.h"
 
@@ -31,7 +31,7 @@ StepReport predictor_corrector(const particles::Force& force, const particles::P
   state.x = state.x + dt * v_half;
 
   // 3. x~^{n+1} = x^{n+1} + x^corr
-  auto x_corr = F;  // of no more use
+  auto x_corr = F;  // F is not needed any more
   x_corr = -state.x;
   report.correction = correct_lengths(strand, kLengthTolerance, kMostCorrections, state.x, correction_memory);
   x_corr += state.x;

@@ -1,5 +1,5 @@
-// STAFF ONLY. A right H6 whose impulse is the way over h: x~ = x + h v(n+1/2) + x_corr, so that (x~ - x) / h
-// is v(n+1/2) + x_corr / h.
+// STAFF ONLY. A right H6 that takes the way over h for the impulse: x~ = x + h v(n+1/2) + x_corr, so (x~ - x)
+// / h is v(n+1/2) + x_corr / h.
 #include "hair/predictor_corrector.h"
 
 #include <vector>

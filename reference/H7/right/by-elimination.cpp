@@ -1,6 +1,6 @@
-// STAFF ONLY. A right solution of H7 that moves no inertia by formulas. Pass 1 differentiates velocities by
-// Plücker's cross product of motions. Pass 2 writes a link's equations and its joint's in one symmetric table
-// of numbers, for the motion of the parent and the joint's rates, and eliminates the rates. All in long
+// STAFF ONLY. A right solution of H7 that has no formula to move an inertia. Pass 1 differentiates velocities
+// by Plücker's cross product of motions. Pass 2 writes the equations of a link and its joint in one symmetric
+// table, for the motion of the parent and the joint's rates, and eliminates the rates. All numbers are long
 // double.
 
 #include <array>
@@ -12,8 +12,8 @@ namespace {
 
 using Real = long double;
 
-// Row 0 to 5: along the link's six motions (linear, then angular); then its joint's rates; the last column is
-// what is there without acceleration.
+// Rows 0 to 5 are for the link's six motions (linear, then angular), the next ones for its joint's rates. The
+// last column has the forces without acceleration.
 struct Table {
   std::array<std::array<Real, 10>, 9> row{};
   int rates = 0;
@@ -60,7 +60,7 @@ Real product(const std::array<Real, 6>& a, const Six6& A, const std::array<Real,
   return sum;
 }
 
-// What the parent and the joint feel.
+// The forces on the parent and the joint.
 Table table_of(const Link& link, const LinkPass& pass, Input Q) {
   Table table;
   table.rates = rates_of(link.joint);
@@ -109,7 +109,7 @@ void outward_velocities(const std::vector<Link>& links, Input rates, std::vector
   for (std::size_t i = 1; i < links.size(); ++i) {
     const Link& link = links[i];
     const SpatialMotion& parent = passes[link.parent].v;
-    SpatialMotion own;  // of the joint
+    SpatialMotion own;  // the joint's motion
     for (int k = 0; k < rates_of(link.joint); ++k) {
       const std::array<Real, 6> s = by_joint(link, k);
       for (int j = 0; j < 3; ++j) {
@@ -117,11 +117,12 @@ void outward_velocities(const std::vector<Link>& links, Input rates, std::vector
         own.angular[j] += static_cast<double>(s[3 + j] * rates[link.first + k]);
       }
     }
-    // The parent's velocity where the link's centre is.
+    // The parent's velocity at the link's centre.
     const SpatialMotion carried = to_child(parent, link.r);
     LinkPass& pass = passes[i];
     pass.v = carried + own;
-    // A joint's axis moves with the parent; accelerations of points have omega x v beside those of motions.
+    // A joint's axis moves with the parent; accelerations of points have omega x v in addition to those of
+    // motions.
     pass.c.angular = parent.angular.cross(own.angular);
     pass.c.linear = parent.angular.cross(own.linear) + carried.linear.cross(own.angular) +
                     pass.v.angular.cross(pass.v.linear) - parent.angular.cross(parent.linear);

@@ -1,6 +1,6 @@
 // STAFF ONLY. A right solution of H7 that differentiates velocities by time, with vectors that carry their
-// change, and finds no c^ on paper. In long double, with symmetric matrices: [linear; angular] and [force;
-// torque], and Cholesky's factor of s'I s.
+// change, so that it needs no formula of c^. It uses long double, symmetric matrices ([linear; angular] and
+// [force; torque]), and Cholesky's factor of s'I s.
 
 #include <Eigen/Cholesky>
 
@@ -22,7 +22,7 @@ Long3 wide(const Vector3d& v) {
   return v.cast<Real>();
 }
 
-// A vector, and its change in a second.
+// A vector, and its change per second.
 struct Moving {
   Long3 now, change;
 };
@@ -91,7 +91,7 @@ void outward_velocities(const std::vector<Link>& links, Input rates, std::vector
   for (std::size_t i = 1; i < links.size(); ++i) {
     const Link& link = links[i];
     const LinkPass& parent = passes[link.parent];
-    // While rates and the parent's velocities stay as they are.
+    // The rates and the parent's velocities do not change here.
     const Moving omega = steady(wide(parent.v.angular)), base = steady(wide(parent.v.linear));
     const Rates rate = numbers_of(link, rates);
     Moving spin = omega, velocity = base;

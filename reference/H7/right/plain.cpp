@@ -61,7 +61,7 @@ Rows primed(const Columns& s) {
   return rows;
 }
 
-// Three axes; of revolute and prismatic joints the last two are 0.
+// Three axes; revolute and prismatic joints have 0 for the last two.
 Columns axes(const Link& link) {
   Columns s = Columns::Zero();
   if (link.joint == JointType::spherical)
@@ -73,7 +73,7 @@ Columns axes(const Link& link) {
   return s;
 }
 
-// What a joint has of these numbers.
+// The joint's own part of these numbers.
 Vector3d own(const Link& link, Input values) {
   Vector3d three = Vector3d::Zero();
   for (int k = 0; k < rates_of(link.joint); ++k) three[k] = values[link.first + k];

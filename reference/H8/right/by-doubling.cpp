@@ -1,6 +1,6 @@
-// STAFF ONLY. A right solution of H8 that puts an element together from two halves, again and again: from a
-// piece so short that five nodes of Gauss integrate it. Stumpff's functions by the same idea. In long double,
-// with a Cholesky factorisation of its own.
+// STAFF ONLY. A right solution of H8 that makes an element of two halves, again and again, from a piece so
+// short that five nodes of Gauss integrate it. Stumpff's functions use the same idea. It uses long double,
+// and a Cholesky factorisation of its own.
 
 #include "hair/super_helix.h"
 
@@ -20,7 +20,7 @@ Matrix3 crossing(const Vector3& p) {
   return X;
 }
 
-// X^n / (n + more)! summed up; X is small.
+// The sum of X^n / (n + more)! for a small X.
 Matrix3 exponential(const Matrix3& X, int more) {
   Matrix3 sum = Matrix3::Zero(), power = Matrix3::Identity();
   Real factorial = 1;
@@ -32,7 +32,7 @@ Matrix3 exponential(const Matrix3& X, int more) {
   return sum;
 }
 
-// Along the axes of its start.
+// A piece of an element, in the axes of its start.
 struct Piece {
   Matrix3 axes, turns, moves;
   Vector3 end;
@@ -88,7 +88,7 @@ Matrix3d columns(const std::vector<HelixElement>& elements, int number, const He
 
 }  // namespace
 
-// From x / 4^m, where the series has few terms, by what doubling the angle makes of cos, sin and the two
+// Begins at x / 4^m, where the series has few terms, and doubles the angle of cos, sin and the two functions
 // after them.
 std::array<double, 8> stumpff(double x) {
   Real small = x;

@@ -1,6 +1,6 @@
 // STAFF ONLY. A right solution of H8 that turns frames by quaternions, integrates along the element by
-// Gauss's quadrature with as many panels as it winds radians, has no matrix of J but motions that are carried
-// from the root and forces from the tip, and solves by Eigen's conjugate gradients.
+// Gauss's quadrature with a panel for each radian that it winds, and solves by Eigen's conjugate gradients.
+// It has no matrix J: it carries motions from the root and forces from the tip.
 
 #include "hair/super_helix.h"
 
@@ -32,7 +32,7 @@ Value integral(const Vector3d& curvature, double s, const Value& zero, const Int
   return sum;
 }
 
-// How fast the points and ends move at these rates, from the root on; and the forces' power back.
+// Carries velocities at these rates over one element, from the root on.
 void carry_motion(const HelixElement& element, const Vector3d& rate, Vector3d& velocity, Vector3d& spin) {
   velocity += spin.cross(element.end.position - element.start.position) + element.at_end.moves * rate;
   spin += element.at_end.turns * rate;
@@ -53,7 +53,8 @@ Eigen::Matrix3Xd velocities(const std::vector<HelixElement>& elements, const std
   return found;
 }
 
-// Each point's force moves its own element, and with it goes a force and a torque about 0 towards the root.
+// Each point's force acts on its own element, and is carried as a force and a torque about 0 towards the
+// root.
 template <typename Force>
 void carry_forces(const std::vector<HelixElement>& elements, const std::vector<HelixPoint>& points,
                   const Force& force_of, Output Q) {
@@ -149,7 +150,7 @@ void generalised_force(const std::vector<HelixElement>& elements, const std::vec
       elements, points, [&](std::size_t j) { return points[j].force; }, Q);
 }
 
-// A column for each rate: the momenta that it gives to the points, carried back.
+// Makes a column for each rate: the momenta of the points at this rate, carried back.
 void mass_matrix(const std::vector<HelixElement>& elements, const std::vector<HelixPoint>& points,
                  Eigen::Ref<Eigen::MatrixXd> M) {
   for (Eigen::Index k = 0; k < M.cols(); ++k) {

@@ -1,6 +1,6 @@
 // STAFF ONLY. A right solution of H9 in which every link and every contact is a row of weights of particles:
-// its displacement is the row times their places, and forces go back by the same weights. In long double,
-// with shares from a system of 2 x 2.
+// its displacement is the row times their places, and forces go back by the same weights. It uses long
+// double, and barycentric weights from a system of 2 x 2.
 
 #include "hair/static_links.h"
 
@@ -49,7 +49,7 @@ Vector displacement(const StaticLink& link, std::span<const Matrix3d> frames, In
   return gather(row_of(link), x) - frames[link.a].cast<Real>() * link.offset.cast<Real>();
 }
 
-// How deep the point is within the thickness; 0 or less: it does not press.
+// The point's depth within the thickness. It does not press at 0 or less.
 Real depth(const StripContact& contact, const StripLaw& law, Input x) {
   return law.thickness - contact.normal.cast<Real>().dot(gather(row_of(contact), x));
 }
@@ -94,7 +94,7 @@ void add_link_product(std::span<const StaticLink> links, Input largest, Input dx
   }
 }
 
-// The projection is x_0 + s (x_1 - x_0) + t (x_2 - x_0): normal equations for s and t.
+// The projection is x_0 + s (x_1 - x_0) + t (x_2 - x_0), with s and t from normal equations.
 bool touch_strip(int point, const std::array<int, 3>& corners, double side, double thickness, Input x,
                  Input tangents, StripContact& contact) {
   const Vector a = get(x, corners[1]) - get(x, corners[0]), b = get(x, corners[2]) - get(x, corners[0]),

@@ -1,5 +1,5 @@
-// STAFF ONLY. A right solution of H9 that writes down energies, and leaves forces to dual numbers and
-// products to dual numbers of dual numbers.
+// STAFF ONLY. A right solution of H9 that writes down energies. Dual numbers make the forces, and dual
+// numbers of dual numbers the products.
 #include "hair/static_links.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace {
 
 #include "dual.h"
 
-// k s |x_b - (x_a + arm)|^2 / 2; of: a, b.
+// The energy k s |x_b - (x_a + arm)|^2 / 2; `of` holds a and b.
 struct LinkEnergy {
   std::array<int, 2> of;
   double stiffness;
@@ -26,7 +26,7 @@ struct LinkEnergy {
   }
 };
 
-// k w max(0, r - g)^2 / 2; of: the point and the corners.
+// The energy k w max(0, r - g)^2 / 2; `of` holds the point and the corners.
 struct StripEnergy {
   const StripContact& contact;
   const StripLaw& law;
@@ -74,7 +74,7 @@ void subtract_gradient(const Energy& energy, Input x, Output f) {
     }
 }
 
-// The second derivatives of what is quadratic are the same everywhere: here at 0.
+// A quadratic energy has the same second derivatives everywhere, so they are taken at 0.
 template <typename Energy>
 void subtract_product(const Energy& energy, Input dx, Output df) {
   auto at = corners<D2>(energy.of, [&](int i) { return D2(D1(0, 0), D1(dx[i], 0)); });
@@ -137,7 +137,7 @@ void add_link_product(std::span<const StaticLink> links, Input largest, Input dx
     subtract_product(energy_of(links[l], largest[static_cast<Eigen::Index>(l)], Vector3d::Zero()), dx, df);
 }
 
-// Shares are coordinates along the first edge, and in the plane across it.
+// The barycentric weights are coordinates along the first edge, and in the plane across it.
 bool touch_strip(int point, const std::array<int, 3>& corners, double side, double thickness, Input x,
                  Input tangents, StripContact& contact) {
   const Vector3d origin = at(x, corners[0]), a = at(x, corners[1]) - origin, b = at(x, corners[2]) - origin,
@@ -181,7 +181,7 @@ void add_strip_product(std::span<const StripContact> contacts, const StripLaw& l
   }
 }
 
-// The pressure is what the energy loses for each metre that the gap grows.
+// The pressure is the energy's loss for each metre that the gap grows.
 void apply_strip_friction(std::span<const StripContact> contacts, const StripLaw& law, Input inverse_mass,
                           double h, Input x, Output v) {
   for (const StripContact& contact : contacts) {

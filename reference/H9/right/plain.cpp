@@ -75,7 +75,7 @@ bool touch_strip(int point, const std::array<int, 3>& corners, double side, doub
   contact.point = point;
   contact.corners = corners;
   contact.normal = side * n;
-  // Areas over the whole one.
+  // Each is an area over the whole triangle's.
   contact.shares[0] = N.dot((x1 - p).cross(x2 - p)) / N.squaredNorm();
   contact.shares[1] = N.dot((x2 - p).cross(x0 - p)) / N.squaredNorm();
   contact.shares[2] = N.dot((x0 - p).cross(x1 - p)) / N.squaredNorm();
@@ -88,7 +88,7 @@ bool touch_strip(int point, const std::array<int, 3>& corners, double side, doub
   return true;
 }
 
-// What the point has more than its foot.
+// The point's part of x less its projection's.
 static Vector3d from_foot(const StripContact& contact, Input x) {
   Vector3d foot = Vector3d::Zero();
   for (int j = 0; j < 3; ++j) foot += contact.shares[j] * at(x, contact.corners[j]);

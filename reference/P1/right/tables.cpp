@@ -8,15 +8,15 @@ using namespace particles;
 
 struct Table {
   int stages;
-  double a[4][4];  // a[i][j]: how much of slope j is in the state of stage i, over h
-  double b[4];     // and at the end
+  double a[4][4];  // a[i][j] is the weight of slope j in the state of stage i, over h
+  double b[4];     // the weights in the last sum
 };
 
 constexpr Table kForward = {1, {}, {1}};
 constexpr Table kMidpoint = {2, {{}, {0.5}}, {0, 1}};
 constexpr Table kClassical = {4, {{}, {0.5}, {0, 0.5}, {0, 0, 1}}, {1 / 6., 1 / 3., 1 / 3., 1 / 6.}};
 
-// Columns 0 to 3: velocities of the stages. Columns 4 to 7: their accelerations. Columns 8 and 9: a sum.
+// Columns 0 to 3 hold velocities of the stages, columns 4 to 7 their accelerations, columns 8 and 9 a sum.
 void combine(const double* weights, int count, double h, Input start, const Scratch& slopes, int first,
              Output sum) {
   sum = start;
@@ -44,7 +44,7 @@ void forward_euler(Dynamics& dynamics, double h, Output x, Output v, Scratch scr
   step(kForward, dynamics, h, x, v, scratch);
 }
 
-// A partitioned method: positions take the slope v + h a, velocities a.
+// This method is partitioned: positions take the slope v + h a, velocities a.
 void symplectic_euler(Dynamics& dynamics, double h, Output x, Output v, Scratch scratch) {
   dynamics.acceleration(x, v, scratch.col(4));
   combine(kForward.b, 1, h, v, scratch, 4, scratch.col(0));

@@ -1,4 +1,4 @@
-// STAFF ONLY. A right P2 with vectors of its own, and a list of J's rows that everything is done with.
+// STAFF ONLY. A right P2 with vectors of its own, and a list of J's rows for all functions.
 #include "particles/constraint_forces.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ Vec own(const Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
-// A row of J: what stands at particle i, and its negative at j unless that is -1; and its C and J' v.
+// A row of J: the entry at particle i, whose negative is at j unless j is -1, and the row's C and J' v.
 struct Row {
   int i, j;
   Vec entry;

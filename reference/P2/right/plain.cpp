@@ -54,7 +54,7 @@ void add_constraint_forces(const Constraints& constraints, Input x, Input lambda
 
 namespace {
 
-// f becomes W f.
+// Replaces f by W f.
 void accelerate(const Particles& particles, Eigen::VectorXd& f) {
   for (int i = 0; i < particles.count(); ++i) {
     if (particles.is_pinned(i))

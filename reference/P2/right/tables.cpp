@@ -36,8 +36,8 @@ void put(Table& table, int row, int particle, double sign, const Vector3d& value
   for (int k = 0; k < 3; ++k) table.row(row)[3 * particle + k] += sign * value[k];
 }
 
-// dC/dx where rods and radii are differences of `at`, and planes have their normals. At the velocities,
-// without normals, it is J'.
+// dC/dx, from differences of `at` for rods and radii, and from the planes' normals. With the velocities for
+// `at`, and without normals, it is J'.
 Table jacobian(const Constraints& constraints, Input at, bool rate) {
   Table J(constraints.rows(), static_cast<int>(at.size()));
   int row = 0;

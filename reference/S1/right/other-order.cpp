@@ -1,6 +1,5 @@
-// STAFF ONLY. A right S1 in another order: sums run from the last entry to the first, the direction is made
-// where it is needed (Hestenes and Stiefel's d_k = r_k + beta_k d_(k-1) at the top of the loop), and x and r
-// share one loop.
+// STAFF ONLY. A right S1 in another order: sums run from the last entry to the first, the top of the loop
+// makes the direction (Hestenes and Stiefel's d_k = r_k + beta_k d_(k-1)), and x and r share one loop.
 #include <cfloat>
 #include <vector>
 
@@ -8,7 +7,7 @@
 
 namespace {
 
-// NaN compares false, too.
+// False for NaN, too.
 bool finite(double value) {
   return value >= -DBL_MAX && value <= DBL_MAX;
 }

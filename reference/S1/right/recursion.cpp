@@ -1,5 +1,5 @@
 // STAFF ONLY. A right S1 by recursion: sums are sums of two halves, and 2m steps are m steps, and m more if
-// they did not end it. With alpha = d'r / d'Ad and beta = -r'Ad / d'Ad, which hold for every d.
+// those did not end it. It uses alpha = d'r / d'Ad and beta = -r'Ad / d'Ad, which hold for every d.
 #include <cmath>
 #include <cstring>
 #include <vector>

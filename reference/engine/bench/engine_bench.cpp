@@ -1,5 +1,6 @@
-// STAFF ONLY. What a step of the engine costs, compared with given code. Prints Markdown. CPU times, so that
-// other programs on the machine matter less: the least of some steps. Usage: engine_bench [STRANDS].
+// STAFF ONLY. Measures the cost of a step of the engine, compared with given code, and prints Markdown. It
+// takes the least CPU time of some steps, so that other programs on the machine matter less. Usage:
+// engine_bench [STRANDS].
 #include <hwy/targets.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ constexpr int kPoints = 25;
 constexpr double kStep = 1.0 / 24;  // s
 constexpr int kWarmUp = 4, kSteps = 6;
 
-// Along a curve that fills space: Morton's order of cells of 2 mm.
+// The order along a curve that fills space: Morton's order of cells of 2 mm.
 std::int64_t place_on_curve(const Vector3d& root) {
   std::int64_t place = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -74,7 +75,7 @@ FullHeadSettings with(bool bending, bool correction, bool contact) {
   return settings;
 }
 
-// Seconds: the least of some times.
+// The least of some times, in seconds.
 double least(int times, const std::function<void()>& work, double (*clock)() = timing::process_cpu_seconds) {
   double least = INFINITY;
   for (int i = 0; i < times; ++i) {
@@ -85,8 +86,8 @@ double least(int times, const std::function<void()>& work, double (*clock)() = t
   return least;
 }
 
-// ns per particle and step, of CPU time if the clock says so. Says how many bytes a particle takes, if
-// `bytes` is not null.
+// The ns per particle and step, in CPU time with the clock for it. Sets `bytes`, if not null, to the bytes
+// that a particle takes.
 double engine_ns(const FullHeadSettings& settings, int strands, const hair::Groom& groom,
                  double (*clock)() = timing::process_cpu_seconds, double* bytes = nullptr) {
   FullHead head(std::vector<int>(strands, kPoints), settings);
@@ -136,7 +137,7 @@ double given_ns(const FullHeadSettings& settings, const hair::Groom& groom) {
   return 1e9 * least(kSteps, step) / (kStrands * kPoints);
 }
 
-// Of the process, until now: bytes; 0 where Linux does not say it.
+// The process's peak memory until now, in bytes; 0 if Linux does not report it.
 double peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -182,14 +183,14 @@ void by_strands(const hair::Groom& grown) {
     std::fflush(stdout);
     memory += " " + std::to_string(std::lround(bytes)) + " |";
   }
-  // Strands to start from, the bench itself and heads of before are in it.
+  // This memory includes the strands to start from, the bench itself and earlier heads.
   std::printf("\n%s\n\nThe process's peak memory with 200,000 strands: %.0f MB, %.0f bytes per particle\n",
               memory.c_str(), 1e-6 * peak_memory(), peak_memory() / (200'000.0 * kPoints));
 }
 
 void by_set(int strands, const hair::Groom& grown) {
   std::printf("\n| everything, %d strands | ns |\n|---|--:|\n", strands);
-  // With all that Highway has beyond it: better targets have smaller numbers.
+  // This includes all better targets of Highway, which have smaller numbers.
   constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
   const struct {
     const char* name;
