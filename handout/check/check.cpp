@@ -80,6 +80,7 @@ const testing::TestInfo& current() {
 
 void note(const std::string& hint) {
   const testing::TestResult& so_far = *current().result();
+  if (so_far.Failed()) return;  // the first failure is shown, and this hint is another one's
   for (int i = 0; i < so_far.test_property_count(); ++i)
     if (so_far.GetTestProperty(i).key() == std::string("hint")) return;
   if (!hint.empty()) testing::Test::RecordProperty("hint", hint);

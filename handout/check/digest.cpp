@@ -25,8 +25,8 @@ struct Ending {
   const char *words, *hint;
 };
 constexpr const char* kOutside =
-    "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a branch "
-    "for another case?";
+    "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, a branch for "
+    "another case, or an argument in another's place?";
 constexpr Ending kEndings[] = {
     {"Assertion `(i>=0)",
      "a column or a row outside of a matrix, such as `scratch` or memory of your own: its number, or how "

@@ -129,7 +129,8 @@ const Case kLone = clamped({strand_of(vector({1})), vector({1, 2, 3, 1, 2, 3})})
 
 TEST(Energy, OfOneJoint) {
   const Strand strand = strand_of(vector({1, 1}));
-  SCOPED_TRACE("EI = 4 N m^2, rest lengths 1 m and 1 m: k = 4 N m, E = 4 * phi^2 / 2 J");
+  SCOPED_TRACE(
+      "a strand that is not clamped, EI = 4 N m^2, rest lengths 1 m and 1 m: k = 4 N m, E = 4 * phi^2 / 2 J");
   EXPECT_NUMBER(bend_energy(strand, kBentByLess), 2 * 0.64, 64 * kU * 4) << "phi = 0.8; bound: rounding";
   EXPECT_NUMBER(bend_energy(strand, kRightAngle), 2 * pi * pi / 4, 32 * kU * 4)
       << "phi = pi/2; bound: rounding";

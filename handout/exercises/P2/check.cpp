@@ -183,12 +183,31 @@ TEST(Units, HaveNoUnitOfTheirOwnByConstraintRates) {
                  "J v of four rods, all lengths times 2^-40", "exact");
 }
 
-TEST(WireForces, AreTheTransposeOfTheRates) {
-  const Example system = tangle();
-  const VectorXd lambda = scattered_vector(8, 4), v = system.state.v;
+// (J^T lambda) . v against lambda . (J v).
+void expect_transpose(const Example& system) {
+  const VectorXd lambda = scattered_vector(system.constraints.rows(), 4), v = system.state.v;
   EXPECT_NUMBER(forces(system, lambda).dot(v), lambda.dot(rates(system, v)), 1e-14)
       << "(J^T lambda) . v against lambda . (J v), lambda = " << lambda.transpose()
       << "; bound: some 50 roundings of numbers about 1";
+}
+
+TEST(RodForces, AreTheTransposeOfTheRates) {
+  look_at("ends");
+  Example system = tangle();
+  system.constraints.wires.clear();
+  expect_transpose(system);
+}
+
+TEST(RodForces, OfRodsAreEqualAndOpposite) {
+  look_at("ends");
+  Example system = tangle();
+  system.constraints.wires.clear();
+  expect_balanced(forces(system, scattered_vector(4, 4)), system.state.x, 50 * kUnit,
+                  "50 roundings of numbers about 1");
+}
+
+TEST(WireForces, AreTheTransposeOfTheRates) {
+  expect_transpose(tangle());
 }
 
 TEST(RodForces, AreAddedToWhatIsThere) {
@@ -198,14 +217,6 @@ TEST(RodForces, AreAddedToWhatIsThere) {
   add_constraint_forces(system.constraints, system.state.x, lambda, f);
   expect_numbers(f, there + forces(system, lambda), 100 * kUnit, "f, which held 8s",
                  "10 roundings of numbers about 10");
-}
-
-TEST(RodForces, OfRodsAreEqualAndOpposite) {
-  look_at("ends");
-  Example system = tangle();
-  system.constraints.wires.clear();
-  expect_balanced(forces(system, scattered_vector(4, 4)), system.state.x, 50 * kUnit,
-                  "50 roundings of numbers about 1");
 }
 
 TEST(Units, HaveNoUnitOfTheirOwnByConstraintForces) {

@@ -63,7 +63,9 @@ double residual(const System& s, const Vector& x) {
 void expect_solved(const System& s, const Outcome& out, double epsilon) {
   const double bound = std::sqrt(epsilon) + gap(s);
   EXPECT_LE(residual(s, out.x), bound)
-      << "||b - Ax||; bound: sqrt(epsilon) and rounding, see solver/linearSolver.h";
+      << "||b - Ax||; bound: sqrt(epsilon) and rounding, see solver/linearSolver.h\nx = " << in_words(out.x)
+      << " after " << out.steps << " steps, returned " << out.returned
+      << (out.x == s.b ? "\nhint       = x is still b: which test ends the loop before x moves?" : "");
   expect_near(out.x, s.solution, bound / s.smallest, "that of ||b - Ax|| / smallest eigenvalue");
 }
 
