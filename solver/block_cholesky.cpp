@@ -53,7 +53,7 @@ Matrix3d divide_right(const Matrix3d& A, const Matrix3d& L) {
 bool cholesky(BlockBand& band) {
   for (int i = 0; i < band.rows(); ++i) {
     Matrix3d diagonal = band.block(i, 0);
-    Matrix3d beside[BlockBand::kReach + 1];  // of this row, by `back`
+    Matrix3d beside[BlockBand::kReach + 1];  // this row's blocks, by `back`
     for (int back = std::min(BlockBand::kReach, i); back > 0; --back) {
       Matrix3d block = band.block(i, back);
       for (int further = back + 1; further <= std::min(BlockBand::kReach, i); ++further)

@@ -11,8 +11,8 @@
 namespace solver {
 
 // Replaces A by L. The numbers on L's diagonal are stored as their reciprocals, since solves divide by them.
-// False as soon as a pivot is not a number > 0: A is not positive definite, or not finite. `band` is then of
-// no use.
+// Returns false at the first pivot that is not a number > 0: A is not positive definite, or not finite. The
+// contents of `band` are then useless.
 bool cholesky(BlockBand& band);
 
 // x := L^-1 x and x := L^-T x, 3n numbers, with an L of `cholesky`. L^-T L^-1 b solves A x = b; the rounding
@@ -21,7 +21,7 @@ bool cholesky(BlockBand& band);
 void solve_lower(const BlockBand& L, Eigen::Ref<Eigen::VectorXd> x);
 void solve_lower_transposed(const BlockBand& L, Eigen::Ref<Eigen::VectorXd> x);
 
-// The same of one block. The diagonal of L holds reciprocals here, too.
+// The same for one block. The diagonal of L holds reciprocals here, too.
 namespace block_cholesky {
 
 bool factor(Eigen::Matrix3d& A);                                                        // A becomes L

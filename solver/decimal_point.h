@@ -1,4 +1,4 @@
-// Numbers in texts have a point, whatever the locale.
+// Numbers in texts have a decimal point in every locale.
 #pragma once
 
 #include <locale.h>
@@ -8,8 +8,8 @@
 
 namespace solver {
 
-// While it lives, the C library's functions (strtod, snprintf, ...) read and write numbers with a point in
-// this thread. Code that calls setlocale changes that for other threads alone.
+// While this object lives, the C library's functions (strtod, snprintf, ...) read and write numbers with a
+// point in this thread. setlocale has no effect on this thread then, only on others.
 class DecimalPoint {
  public:
   DecimalPoint() : before_(uselocale(plain())) {}

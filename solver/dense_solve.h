@@ -9,7 +9,7 @@ namespace solver {
 // A: n x n, not singular. B: n x m. The error is that of rounding, times the condition number of A.
 Eigen::MatrixXd dense_solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-// -1, 0 or 1: of A's determinant, which may itself be too large or too small for a double.
+// The sign -1, 0 or 1 of A's determinant, which may itself be too large or too small for a double.
 int determinant_sign(const Eigen::MatrixXd& A);
 
 }  // namespace solver

@@ -27,8 +27,8 @@ namespace {
 
 const int kept_threshold = mallopt(M_MMAP_THRESHOLD, static_cast<int>(kMostFilled));
 
-// With all that the C library gives, which may be more than was asked for: so realloc finds where it was
-// filled to.
+// Fills the whole block of the C library, which may be larger than requested: so realloc finds the end of the
+// filled part.
 void* filled(void* memory, std::size_t from = 0) {
   const std::size_t size = malloc_usable_size(memory);
   if (size > from && size <= kMostFilled)

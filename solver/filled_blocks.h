@@ -1,6 +1,6 @@
-// Memory that nobody sets holds the same in each run, at home as in grading: with filled_blocks.cpp a
-// program's malloc, and so `new`, the standard library's containers and Eigen's matrices, fills each block
-// that it gives. Without it a block holds what was there before, addresses among it, which differ from run to
+// Gives memory that nobody sets the same contents in each run, at home as in grading. With filled_blocks.cpp
+// a program's malloc fills each block that it returns, and so do `new`, the standard library's containers and
+// Eigen's matrices. Otherwise a block keeps its old contents, addresses among them, which differ from run to
 // run.
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace solver {
 
-// As a student's variables hold that nobody sets: GCC's -ftrivial-auto-var-init=pattern.
+// The byte that GCC's -ftrivial-auto-var-init=pattern gives to a student's unset variables.
 inline constexpr int kUnsetByte = 0xfe;
 
-// Larger blocks come fresh from the kernel, and hold zeros in each run: to fill them would take the time of
-// those who only reserve.
+// Larger blocks come fresh from the kernel, and hold zeros in each run. Filling them would cost programs time
+// that only reserve memory.
 inline constexpr std::size_t kMostFilled = 1 << 20;
 
 }  // namespace solver

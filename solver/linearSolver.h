@@ -29,7 +29,7 @@ class implicitMatrix {
 //
 // The first residual takes one product, and each iteration takes one. Rounding makes the recurrence's
 // residual drift away from the true one. So every 64th iteration replaces it by b - Ax of the new x, before
-// it is compared with epsilon. All else goes on as ever, beta, too. This takes one more product:
+// it is compared with epsilon. Everything else, including beta, stays the same. This takes one more product:
 //
 //   products = 1 + steps + floor(steps / 64).
 //
@@ -39,8 +39,8 @@ class implicitMatrix {
 //
 //   64 (10 + 2e) u ||A|| X
 //
-// plus n u times itself, from adding the squares up. Derivation: at most 64 updates follow each replacement
-// of the residual. One update rounds x by u (||x|| + 2||alpha d||), r by u (||r|| + ||alpha Ad||) and the
+// plus n u times itself, from adding the squares up. Derivation: the residual is replaced after at most 64
+// updates. One update rounds x by u (||x|| + 2||alpha d||), r by u (||r|| + ||alpha Ad||) and the
 // product by e u ||A|| ||alpha d||. No iterate is longer than X, no update longer than 2X and no residual
 // longer than ||A|| X, because the error ||x_k - x*|| never grows; it starts at ||b - x*|| (Greenbaum,
 // "Iterative Methods", 1997, section 7.3). Here ||A|| stands for the norm of the matrix of all |a_ij|, at

@@ -69,10 +69,10 @@ class SpectralMatrix : public implicitMatrix {
 
  private:
   std::vector<double> spectrum_;
-  std::vector<std::vector<double>> reflectors_;  // of unit length
+  std::vector<std::vector<double>> reflectors_;  // each has length 1
 };
 
-// c A. And the c for which ||b - c A b|| = ||b||: then ConjGrad's first residual is as long as b.
+// c A, and the c for which ||b - c A b|| = ||b||: with it ConjGrad's first residual is as long as b.
 SparseMatrix scaled(const SparseMatrix& A, double c);
 double even_scale(implicitMatrix& A, const std::vector<double>& b);
 

@@ -23,7 +23,7 @@ constexpr double kMostWhole = 9007199254740992;  // 2^53: a double holds all who
 
 using Entry = SparseMatrix::Entry;
 
-// A token as it may stand in a message: printable and short.
+// A token for a message: printable and short.
 std::string quoted(std::string token) {
   for (char& c : token)
     if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
@@ -31,12 +31,12 @@ std::string quoted(std::string token) {
   return "'" + token + "'";
 }
 
-// The lines of a file as lists of words. It knows where it is, for the messages.
+// The lines of a file as lists of words, with the present position for messages.
 class Lines {
  public:
   Lines(std::istream& in, const std::string& name) : in_(in), name_(name) {}
 
-  // The words of the next line, whatever it is; false at the end.
+  // The words of the next line of any kind; false at the end.
   bool next(std::vector<std::string>& words) {
     std::string line;
     if (!std::getline(in_, line)) {
@@ -50,7 +50,7 @@ class Lines {
     return true;
   }
 
-  // The same, but for comments and empty lines.
+  // The same without comments and empty lines.
   bool next_data(std::vector<std::string>& words) {
     while (next(words))
       if (!words.empty() && words[0][0] != '%') return true;
@@ -152,9 +152,9 @@ SparseMatrix read(Lines& lines, bool vector) {
                " entries; need at most 100000000");
 
   std::vector<Entry> entries;
-  entries.reserve(std::min(listed, 1'000'000LL));  // a size that lies must not cost the memory it claims
+  entries.reserve(std::min(listed, 1'000'000LL));  // a wrong size must not take the memory that it claims
   const std::size_t expected = !header.coordinate ? 1 : header.pattern ? 2 : 3;
-  int row = 0, col = 0;  // of an array's next entry: by columns, a symmetric one's from the diagonal down
+  int row = 0, col = 0;  // the next entry's: by columns, a symmetric matrix's from the diagonal down
   for (long long k = 0; k < listed; ++k) {
     if (!lines.next_data(words))
       lines.fail("the file ends after " + std::to_string(k) + " entries; need " + std::to_string(listed));

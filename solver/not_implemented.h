@@ -1,4 +1,4 @@
-// The exception that a stub throws: an unwritten function names itself, instead of returning zeros that look
+// The exception that a stub throws: an unwritten function names itself instead of returning zeros that look
 // plausible.
 #pragma once
 

@@ -1,6 +1,6 @@
-// The exception of a function whose exercise the course leaves out. Definitions that throw it are generated
-// from exercises.json (hair_left_out in cmake/exercises.cmake), so that all given code is linked in every
-// course.
+// The exception that a function throws if its exercise is not in the course. The build generates such
+// functions from exercises.json (hair_left_out in cmake/exercises.cmake), so that all given code links in
+// every course.
 #pragma once
 
 #include <stdexcept>

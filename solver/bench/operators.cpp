@@ -1,6 +1,6 @@
 #include "solver/bench/operators.h"
 
-// The loops use the widest registers that the machine has, unlike the solvers: what is timed is these.
+// The loops use the machine's widest registers, unlike the solvers, because the solvers are measured.
 #if defined(__x86_64__) && defined(__linux__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
 #else

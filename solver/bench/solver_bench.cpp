@@ -1,7 +1,7 @@
-// The reference's ConjGrad against Eigen's.
+// Compares the reference's ConjGrad with Eigen's.
 //
-// A round times both solvers and a triad over as much memory, one right after the other, so that what else
-// the machine does meets all three. `ratio` is the median of the rounds' ratios; times and rates are those of
+// A round times both solvers and a triad over as much memory, one right after the other, so that other load
+// on the machine affects all three. `ratio` is the median of the rounds' ratios; times and rates are those of
 // the fastest round.
 
 #include <benchmark/benchmark.h>
@@ -42,7 +42,7 @@ void compare(benchmark::State& state, implicitMatrix& A, int n) {
   const int triad_length =
       n * 4 / 3 + 1;  // ConjGrad's sweeps go over x, r, d and Ad: three vectors of that many bytes
   Vector a(triad_length), c(triad_length, 1.0), e(triad_length, 2.0);
-  const int repeats = 1 + 200'000 / n;  // what is timed takes a tenth of a millisecond at least
+  const int repeats = 1 + 200'000 / n;  // a measurement takes at least a tenth of a millisecond
 
   Vector ratios, ours, eigens, operators, triads;
   int steps = 0, eigen_steps = 0;

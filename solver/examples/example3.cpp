@@ -1,6 +1,6 @@
 // Example 3 of the lecture: A is not symmetric, or not positive definite. Solve A'A x = A'b instead, given
-// products with A and with A'. Then: what that costs. cond(A'A) = cond(A)^2, and both the steps and the error
-// of x grow with it.
+// products with A and with A'. The second part shows the price: cond(A'A) = cond(A)^2, and both the steps and
+// the error of x grow with it.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -22,7 +22,7 @@ class A3 : public implicitMatrix {
   }
 };
 
-// Its transpose.
+// The transpose of A3.
 class A3Transposed : public implicitMatrix {
  public:
   void matVecMult(double x[], double b[]) override {
@@ -62,7 +62,7 @@ struct Cost {
   double error;  // ||x - x*|| / ||x*||
 };
 
-constexpr double kTolerance = 1e-8;  // of the residual, relative to the right-hand side
+constexpr double kTolerance = 1e-8;  // residual over right-hand side
 constexpr int kMostSteps = 50000;
 
 // A x = b by ConjGrad, or by the normal equations, for a symmetric, positive definite A and the solution

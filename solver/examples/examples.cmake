@@ -1,8 +1,8 @@
 # The lecture's programs.
 #
 #   hair_lecture_examples(NAME_PREFIX EXERCISE_LIB_PREFIX)
-#     <NAME_PREFIX>_example1 and 2, linked with the exercise library <EXERCISE_LIB_PREFIX>_S1, and _example3 with _S2; not
-#     those whose exercise the course does not have
+#     <NAME_PREFIX>_example1 and 2, linked with the exercise library <EXERCISE_LIB_PREFIX>_S1, and _example3
+#     with _S2, if their exercises are in the course
 
 function(hair_lecture_examples NAME_PREFIX EXERCISE_LIB_PREFIX)
   foreach(example_of 1:S1 2:S1 3:S2)

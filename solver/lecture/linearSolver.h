@@ -1,4 +1,4 @@
-// The lecture includes "linearSolver.h", without a folder. So may a student's file.
+// The lecture includes "linearSolver.h" without a folder, and so may a student's file.
 #pragma once
 
 #include "solver/linearSolver.h"

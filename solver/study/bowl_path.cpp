@@ -17,7 +17,7 @@ struct Turn {
   Place operator()(const Place& x) const { return {c * x[0] - s * x[1], s * x[0] + c * x[1]}; }
 };
 
-// Far along the flat direction and near across it: whoever goes straight downhill zigzags.
+// The begin is far along the flat direction and near across it: steepest descent would zigzag.
 constexpr Place kAlong = {2.7, 0.1};
 constexpr double kFlat = 0.5, kImages = 1.7;  // angles of the flat direction and of its image, rad
 
@@ -38,7 +38,7 @@ Place product_with(implicitMatrix& matrix, Place x) {
   return result;
 }
 
-// `solve` takes x and the most steps.
+// `solve` takes x and the largest number of steps.
 BowlPath path_of(const std::string& solver, implicitMatrix& bowl, double condition,
                  const std::function<void(Place& x, int steps)>& solve) {
   const Place x_column = product_with(bowl, {1, 0}), y_column = product_with(bowl, {0, 1});
@@ -46,7 +46,8 @@ BowlPath path_of(const std::string& solver, implicitMatrix& bowl, double conditi
   BowlPath path = {
       solver, x_column[0], y_column[0], y_column[1], condition, bottom, product_with(bowl, bottom), {}};
   for (int steps = 0; steps <= kMostPathSteps; ++steps) {
-    // x holds something else than the first guess, beyond the bottom, so that one sees who starts there.
+    // x starts with a point beyond the bottom instead of the first guess, so that a solver that starts there
+    // is visible.
     Place x = {2 * bottom[0] - path.begin[0], 2 * bottom[1] - path.begin[1]};
     solve(x, steps == 0 ? -1 : steps);
     path.places.push_back(x);

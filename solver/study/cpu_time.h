@@ -10,7 +10,7 @@
 namespace solver::study {
 
 struct Timing {
-  double least_seconds = 1e-4;  // of a repeat; a repeat makes several calls if they are shorter
+  double least_seconds = 1e-4;  // per repeat; a repeat makes several calls if they are shorter
   int repeats = 5;              // a third of them if a call takes 10 least_seconds or more
 
   int repeats_of(double call_seconds) const {

@@ -7,7 +7,7 @@
 
 #include "solver/study/history.h"
 
-// Eigen's protocol for matrices that it only knows by their products ("Matrix-free solvers" in its
+// Eigen's protocol for matrices that are given only by their products ("Matrix-free solvers" in its
 // documentation).
 namespace {
 class Operator;
@@ -44,7 +44,7 @@ class Operator : public Eigen::EigenBase<Operator> {
 
 }  // namespace
 
-// The documentation's way clears the destination and adds the product to it. This one writes it at once.
+// The documentation's version clears the destination and adds the product to it. This one overwrites it.
 template <class X>
 struct Eigen::internal::generic_product_impl<Operator, X, Eigen::SparseShape, Eigen::DenseShape,
                                              Eigen::GemvProduct> {
@@ -65,8 +65,8 @@ void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double to
   solver.setMaxIterations(*steps);
   const Eigen::Map<Eigen::VectorXd> right(b, n);
   Eigen::Map<Eigen::VectorXd>(x, n) = solver.solveWithGuess(right, right);
-  // By its products, one for the first residual and one each: Eigen says 0 both where none was needed and
-  // where the first one converged. With b = 0 it makes no product.
+  // The number of steps follows from the products, one for the first residual and one each: Eigen reports 0
+  // both for no step and for convergence in the first one. With b = 0 it makes no product.
   *steps = static_cast<int>(std::max(0L, counting.count() - 1));
 }
 

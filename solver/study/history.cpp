@@ -8,9 +8,9 @@ namespace solver::study {
 
 namespace {
 
-constexpr double kLessAndLess = 1.2;  // between numbers of iterations that are tried
-constexpr int kPatience = 6;          // of them without progress
-constexpr double kDone = 1e-6;        // an error above that is a plateau, and no end
+constexpr double kLessAndLess = 1.2;  // ratio of two consecutive numbers of iterations
+constexpr int kPatience = 6;          // so many of these without progress
+constexpr double kDone = 1e-6;        // a larger error is a plateau, and no end
 
 Progress after(const ConjGradFunction& solve, const System& system, int iterations, double first_error) {
   CountingMatrix A(*system.matrix);
@@ -42,7 +42,7 @@ History history_of(const ConjGradFunction& solve, const std::string& name, const
     Progress progress = after(solve, system, m, first_error);
     if (progress.iterations < m && !history.progress.empty() &&
         progress.iterations <= history.progress.back().iterations)
-      break;  // it ended by itself before, too
+      break;  // the run before also ended by itself
     history.progress.push_back(progress);
     if (!std::isfinite(progress.error)) break;
     without_progress = progress.error < 0.9 * best ? 0 : without_progress + 1;

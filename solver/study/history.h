@@ -1,4 +1,4 @@
-// How the error of a conjugate gradient method shrinks, from iteration to iteration.
+// Measures how the error of a conjugate gradient method shrinks from iteration to iteration.
 //
 // ConjGrad reports nothing while it runs. So the study calls it anew for 1, 2, 3, ... iterations, with
 // growing gaps further on, and compares each result with the known solution. This works for any
@@ -31,7 +31,7 @@ struct Watch {
 };
 
 struct Progress {
-  int asked = 0;  // the iterations that it was allowed
+  int asked = 0;  // the number of iterations that it was allowed
   int iterations = 0;
   long products = 0;            // with A, counted
   double error = 0;             // ||x - x*||_A / ||b - x*||_A: 1 at the first guess

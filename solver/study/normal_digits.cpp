@@ -49,7 +49,7 @@ MatrixXd with_singular_values(const Vector& s, unsigned seed) {
 }
 
 double median(Vector values) {
-  // What is not a number counts as worse than any.
+  // NaN counts as worse than any number.
   for (double& value : values)
     if (!std::isfinite(value)) value = std::numeric_limits<double>::infinity();
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
@@ -72,7 +72,7 @@ DigitsLost digits_lost(const NormalEquationsFunction& solve, double condition, i
     Dense straight(A), transposed(A.transpose());
     VectorXd x(n);
     int steps = most_iterations;
-    // ||A|| = 1, so a product with A'A is rounded by some u ||x||: no residual below that means anything.
+    // ||A|| = 1, so a product with A'A is rounded by some u ||x||: smaller residuals have no meaning.
     const double epsilon = std::pow(kSomeRoundings * kRounding * exact.norm(), 2);
     solve(n, n, &straight, &transposed, x.data(), b.data(), epsilon, &steps);
     conj_grad.push_back(error(x));

@@ -1,5 +1,5 @@
-// How many digits the normal equations lose: A'A x = A'b has the square of A's condition number, and loses
-// twice as many digits as a method that works on A itself. Sources: Golub and Van Loan, "Matrix
+// Measures the digits that the normal equations lose: A'A x = A'b has the square of A's condition number, and
+// loses twice as many digits as a method that works on A itself. Sources: Golub and Van Loan, "Matrix
 // Computations", 4th edition, section 5.3.7; Higham, "Accuracy and Stability of Numerical Algorithms", 2nd
 // edition, theorem 19.5 and section 20.4.
 #pragma once
@@ -25,8 +25,8 @@ struct DigitsLost {
   double conj_grad = 0;  // on A'A, by the studied function
   int iterations = 0;    // that conj_grad took
   bool stopped = false;  // conj_grad used all iterations without an end: its error says nothing
-  double cholesky = 0;   // of A'A as a dense matrix (Eigen's LLT)
-  double qr = 0;         // of A: Householder (Eigen)
+  double cholesky = 0;   // on A'A as a dense matrix (Eigen's LLT)
+  double qr = 0;         // on A: Householder (Eigen)
   double pivoted_qr = 0;
 };
 

@@ -8,8 +8,8 @@
 namespace solver::study {
 
 // Solves Ax = b as L^-1 A L^-T y = L^-1 b, x = L^-T y, where L L' = `near`, a banded matrix near A. Each call
-// factors it, so that the time of the factor is counted. Epsilon bounds ||L^-1 (b - Ax)||^2; what it returns
-// is NaN, since the solver knows nothing of ||b - Ax||^2. `near` must outlive the function.
+// factors it, so that the time of the factorisation counts. Epsilon bounds ||L^-1 (b - Ax)||^2. The function
+// returns NaN, because the solver does not compute ||b - Ax||^2. `near` must outlive the function.
 ConjGradFunction preconditioned(const ConjGradFunction& solve, BandedCholesky& near);
 
 }  // namespace solver::study

@@ -10,7 +10,7 @@
 
 namespace solver::study {
 
-// M + h^2 K of a strand, as strand_implicit_euler in solver/matrices.h: three numbers for each particle.
+// M + h^2 K of a strand, like strand_implicit_euler in solver/matrices.h: three numbers for each particle.
 struct StrandFormula {
   std::vector<double> mass;           // kg
   std::vector<double> stretch, bend;  // h^2 k of the spring above each particle, along z and across, kg
@@ -54,7 +54,7 @@ struct ProductCost {
   struct Way {
     long multiplications = 0;  // counted during a product
     std::size_t bytes = 0;     // memory of the matrix
-    double seconds = 0;        // of one product
+    double seconds = 0;        // s, one product
   } formula, table;
 };
 

@@ -15,24 +15,24 @@ constexpr int kMostIterations = 30000, kMostIterationsQuick = 4000;
 constexpr double kClusteredCondition = 1e4;
 constexpr int kSegments = 30;
 
-// Eigen's behind ConjGrad's interface.
+// Eigen's method behind ConjGrad's interface.
 double eigen_as_conj_grad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
   double squared_b = 0;
   for (int i = 0; i < n; ++i) squared_b += b[i] * b[i];
   eigen_conj_grad(n, A, x, b, std::sqrt(epsilon / squared_b), steps);
-  return std::nan("");  // it does not say
+  return std::nan("");  // it does not report this
 }
 
-// What a solver that was asked for kNeededTolerance did, for a matrix of norm `norm`.
+// The result of a solver for the tolerance kNeededTolerance and a matrix of norm `norm`.
 struct Solved {
-  int steps;      // as it says
+  int steps;      // as it reports
   long products;  // counted
   double norm, solution, right_side, residual;
 };
 
-// Its steps, if the residual is true and the products are those of so many: one each, now and then a second.
-// Roundings may keep the recurrence's residual apart from the true one, by what linearSolver.h says of a
-// residual that is never replaced: products' errors of n u, as reflections have them.
+// The solver's steps, if its residual is true and its products fit this number: one each, and sometimes a
+// second. Rounding may keep the recurrence's residual away from the true one, by linearSolver.h's bound for a
+// residual that is never replaced: products' errors of n u, for reflections.
 std::optional<int> believed(const Solved& solved, int n, int most) {
   const double steps = solved.steps;
   const double rounding =
@@ -67,7 +67,7 @@ class Study {
   }
 
  private:
-  // Unless they are missing, or a stub.
+  // Does nothing if they are missing, or a stub.
   void with_normal_equations(const std::function<void()>& does) {
     if (!functions_.normal_equations || study_.not_written) return;
     try {
@@ -102,7 +102,7 @@ class Study {
     }
   }
 
-  // `banded` is the system's matrix, if it has a band; `near` one that is near it, if one is known.
+  // `banded` is the system's matrix, if it has a band; `near` a matrix near it, if one is known.
   Compared compared(const System& system, const SparseMatrix* banded = nullptr,
                     const SparseMatrix* near = nullptr) const {
     const ConjGradFunction eigen = eigen_as_conj_grad;
@@ -118,7 +118,7 @@ class Study {
       on.direct = cholesky(system, *factored);
       calls = {{[&] { factored->factor(); }, &on.direct->factor_seconds},
                {[&] {
-                  x = system.right_side;  // the copy is part of it: the right-hand side is still needed
+                  x = system.right_side;  // copying counts, because the right-hand side is still needed
                   factored->solve(x.data());
                 },
                 &on.direct->solve_seconds}};

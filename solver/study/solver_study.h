@@ -1,4 +1,4 @@
-// Measures ConjGrad and the normal equations beside other methods; the results are plain data. See
+// Compares ConjGrad and the normal equations with other methods; the results are plain data. See
 // solver/README.md for the conclusions.
 #pragma once
 

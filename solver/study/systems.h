@@ -43,10 +43,10 @@ System strand_system(int segments, double step);
 // The same matrix as a SparseMatrix.
 SparseMatrix strand_matrix(int segments, double step);
 
-// The strand of strand_system with kLinks springs more, which tie particles to each other that are far apart,
-// as where a strand touches itself. A link is kLinkStiffness times as stiff as a segment's bending, in all
-// directions. Of A = M + U U', where M is the strand's matrix without them, only 2 kLinks eigenvalues of M^-1
-// A differ from 1 and from each other: the directions across the strand, x and y, are the same.
+// The strand of strand_system with kLinks additional springs between distant particles, as in a strand that
+// touches itself. A link is kLinkStiffness times as stiff as a segment's bending, in all directions. With A =
+// M + U U', where M is the strand's matrix without links, only 2 kLinks eigenvalues of M^-1 A differ from 1
+// and from each other: the directions across the strand, x and y, are equivalent.
 System linked_strand_system(int segments, double step);
 SparseMatrix linked_strand_matrix(int segments, double step);
 inline constexpr int kLinks = 3;

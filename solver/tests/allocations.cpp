@@ -1,5 +1,5 @@
-// STAFF ONLY. The program's operator new and its malloc, which count: Eigen's matrices take their memory from
-// malloc. In a file of its own, so that no compiler inlines one half of it.
+// STAFF ONLY. Counting replacements of the program's operator new and malloc: Eigen's matrices take their
+// memory from malloc. A file of its own, so that no compiler inlines one half of it.
 
 #include "solver/tests/allocations.h"
 

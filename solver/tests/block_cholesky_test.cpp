@@ -1,4 +1,4 @@
-// STAFF ONLY. What solver/block_band.h and solver/block_cholesky.h promise.
+// STAFF ONLY. The promises of solver/block_band.h and solver/block_cholesky.h.
 #include "solver/block_cholesky.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ MatrixXd banded(int n, double shift, unsigned seed) {
   return B * B.transpose() + shift * MatrixXd::Identity(3 * n, 3 * n);
 }
 
-// A's lower half in `memory`; what no block reads is not a number.
+// A's lower half in `memory`; numbers outside of all blocks are NaN.
 void store(const MatrixXd& A, MatrixXd& memory) {
   memory.setConstant(A.rows(), BlockBand::kColumns, std::numeric_limits<double>::quiet_NaN());
   BlockBand band(memory);
@@ -76,7 +76,7 @@ TEST(BlockCholesky, SolvesWithASmallBackwardError) {
       solve_lower(band, x);
       const double after_first = x.squaredNorm();
       solve_lower_transposed(band, x);
-      // |E| <= 10 u |L| |L'|, of which no number is above that of A's diagonal: 15 in a row.
+      // |E| <= 10 u |L| |L'|, whose numbers are at most those of A's diagonal: 15 in a row.
       EXPECT_LE((b - A * x).norm(), (10 + 15) * kUnit * 15 * A.diagonal().maxCoeff() * x.norm());
       // b . x = |L^-1 b|^2
       EXPECT_NEAR(b.dot(x), after_first, 1e-6 * after_first);

@@ -1,5 +1,5 @@
-// For tests: numbers with a decimal comma and dots between thousands, in the C library and in new streams, as
-// a program has them that takes the user's locale in Germany.
+// For tests: numbers with a decimal comma and dots between thousands, in the C library and in new streams,
+// like a program with the user's locale in Germany.
 #pragma once
 
 #include <locale.h>
@@ -13,7 +13,7 @@ namespace solver {
 
 class CommaLocale {
  public:
-  // The locale is made below `folder`, where Debian's package locales is there.
+  // The locale is made below `folder`, if Debian's package locales is installed.
   explicit CommaLocale(const std::string& folder)
       : before_(std::locale::global(std::locale(std::locale::classic(), new Comma))) {
     const std::string make = "localedef -i de_DE -f UTF-8 '" + folder + "/de_DE.UTF-8' >/dev/null 2>&1";
@@ -29,7 +29,7 @@ class CommaLocale {
   CommaLocale(const CommaLocale&) = delete;
   CommaLocale& operator=(const CommaLocale&) = delete;
 
-  // Whether the C library has it, too.
+  // True if the C library has it, too.
   bool is_everywhere() const {
     char text[16];
     std::snprintf(text, sizeof text, "%.1f", 1.5);

@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 
 using Vector = std::vector<double>;
 
-// x and b at once, and b full of NaN before: what is left over would show.
+// x and b at once, and b full of NaN before, so that a missing write shows.
 Vector product(implicitMatrix& A, Vector x, int rows) {
   Vector b(rows, NAN);
   A.matVecMult(x.data(), b.data());

@@ -98,7 +98,7 @@ TEST(MatrixMarket, DoesNotWriteWhatItWouldNotRead) {
 }
 
 struct Bad {
-  std::string text, line, what;  // what the complaint must name
+  std::string text, line, what;  // the message must contain `what`
 
   friend std::ostream& operator<<(std::ostream& out, const Bad& bad) {
     return out << bad.text.substr(0, 200);

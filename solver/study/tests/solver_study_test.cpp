@@ -1,5 +1,4 @@
-// The study's own parts: systems that are what they say, the ways from outside, counts of products, a solver
-// that is wrong.
+// The study's own parts: properties of its systems, other solvers, counts of products, and a wrong solver.
 #include "solver/study/solver_study.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +22,7 @@ double dot(const Vector& a, const Vector& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Whether sign (A - shift I) is positive definite: all of A's eigenvalues lie above the shift, or below it.
+// True if sign (A - shift I) is positive definite: all of A's eigenvalues are above the shift, or below it.
 bool definite(const SparseMatrix& A, double sign, double shift) {
   std::vector<SparseMatrix::Entry> entries = A.entries();
   for (SparseMatrix::Entry& entry : entries) entry.value *= sign;
@@ -136,7 +135,7 @@ double eigen(int n, implicitMatrix* A, double x[], double b[], double, int* step
   return 0;
 }
 
-// A method that is not conjugate gradients, and says that it is: steepest descent.
+// A wrong method that claims to be conjugate gradients: steepest descent.
 double steepest_descent(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
   Vector r(n), q(n);
   std::copy(b, b + n, x);
@@ -154,7 +153,7 @@ double steepest_descent(int n, implicitMatrix* A, double x[], double b[], double
   }
 }
 
-// How often an error is above the bound of conjugate gradients, before it comes near what rounding leaves.
+// The number of errors above the bound of conjugate gradients, before they come near rounding.
 int violations(const History& history) {
   int count = 0;
   for (const Progress& one : history.progress)
@@ -170,7 +169,7 @@ TEST(HistoryTest, ConjugateGradientsStayBelowTheBoundAndSteepestDescentDoesNot) 
   }
 }
 
-// As ConjGrad, which takes a negative number for no step.
+// Like ConjGrad, which takes a negative number for no step.
 ConjGradFunction with_none(const ConjGradFunction& solve) {
   return [=](int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
     if (*steps >= 0) return solve(n, A, x, b, epsilon, steps);
@@ -296,7 +295,7 @@ TEST(IterationsNeededTest, OfTheNormalEquationsToo) {
   EXPECT_EQ(normal_iterations_needed(solve, system, *needed - 2), std::nullopt);
 }
 
-// k + 1 different eigenvalues take k + 1 iterations, whatever the condition number: so it is with Eigen's.
+// k + 1 different eigenvalues take k + 1 iterations, for any condition number, and so with Eigen's method.
 TEST(PreconditionedTest, ALinkedStrandTakesAsManyIterationsAsItHasEigenvalues) {
   const ConjGradFunction solve = eigen;
   for (const double step : {1e-4, 1e-2}) {
@@ -312,7 +311,7 @@ TEST(PreconditionedTest, ALinkedStrandTakesAsManyIterationsAsItHasEigenvalues) {
   }
 }
 
-// With all of the matrix for its band, the first guess is the solution.
+// If the band is the whole matrix, the first guess is the solution.
 TEST(PreconditionedTest, AStrandTakesNone) {
   const ConjGradFunction solve = eigen;
   const System system = strand_system(20, 1e-2);
@@ -321,7 +320,7 @@ TEST(PreconditionedTest, AStrandTakesNone) {
   EXPECT_LE(with.progress.front().squared_residual, 1e-20);
 }
 
-// The solver is asked for as many iterations as before, and not for those that it says it took.
+// The solver is called with as many iterations as before, and not with the number that it reported.
 TEST(HistoryTest, TimesWhatWasAskedFor) {
   const System system = spread_system(10, 10);
   int smallest = 1 << 30;
@@ -339,7 +338,7 @@ TEST(HistoryTest, TimesWhatWasAskedFor) {
   EXPECT_THROW(time_in_turn(system, {{&watched, &history}}, {}, {0, 1}, {&interrupted}), Interrupted);
 }
 
-// What is compared is timed side by side: a machine that slows down for a while slows down all of it.
+// Compared calls are timed in turn: a temporary slowdown of the machine affects all of them.
 TEST(HistoryTest, OtherCallsAreTimedInTurnWithTheIterations) {
   const System system = spread_system(10, 10);
   std::string order;
@@ -372,7 +371,7 @@ TEST(EigenConjGradTest, CountsIterationsFromNone) {
   EXPECT_EQ(steps(4, 2, {0, 0}), 0);
 }
 
-// So that a study is short.
+// It ends at once, so that a study is short.
 double does_nothing(int n, implicitMatrix*, double x[], double b[], double, int* steps) {
   std::copy(b, b + n, x);
   *steps = 0;
