@@ -56,14 +56,14 @@ std::unique_ptr<implicitMatrix> constraint_matrix(const Constraints& constraints
 // right-hand side, is in the range of J W J^T, and so are all later iterates.
 //
 // There is no solution if the right-hand side contradicts itself. Redundant constraints agree with each other
-// only as far as they hold: where feedback finds lengths off by a part e, by about e^2. If that is more than
-// the tolerance, ConjGrad uses up its iterations, and may be called again with a tolerance a hundred times as
-// large each time, but never with one above 1e-6. Two rods of different lengths between the same particles,
-// with feedback, or a rod of length 0 whose ends move apart, contradict each other at any tolerance: then the
-// function still returns, the report has a residual above the tolerance, and lambda may be arbitrarily large.
-// And where all forces cancel, the right-hand side is rounding alone, which has no reason to agree with
-// itself: whoever moves particles then asks for no lambda, and takes 0
-// (particles/toys/constraint_rounding.h).
+// only as far as they hold: if lengths are off by a part e, the feedback's terms disagree by about e^2. If
+// that is more than the tolerance, ConjGrad uses up its iterations, and may be called again with a tolerance
+// a hundred times as large each time, but never with one above 1e-6. Two rods of different lengths between
+// the same particles, with feedback, or a rod of length 0 whose ends move apart, contradict each other at any
+// tolerance: then the function still returns, the report has a residual above the tolerance, and lambda may
+// be arbitrarily large.
+// If all forces cancel, the right-hand side contains only rounding errors, which contradict each other:
+// callers then take lambda = 0 without a solve (particles/toys/constraint_rounding.h).
 ConstraintReport solve_constraints(const Constraints& constraints, const Particles& particles,
                                    const State& state, Input f, Output lambda);
 

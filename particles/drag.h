@@ -18,8 +18,8 @@ class Drag : public Force {
   bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
                 Scratch work) const override;
 
-  // J: what the force at v_after does during h seconds, in which velocities change from v_before to v_after,
-  // in the frame that moves with `frame` (m/s).
+  // The work of the force at v_after, J, during h seconds in which velocities change from v_before to
+  // v_after, in the frame that moves with `frame` (m/s).
   double work(double h, Input v_before, Input v_after, const Vector3d& frame) const;
 
  private:

@@ -32,11 +32,11 @@ class Force {
   // df += (df/dv) dv, dv in m/s and df in N.
   virtual void add_dfdv(Input x, Input v, Input dv, Output df) const = 0;
 
-  // band += by_dfdx df/dx + by_dfdv df/dv, the lower half, with a df/dx that is symmetric, negative
-  // semi-definite and 0 between particles more than two apart: a local, definite part of what add_dfdx
-  // multiplies by. It is for preconditioners, so that it changes how fast a system is solved, and not its
-  // solution. Returns false, and leaves anything in the band, if a force knows no such part, or if its
-  // products turn out to be unsymmetric.
+  // band += by_dfdx df/dx + by_dfdv df/dv, the lower half. The df/dx of the band is symmetric, negative
+  // semi-definite and 0 between particles more than two apart: a local, definite part of the df/dx of
+  // add_dfdx. It is used for preconditioners, so it changes how fast a system is solved, and not its
+  // solution. Returns false, with any contents in the band, if a force has no such part, or if its products
+  // turn out to be unsymmetric.
   virtual bool add_band(Input /*x*/, Input /*v*/, double /*by_dfdx*/, double /*by_dfdv*/,
                         solver::BlockBand& /*band*/, Scratch /*work*/) const {
     return false;

@@ -46,7 +46,7 @@ class ForceSum : public Force {
     return true;
   }
 
-  // From now on as if a part did not know its band: solves are not preconditioned.
+  // The sum behaves from now on as if a part had no band: solves are not preconditioned.
   void hide_band() { has_band_ = false; }
 
  private:

@@ -36,7 +36,7 @@ struct SolveReport {
   double residual = 0;          // ||rhs - matrix dv||, the square root of what ConjGrad returned
   double rhs = 0;               // ||rhs||, of the right-hand side
   bool converged = false;       // residual <= tolerance * rhs
-  bool preconditioned = false;  // solve_implicit's alone: it had a preconditioner
+  bool preconditioned = false;  // set by solve_implicit alone: it had a preconditioner
 };
 
 // The matrix above. Pinned particles have the rows and columns of the identity. matVecMult takes one product

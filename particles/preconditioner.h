@@ -1,14 +1,14 @@
 // Given. A preconditioner for H4's system: a matrix M near A that is quickly factored, M = L L'. Conjugate
-// gradients need few iterations where a matrix is near the identity, and L^-1 A L^-T is. So instead of A x =
-// b one solves
+// gradients need few iterations if a matrix is near the identity, as L^-1 A L^-T is. So instead of A x = b
+// one solves
 //
 //   (L^-1 A L^-T) y = L^-1 b,   x = L^-T y.
 //
 // Source: G. H. Golub and C. F. Van Loan, "Matrix Computations" (4th edition, 2013), section 11.5.
 //
 // M is A with the forces' local, definite products (Force::add_band): M - a df/dv - a b df/dx is then a
-// narrow band, and its factor costs as much as some iterations. Of straight hair with definite products M =
-// A.
+// narrow band, and its factor costs as much as some iterations. For straight hair with definite products M
+// equals A.
 #pragma once
 
 #include "particles/force.h"
@@ -28,17 +28,16 @@ class Preconditioner {
   Preconditioner(const Force& force, const Particles& particles, const State& state, double a, double b,
                  Scratch scratch);
 
-  // False: there is none, because a force does not know its band, its products are not symmetric, or M is not
-  // positive definite. Then ConjGrad solves A x = b as it is, and the functions below must not be called.
+  // False if a force has no band, its products are not symmetric, or M is not positive definite. Then
+  // ConjGrad solves A x = b as it is, and the functions below must not be called.
   bool exists() const { return exists_; }
 
   // An upper bound of the norm of M's rows of free particles, the largest sum of |m_ij| in one of them. A
   // pinned particle's 1 does not count: very light hair has rows of 1e-12.
   double norm() const { return norm_; }
 
-  // Whether a residual is as small as rounding lets it be: at most 32 u (norm ||x|| + ||b||), u = 2^-53. Each
-  // number of A x is a sum of 15 products, and a force takes about as many roundings again to make each of
-  // them.
+  // True if a residual is as small as rounding allows: at most 32 u (norm ||x|| + ||b||), u = 2^-53. Each
+  // number of A x is a sum of 15 products, and a force rounds about as many times to calculate each of these.
   bool rounding_allows(double residual, double norm_of_x, double norm_of_b) const {
     return residual <= 0x1p-48 * (norm_ * norm_of_x + norm_of_b);
   }

@@ -1,4 +1,4 @@
-// Which matrix a force's products with df/dx use: the exact derivative, or one that suits an implicit step.
+// The matrix of a force's products with df/dx: the exact derivative, or one that suits an implicit step.
 #pragma once
 
 namespace particles {

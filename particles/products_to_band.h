@@ -1,7 +1,7 @@
-// A band from products: the columns of a matrix whose entries are known to be 0 beyond a reach. Particles
-// that are more than twice the reach apart never meet in a row, so that one product gives the columns of all
-// of them: 3 (2 reach + 1) products make the matrix. Source: A. R. Curtis, M. J. D. Powell and J. K. Reid,
-// "On the Estimation of Sparse Jacobian Matrices", J. Inst. Maths Applics 13 (1974).
+// Calculates a band matrix from products, if all entries beyond a reach are known to be 0. Particles that are
+// more than twice the reach apart share no row, so one product gives the columns of all of them: 3 (2 reach +
+// 1) products make the matrix. Source: A. R. Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of
+// Sparse Jacobian Matrices", J. Inst. Maths Applics 13 (1974).
 #pragma once
 
 #include <algorithm>
@@ -14,18 +14,18 @@ namespace particles {
 
 namespace products_to_band {
 
-// Numbers without a pattern: what they weigh does not cancel by chance. Three numbers belong to a particle,
-// so that 16 particles have weights that differ.
+// Weights without a pattern, so that weighted entries do not cancel by chance. Each particle has three
+// numbers, and 16 is not a multiple of 3, so the weights of 16 neighbouring particles differ.
 inline double weight(int k) {
   static constexpr double kWeights[16] = {1.31, 1.79, 1.07, 1.93, 1.46, 1.22, 1.64, 1.87,
                                           1.13, 1.58, 1.02, 1.71, 1.39, 1.97, 1.26, 1.51};
   return kWeights[k % 16];
 }
 
-// r'L r - r'U r of a matrix' entries below and above its diagonal, with r the weights: 0 if it is symmetric.
+// r'L r - r'U r for a matrix A = L + D + U, with r the weights: 0 if A is symmetric.
 class SymmetryCheck {
  public:
-  // A column's entries from row `first` to row `end` - 1. Others are 0.
+  // Adds a column's entries from row `first` to row `end` - 1. All other entries are 0.
   void add(Input column, int diagonal, int first, int end) {
     double skew = 0;
     for (int row = first; row < diagonal; ++row) skew -= weight(row) * column[row];
@@ -33,8 +33,8 @@ class SymmetryCheck {
     skew_ += weight(diagonal) * skew;
     size_ += std::abs(column[diagonal]);
   }
-  // A definite matrix' largest entry is on its diagonal. Right formulas leave the rounding of their entries,
-  // 2^-53 times some operations; less than 2^-30 does no harm.
+  // A definite matrix has its largest entry on its diagonal. The rounding errors of correct formulas are a
+  // few times 2^-53 of their entries; an asymmetry below 2^-30 does no harm.
   bool is_symmetric() const { return std::abs(skew_) <= 0x1p-30 * size_; }
 
  private:
@@ -44,8 +44,8 @@ class SymmetryCheck {
 }  // namespace products_to_band
 
 // band += factor * A, the lower half, where product(dx, df) does df += A dx and A is 0 beyond `reach`
-// particles, 0 <= reach <= 2. False if A is not symmetric: it has no band then, and what the band holds is of
-// no use. `work`: kBandScratch columns of 3n numbers.
+// particles, 0 <= reach <= 2. Returns false, with useless contents in the band, if A is not symmetric.
+// `work`: kBandScratch columns of 3n numbers.
 template <typename Product>
 [[nodiscard]] bool add_products(int reach, double factor, Product product, solver::BlockBand& band,
                                 Scratch work) {

@@ -10,9 +10,9 @@ namespace particles {
 
 void require(bool holds, std::string_view what, double value, std::string_view bound);
 void require_finite(std::string_view what, double value);
-void require_positive(std::string_view what, double value);                // and normal: 1 / value is finite
-void require_at_least(std::string_view what, double value, double bound);  // and finite
-void require_finite(std::string_view what, Input values);                  // each of them
-void require_direction(std::string_view what, const Vector3d& direction);  // of length 1
+void require_positive(std::string_view what, double value);  // so large that 1 / value is finite
+void require_at_least(std::string_view what, double value, double bound);  // also refuses infinities
+void require_finite(std::string_view what, Input values);                  // checks each value
+void require_direction(std::string_view what, const Vector3d& direction);  // requires length 1
 
 }  // namespace particles

@@ -3,14 +3,14 @@
 // implicit_matrix, implicit_rhs and solve_plain (H4), and ConjGrad (S1).
 //
 // With a preconditioner (particles/preconditioner.h) dv starts at 0. Each solve takes the residual r = rhs -
-// matrix dv, solves (L^-1 matrix L^-T) y = L^-1 r, and adds L^-T y to dv. ConjGrad sees the norm of L^-1 r;
-// what counts is that of r, which is computed anew. It solves again for what is left, three times at most,
-// until the residual has reached the tolerance, or rounding allows no less, or it no longer falls.
+// matrix dv, solves (L^-1 matrix L^-T) y = L^-1 r, and adds L^-T y to dv. ConjGrad sees the norm of L^-1 r,
+// but the tolerance bounds the norm of r, so r is computed anew after each solve. There are at most three
+// solves, until the residual reaches the tolerance, rounding allows no less, or it no longer falls.
 //
-// Without one, solve_plain solves. Rounding limits the tolerance that a stiff system can reach: it leaves a
-// residual of about 2^-53 ||matrix|| (||dv|| + ||rhs||). Asked for less than that, ConjGrad uses all
-// iterations and ends anywhere, metres per second off. So solve_plain is then called again with a tolerance a
-// hundred times as large, up to 1e-6: at 1e-4 hair loses gravity. `converged` stays false.
+// Without a preconditioner, solve_plain solves. Rounding limits the tolerance that a stiff system can reach:
+// it leaves a residual of about 2^-53 ||matrix|| (||dv|| + ||rhs||). For a smaller tolerance, ConjGrad uses
+// all iterations and ends anywhere, metres per second off. So solve_plain is then called again with a
+// tolerance a hundred times as large, up to 1e-6: at 1e-4 hair loses gravity. `converged` stays false.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace particles {
 
-// With a preconditioner, the system is solved at most so often, each time for the residual that is left.
+// With a preconditioner, the system is solved at most this often, each time for the remaining residual.
 inline constexpr int kMostSolves = 3;
 
 namespace solving {
@@ -64,7 +64,7 @@ inline SolveReport with_preconditioner(implicitMatrix& matrix, const Preconditio
     matrix.matVecMult(dv.data(), left.data());
     left = rhs - left;
     const double residual = left.norm();
-    if (!(residual < report.residual || residual == 0)) {  // no nearer
+    if (!(residual < report.residual || residual == 0)) {  // the solve made the residual no smaller
       dv -= y;
       break;
     }

@@ -8,7 +8,7 @@
 namespace particles {
 namespace {
 
-// What belongs to particle i less what belongs to particle j.
+// The value of particle i minus that of particle j.
 Vector3d between(const Spring& spring, Input values) {
   return values.segment<3>(3 * spring.i) - values.segment<3>(3 * spring.j);
 }
@@ -60,7 +60,7 @@ void DampedSprings::add_dfdx(Input x, Input v, Input dx, Output df) const {
     if (length == 0) continue;
     const Vector3d u = d / length, change = between(spring, dx);
     const double along = change.dot(u);
-    const Vector3d across = change - along * u;  // of which u turns by across / length
+    const Vector3d across = change - along * u;  // u turns by across / length
     const double k = spring.stiffness, slack = 1 - spring.rest_length / length;
     if (products_ == Products::definite) {
       add_pair(spring, -k * along * u - k * std::max(slack, 0.0) * across, df);

@@ -7,8 +7,8 @@
 // its force and its derivatives are 0.
 //
 // With Products::definite, the products with df/dx leave out the geometric term k (1 - l0/l) (I - u u^T) in
-// compression, and always the damping's part. Source: D. Baraff and A. Witkin, "Large Steps in Cloth
-// Simulation" (SIGGRAPH 1998), section 4.
+// compression, and always leave out the damping's part. Source: D. Baraff and A. Witkin, "Large Steps in
+// Cloth Simulation" (SIGGRAPH 1998), section 4.
 #pragma once
 
 #include <vector>

@@ -10,7 +10,7 @@ namespace particles {
 // The constants of a simulation.
 struct Particles {
   Eigen::VectorXd mass;      // n, kg, > 0
-  std::vector<char> pinned;  // n; not 0: keeps its velocity, whatever forces act on it
+  std::vector<char> pinned;  // n; a particle whose entry is not 0 keeps its velocity under any force
 
   int count() const { return static_cast<int>(mass.size()); }
   bool is_pinned(int i) const { return pinned[i] != 0; }

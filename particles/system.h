@@ -9,8 +9,8 @@
 
 namespace particles {
 
-// a = f(x, v) / m, and 0 for pinned particles. Keeps a reference to the force, which must outlive it; of the
-// particles it keeps what it needs.
+// a = f(x, v) / m, and 0 for pinned particles. Keeps a reference to the force, which must outlive it, and
+// copies what it needs of the particles.
 class ParticleSystem : public Dynamics {
  public:
   // Throws std::invalid_argument if a mass is not > 0, or if `pinned` has another size than `mass`.

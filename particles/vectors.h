@@ -18,7 +18,7 @@ using Output = Eigen::Ref<Eigen::VectorXd>;
 
 // Memory for intermediate results: at least as many columns of 3n numbers as the function asks for. Their
 // values on entry are arbitrary, and so are their values on return. A function that is given scratch
-// allocates nothing: assignment/README.md says what counts.
+// allocates nothing: assignment/README.md defines which allocations count.
 using Scratch = Eigen::Ref<Eigen::MatrixXd>;
 
 }  // namespace particles

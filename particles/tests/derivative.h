@@ -1,7 +1,7 @@
 // Compares a force with the differences of its energy, and its products with the differences of the force, by
 // central differences (g(e) - g(-e)) / 2e. With the step e = 1e-5 and lengths of about 1, their errors are
-// e^2/6 g''' and u |g| / e, about 1e-10 and 1e-11 of g: the bound 1e-6 leaves room for third derivatives 1e4
-// times as large as g.
+// e^2/6 g''' and u |g| / e, about 1e-10 and 1e-11 of g: the bound 1e-6 allows third derivatives 1e4 times as
+// large as g.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Gravity, drag, springs and their sum, by their properties.
+// Gravity, drag, springs and their sum: their properties.
 #include <gtest/gtest.h>
 
 #include "particles/drag.h"
@@ -72,7 +72,7 @@ TEST(DampedSprings, PullTogetherWhenStretchedAndPushWhenCompressed) {
   EXPECT_EQ(force_at(DampedSprings({{0, 1, 10, 1.5}}), x, rest)[0], 5);
   EXPECT_EQ(force_at(DampedSprings({{0, 1, 10, 2.5}}), x, rest)[0], -5);
   EXPECT_EQ(DampedSprings({{0, 1, 10, 1.5}}).energy(x), 1.25);
-  // Damping is along the spring alone: 3 m/s apart, and 7 m/s across.
+  // Damping acts along the spring alone: 3 m/s apart, and 7 m/s across.
   const VectorXd apart = (VectorXd(6) << 0, 0, 0, 3, 7, 0).finished();
   EXPECT_EQ(force_at(DampedSprings({{0, 1, 0, 1, 2}}), x, apart),
             (VectorXd(6) << 6, 0, 0, -6, 0, 0).finished());
@@ -93,7 +93,7 @@ TEST(DampedSprings, DontMindRigidMotion) {
   VectorXd x(3 * kCount), v(3 * kCount);
   for (int i = 0; i < kCount; ++i) {
     x.segment<3>(3 * i) = R * kPlaces.segment<3>(3 * i) + Vector3d(3, -1, 2);
-    // Turning as a whole and flying along changes no length.
+    // A rotation of the whole and a common velocity change no length.
     v.segment<3>(3 * i) = R * kVelocities.segment<3>(3 * i) + spin.cross(Vector3d(x.segment<3>(3 * i)));
   }
   const DampedSprings springs(net());

@@ -1,4 +1,4 @@
-// STAFF ONLY. What particles/preconditioner.h and particles/products_to_band.h promise.
+// STAFF ONLY. The promises of particles/preconditioner.h and particles/products_to_band.h.
 #include "particles/preconditioner.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ class Banded : public Force {
         band, work);
   }
 
-  // An entry of another size than that on the other side of the diagonal.
+  // Makes an entry differ from the one on the other side of the diagonal.
   void make_unsymmetric() { K_(0, 4) += 0.1; }
 
   mutable int products = 0;
@@ -71,7 +71,7 @@ struct Case {
   MatrixXd scratch;
 };
 
-// The matrix that L^-T L^-1 is the inverse of.
+// The inverse of L^-T L^-1.
 MatrixXd factored(const Preconditioner& preconditioner, Eigen::Index size) {
   MatrixXd inverse = MatrixXd::Identity(size, size);
   for (int i = 0; i < size; ++i) {

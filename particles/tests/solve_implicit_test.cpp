@@ -1,4 +1,4 @@
-// STAFF ONLY. What particles/solve_implicit.h promises, with the reference's H4 and S1. Retries of plain
+// STAFF ONLY. The promises of particles/solve_implicit.h, with the reference's H4 and S1. Retries of plain
 // solves: reference/H6/unmet_tolerance_test.cpp.
 #include "particles/solve_implicit.h"
 
@@ -18,7 +18,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double kStep = 1.0 / 60;
 
-// Springs, of which the band knows those between neighbours.
+// Springs whose band contains only those between neighbours.
 class NearSprings final : public DampedSprings {
  public:
   explicit NearSprings(const std::vector<Spring>& springs, Products products = Products::definite)
@@ -63,7 +63,7 @@ struct Solved {
   SolveReport report;
   VectorXd dv;
   double left,
-      rounding;  // ||rhs - A dv||, and what of it may be rounding: sums of 15 terms, and as much for the numbers in them
+      rounding;  // ||rhs - A dv||, and its rounding: sums of 15 terms, and as much for their numbers
 };
 
 Solved solve(const Force& force, const Chain& chain, double tolerance) {
@@ -116,7 +116,7 @@ TEST(SolveImplicit, HasConvergedWhereRoundingAllowsNoLess) {
 
 TEST(SolveImplicit, EndsWhereTheMatrixIsNotPositiveDefinite) {
   const Chain chain(6, 1,
-                    0.03);  // springs three times as long as they are let be, of which the band knows nothing
+                    0.03);  // springs at three times their rest length, which are not in the band
   class Unknown final : public DampedSprings {
    public:
     using DampedSprings::DampedSprings;

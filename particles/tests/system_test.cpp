@@ -1,4 +1,4 @@
-// What a system of particles conserves, and what integrators see of it.
+// The conserved quantities of a system of particles, and its interface for integrators.
 #include "particles/system.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Rounding in P2's equation. Where nothing acts on rods and wires, its right-hand side is not 0, but what
-// rounding leaves of its terms. That contradicts itself where constraints are redundant, so no lambda solves
-// it; and there is nothing to solve.
+// Rounding in P2's equation. If no force acts on rods and wires, its right-hand side is not 0, but the
+// rounding errors of its terms. These contradict each other if constraints are redundant, so no lambda solves
+// the equation; and there is nothing to solve.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace particles {
 //
 //   64 u || for each row the sum of the sizes of its terms ||     u = 2^-53
 //
-// A term is a sum over up to six products, of coordinates that are rounded themselves: 16 u of its size. The
-// rest is room for what a few steps add. In the size of C positions count as far as they are from the origin,
-// since that is how they are rounded.
+// A term is a sum of up to six products of coordinates that are rounded themselves: 16 u of its size. The
+// rest of 64 allows for a few steps. In the size of C a position counts with its distance from the origin,
+// because its rounding error is proportional to that.
 inline double constraint_rounding(const Constraints& constraints, const Particles& particles,
                                   const State& state, Input f) {
   const auto place = [&](int i) -> double { return state.x.segment<3>(3 * i).norm(); };
@@ -26,7 +26,7 @@ inline double constraint_rounding(const Constraints& constraints, const Particle
     return particles.is_pinned(i) ? 0 : f.segment<3>(3 * i).norm() / particles.mass[i];
   };
   double squared = 0;
-  // far: how far from the origin its ends are; length: of the row of J for one end.
+  // far: the distance of its ends from the origin; length: that of the row of J for one end.
   const auto add = [&](double length, double far, double at_rest, double speeds, double pulls) {
     const double size = speeds * speeds + length * (pulls + constraints.damping * speeds) +
                         constraints.stiffness * (length * far + at_rest);

@@ -58,7 +58,7 @@ Vector3d between(Input x, int i, int j) {
   return x.segment<3>(3 * i) - x.segment<3>(3 * j);
 }
 
-// NaN once either is.
+// NaN if either is NaN.
 double worse(double stretch, const Vector3d& between, double rest_length) {
   if (rest_length == 0) return stretch;
   const double other = std::abs(between.norm() / rest_length - 1);

@@ -16,13 +16,13 @@ namespace particles {
 struct SolveCount {
   long steps = 0;  // iterations of ConjGrad
   long solves = 0;
-  long unconverged = 0;  // of constraints only if they are watched
-  double left = 0;       // the largest residual of these, relative to its right-hand side
+  long unconverged = 0;  // includes constraints only if they are watched
+  double left = 0;       // their largest residual, relative to its right-hand side
 };
 
 // Its parts refer to each other, so it can be neither copied nor moved.
 struct MovingToy {
-  // watched: looks at how far constraints are solved, which costs a few products more. Throws
+  // watched: measures how well constraints are solved, which costs a few more products. Throws
   // std::invalid_argument for values that are out of bounds, not finite or of the wrong size.
   explicit MovingToy(const Toy& description, bool watched = false);
   MovingToy(const MovingToy&) = delete;
@@ -45,7 +45,7 @@ ToyStep toy_step_of(ToyMethod method);
 // The exercises that the toy's rods and wires need.
 std::vector<std::string> exercises_of_constraints(const Toy& toy);
 
-// The largest | |d| - l0 | / l0 of all springs and rods with l0 > 0; of rods alone. NaN if one of these
+// The largest | |d| - l0 | / l0 of all springs and rods with l0 > 0, or of rods alone. NaN if one of these
 // lengths is NaN.
 double largest_stretch(const Toy& toy, Input x);
 double largest_rod_stretch(const Toy& toy, Input x);

@@ -17,10 +17,10 @@ struct Toy {
   Particles particles;
   State start;
   std::vector<Spring> springs;
-  Constraints constraints;  // if empty, P2 is not called. Not with implicit_euler
+  Constraints constraints;  // if empty, P2 is not called. Not possible with implicit_euler
   ToyMethod method = ToyMethod::runge_kutta_4;
   Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, -kEarthGravity);  // m/s^2
-  double drag = 0;                                                  // kg/s, of each particle
+  double drag = 0;                                                  // kg/s, for each particle
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();                   // m/s
 
   // Only for a patch of cloth: the layout of its particles, for drawing. 0: no cloth.

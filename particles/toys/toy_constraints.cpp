@@ -8,11 +8,11 @@ namespace particles {
 
 namespace {
 
-// Of the right-hand side: what a solve may leave before it counts as one that did not end. P2 may stop so
-// early where constraints are redundant.
+// The largest residual of a solve that counts as finished, relative to the right-hand side. P2 may stop this
+// early if constraints are redundant.
 constexpr double kMostLeft = 1e-6;
 
-// a = W (f + J^T lambda): what the constraints leave of all other force. P2 solves for lambda.
+// a = W (f + J^T lambda): all forces including those of the constraints. P2 solves for lambda.
 class ConstrainedDynamics : public Dynamics {
  public:
   ConstrainedDynamics(MovingToy& moving, bool watched)
@@ -63,8 +63,8 @@ class ConstrainedDynamics : public Dynamics {
     solves_.left = std::max(solves_.left, left / before);
   }
 
-  // The norm of C'' + stiffness C + damping C' with these accelerations: with those of all other forces the
-  // right-hand side's, with the constraints' forces what a solve leaves.
+  // The norm of C'' + stiffness C + damping C' for these accelerations. With the other forces' accelerations
+  // it is that of the right-hand side; with the constraints' forces it is the residual of the solve.
   double error(Input a) {
     const auto& [rods, wires, stiffness, damping] = constraints_;
     constraint_rates(constraints_, state_.x, a, sum_);
@@ -89,7 +89,7 @@ class ConstrainedDynamics : public Dynamics {
   SolveCount& solves_;
   State state_;
   Eigen::VectorXd free_, sum_, term_;
-  Eigen::VectorXd lambda_;  // 0 at first: an exercise that reads it before it writes does the same each time
+  Eigen::VectorXd lambda_;  // 0 at first: an exercise that wrongly reads it gets the same value in each run
 };
 
 }  // namespace
