@@ -1,4 +1,4 @@
-// hairlab-groom: reads and writes grooms' files, and plays scenes with such files. hairlab starts it.
+// hairlab-groom: reads and writes grooms' files, and runs scenes with such files. hairlab starts it.
 #include "hair/lab/commands/program.h"
 
 int main(int argc, char* argv[]) {

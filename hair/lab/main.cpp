@@ -1,5 +1,5 @@
-// hairlab: plays scenes of hair with the exercises' code. It hands over to hairlab-study, which studies how
-// well they are played, and to hairlab-groom, which reads grooms' files. Its exit codes are in
+// hairlab: runs scenes of hair with the exercises' code. It hands over to hairlab-study, which measures the
+// quality of runs, and to hairlab-groom, which reads grooms' files. Its exit codes are in
 // hair/lab/commands/exit_codes.h.
 #include "hair/head/groom_file.h"
 #include "hair/lab/commands/hand_over.h"

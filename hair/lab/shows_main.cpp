@@ -1,4 +1,4 @@
-// hairlab-show: hairlab's commands that show what solvers and methods do, in a second.
+// hairlab-show: hairlab's commands that show solvers and methods at work, in a second.
 #include "hair/lab/commands/program.h"
 
 int main(int argc, char* argv[]) {

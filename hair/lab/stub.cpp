@@ -30,7 +30,7 @@ std::string stubs_among(const std::vector<std::string>& ids, const Course& cours
   return list;
 }
 
-// HAIR_EXERCISE_FILES is "S1 conj_grad.cpp S2 ...", made of exercises.json.
+// HAIR_EXERCISE_FILES is "S1 conj_grad.cpp S2 ...", from exercises.json.
 std::string missing_part(const std::string& what) {
   const std::string id = id_of(what);
   std::istringstream files(HAIR_EXERCISE_FILES);

@@ -1,6 +1,6 @@
-# Writes OUT, the C++ file of which of a program's functions are stubs: each says its name, NotImplemented("H1
-# stretch_energy"). FILES: those of its exercises. A comment does not count. Where nothing is new, OUT stays
-# as it is, and nothing is compiled.
+# Writes OUT, a C++ file with the names of a program's stubs. FILES are the sources of its exercises, in which
+# a stub throws NotImplemented("H1 stretch_energy"). Ignores comments. If nothing is new, OUT stays as it is,
+# and nothing is compiled.
 set(stubs)
 foreach(file ${FILES})
   file(READ "${file}" text)

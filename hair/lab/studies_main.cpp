@@ -1,4 +1,4 @@
-// hairlab-study: hairlab's commands that study how well scenes are played, and solvers solve.
+// hairlab-study: hairlab's commands that measure how well scenes run, and how well solvers solve.
 #include "hair/lab/commands/program.h"
 
 int main(int argc, char* argv[]) {

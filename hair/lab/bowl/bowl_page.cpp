@@ -13,11 +13,11 @@ namespace {
 
 using namespace solver::study;
 
-constexpr int kCorners = 90;                              // of a level set
-constexpr double kHeights[] = {1, 0.3, 0.1, 0.03, 0.01};  // of level sets
-constexpr double kLowest = 1e-34;                         // where a height of 0 stands on a logarithmic axis
+constexpr int kCorners = 90;                              // points of a level set
+constexpr double kHeights[] = {1, 0.3, 0.1, 0.03, 0.01};  // values on the level sets
+constexpr double kLowest = 1e-34;                         // stands for 0 on a logarithmic axis
 
-// The points x with x'Cx = r: C = LL', and L' takes them to a circle.
+// The points x with x'Cx = r: with C = LL', L' maps them to a circle.
 Series level_set(const BowlPath& path, double height) {
   const double l00 = std::sqrt(path.xx), l10 = path.xy / l00, l11 = std::sqrt(path.yy - l10 * l10);
   const double dx = path.begin[0] - path.bottom[0], dy = path.begin[1] - path.bottom[1];
@@ -41,7 +41,7 @@ std::string steps_text(std::size_t steps) {
 }
 
 Figure figure_of(const BowlPath& path, const std::string& id) {
-  // What the picture holds: everything within 1.2 times the right first guess's distance from the bottom.
+  // The picture shows all points within 1.2 times the right first guess's distance from the bottom.
   const double half = 1.2 * std::hypot(path.begin[0] - path.bottom[0], path.begin[1] - path.bottom[1]);
   const auto axis = [&](const char* title, double middle) {
     return Axis{title, false, middle - half, middle + half};

@@ -1,5 +1,5 @@
-// The page of `hairlab bowl`: the paths of ConjGrad and of the normal equations over a bowl, and what is said
-// of a path.
+// The page of `hairlab bowl`: the paths of ConjGrad and of the normal equations over a bowl, and a sentence
+// on each path.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace hair::bowl {
 
-// A section for each path. `left_out` says why that of the normal equations is missing, or is empty.
+// A section for each path. `left_out`: why the path of the normal equations is missing, or empty.
 Page bowl_page(const std::vector<solver::study::BowlPath>& paths, const std::string& left_out);
 
-// Says where it begins, and after how many steps it is at the bottom; the numbers decide.
+// A sentence on the path's begin and its steps to the bottom; the numbers decide.
 std::string path_verdict(const solver::study::BowlPath& path);
 
 // A row for each place of each path.

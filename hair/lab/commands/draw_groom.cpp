@@ -30,7 +30,7 @@ namespace {
 constexpr int kScalpSamples = 500, kMostFitted = 2000, kFitRounds = 30, kHeadCells = 220;
 
 // A head has a hundred thousand hairs of 80 micrometres. Fewer strands are drawn wider, so that they cover it
-// as well, up to what still looks like hair.
+// as well, but no wider than hair can look.
 double width_for(std::size_t strands) {
   return std::clamp(8e-5 * 1e5 / static_cast<double>(strands), 8e-5, 4e-4);
 }
@@ -90,7 +90,7 @@ GroomFit fit_to_head(const std::vector<Vector3d>& roots, const Head& head, std::
       normal += row * row.transpose();
       right -= row * surface.distance;
     }
-    // A little damping holds what the roots don't say.
+    // A little damping fixes unknowns that the roots don't determine.
     normal.diagonal().array() += 1e-3 * normal.trace();
     const Eigen::Vector4d step = normal.ldlt().solve(right);
     const double grow = unit ? 0 : step[3] / size;
@@ -101,7 +101,7 @@ GroomFit fit_to_head(const std::vector<Vector3d>& roots, const Head& head, std::
 }
 
 int draw_groom(const DrawOptions& options) {
-  // The command line refuses all else that is out of bounds.
+  // The command line refuses all other values that are out of bounds.
   for (const auto& [option, number] : {std::pair("--unit", options.unit), std::pair("--width", options.width),
                                        std::pair("--turn", options.turn), std::pair("--zoom", options.zoom)})
     if (!std::isfinite(number)) throw BadInput(std::string(option) + ": is not a number; give one");

@@ -1,4 +1,4 @@
-// What `hairlab draw` does, without its command line: a picture of a groom as it is, with no simulation.
+// `hairlab draw` without its command line: a picture of a groom as it is, without simulation.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace hair {
 struct DrawOptions {
   std::filesystem::path file, picture;
   std::string colour = "brown", on = "bust";  // or "ellipsoid", "none"
-  double unit = 0;   // m; 0: as large as the head that it is on, or as a head would be
+  double unit = 0;   // m; 0: a size that fits the head that it is on, or an average head
   double turn = 0;   // degrees about z
-  double width = 0;  // m, of a strand; 0: as many strands as there are make a full head of hair
+  double width = 0;  // m, of a strand; 0: chosen so that the strands cover a head
   std::array<double, 3> view = {0.6, -1, 0.15};
   double zoom = 1;
   std::array<int, 2> size = {1280, 720};  // pixels
@@ -26,14 +26,14 @@ struct DrawOptions {
 // The program's exit code.
 int draw_groom(const DrawOptions& options);
 
-// How a groom is brought onto a head: each point x goes to scale x + move.
+// The place of a groom on a head: each point x goes to scale x + move.
 struct GroomFit {
   double scale = 1;
   Vector3d move = Vector3d::Zero();
 };
 
-// The fit with the least sum of squared distances of the roots from the head's surface, found from one that
-// lays the box of the roots over the box of the scalp. `unit`: the scale, if it is given. Throws
+// The fit with the least sum of squared distances of the roots from the head's surface. The search starts
+// with the box of the roots on the box of the scalp. `unit`: the scale, if it is given. Throws
 // std::invalid_argument for fewer than 4 roots, or roots that are all in one place.
 GroomFit fit_to_head(const std::vector<Vector3d>& roots, const Head& head, std::optional<double> unit);
 

@@ -27,7 +27,7 @@ void print_list(const std::string& name, const std::vector<std::string>& all) {
 }  // namespace
 
 int convert_groom(const ConvertOptions& options) {
-  // The command line lets pass what is not a number.
+  // The command line accepts nan.
   if (!(options.scale > 0)) throw BadInput("--scale: is not a number from 1e-09 to 1e+09");
   check_groom_name(options.out);
   check_folder_of(options.out);
@@ -65,7 +65,7 @@ int write_grown_groom(const GrowOptions& options) {
     for (const HairStyle& one : hair_styles()) known += (known.empty() ? "" : ", ") + std::string(one.name);
     throw BadInput("there is no style \"" + printable(options.style) + "\"; there are " + known);
   }
-  check_groom_name(options.out);  // refuses the name before there is work
+  check_groom_name(options.out);  // refuses the name before the work starts
   check_folder_of(options.out);
   Groom groom;
   try {

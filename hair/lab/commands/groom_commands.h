@@ -1,4 +1,4 @@
-// What `hairlab convert`, `hairlab info` and `hairlab groom` do, without their command lines.
+// `hairlab convert`, `hairlab info` and `hairlab groom` without their command lines.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@ struct ConvertOptions {
   std::filesystem::path in, out;
   double scale = 1;
   long every = 1;
-  int points = 0;      // of each strand; 0: those that it has
-  bool ascii = false;  // of .ply
+  int points = 0;      // per strand; 0: unchanged
+  bool ascii = false;  // for .ply
 };
 
 struct InfoOptions {
@@ -24,7 +24,7 @@ struct GrowOptions {
   std::string style, head = "bust";  // or "ellipsoid"
   std::filesystem::path out;
   int strands = 10'000;
-  int points = 0;  // of each; 0: the style's
+  int points = 0;  // per strand; 0: the style's
   std::uint64_t seed = 1;
 };
 

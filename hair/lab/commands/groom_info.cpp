@@ -46,7 +46,7 @@ std::string of_box(const GroomBox& box) {
   return text;
 }
 
-// The text that a .hair file has, up to its first zero.
+// The text of a .hair file, up to its first zero.
 std::string info_of(const GroomLook& look) {
   const std::string all(look.info.begin(), look.info.end());
   return printable(all.substr(0, all.find('\0')));

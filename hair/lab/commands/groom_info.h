@@ -11,7 +11,7 @@ std::string in_groups(long number);                                        // "1
 std::string counted_with_groups(long count, const std::string& singular);  // "10,000 strands"
 std::string counts_of(const Groom& groom);                                 // "2 strands, 5 points"
 
-// Some lines, the last of them of what is odd.
+// Some lines; the last one names oddities.
 std::string groom_info(const std::string& name, const Groom& groom, const GroomMeasures& measures);
 
 // One object, whose keys are in hair/lab/README.md, and a line's end.

@@ -1,4 +1,4 @@
-// The command lines of what hairlab does with grooms.
+// The command lines of hairlab's commands for grooms.
 #include <memory>
 
 #include "hair/lab/commands/command.h"

@@ -1,5 +1,5 @@
-// The commands that hairlab does not have itself, because their code takes longer to build than hairlab's.
-// They are in programs that lie beside hairlab, and hairlab starts these.
+// The commands that hairlab does not contain, because their code takes longer to build than hairlab's. They
+// are in programs in hairlab's folder, and hairlab starts these.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr OtherProgram kLive = {"live", "live"};
 
 struct OtherCommand {
   const char* name;
-  const char* what;  // for --help
+  const char* what;  // a line for --help
   const OtherProgram& program;
 };
 
@@ -53,7 +53,7 @@ const OtherCommand* other_command(std::string_view name);
 
 // Replaces this process by the other program, with the same command line. Returns only if that fails, with
 // the exit code. If the program is missing, or older than hairlab and so out of date, it prints how to build
-// it. `what`: what is asked of it.
+// it. `what`: the command, for the message.
 int hand_over(const OtherProgram& program, const std::string& what, char* argv[]);
 
 }  // namespace hair

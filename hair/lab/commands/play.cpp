@@ -77,7 +77,7 @@ void show_overview(const Course& course) {
   for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
       if (stubs_among(exercises_of(read_course_outline(name, course)), course).empty())
         playing += (playing.empty() ? "" : ", ") + name;
-    } catch (const BadInput&) {  // the course lacks what it needs
+    } catch (const BadInput&) {  // the course lacks an exercise of the scene
     }
   std::cout << "Not written yet: " << stubs
             << "\nScenes that play without them: " << (playing.empty() ? "none" : playing)
@@ -96,7 +96,7 @@ int list_scenes(const Course& course) {
       std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises
                 << (stubs.empty() ? "" : "; stubs: " + stubs) << ")\n";
     } catch (const BadInput& error) {
-      // One that needs what this course leaves out says so.
+      // The message names an exercise that is not in this course.
       std::cout << name << ": can't be played: " << error.what() << "\n";
     }
   return 0;

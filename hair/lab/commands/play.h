@@ -1,5 +1,5 @@
-// What `hairlab`, `hairlab run` and `hairlab scenes` do, without their command lines: the headers of scenes
-// and those of command lines take seconds to compile, so no file includes both.
+// `hairlab`, `hairlab run` and `hairlab scenes` without their command lines: the headers of scenes and
+// those of command lines take seconds to compile, so no file includes both.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,13 @@ struct PlayOptions {
   bool strict = false;  // warnings make the exit code kBroke
 };
 
-// For whoever starts hairlab alone: the exercises that are not written yet, and the scenes that play without
-// them.
+// For a call of hairlab without a command: the exercises that are not written yet, and the scenes that run
+// without them.
 void show_overview(const Course& course);
 
 // All return the program's exit code.
 int play_scene(const PlayOptions& options, const Course& course);
 int list_scenes(const Course& course);
-int list_keys();  // of scenes
+int list_keys();  // the keys of scenes
 
 }  // namespace hair

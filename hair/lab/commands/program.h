@@ -7,9 +7,9 @@
 
 namespace hair {
 
-// Parses the command line, reads the course (each command has --course), marks the stubs that the program
-// has, and runs the named command; without one, `overview`, if there is one, before the error. Prints an
-// error as one line, also for results that the standard output does not take. Returns the exit code.
+// Parses the command line, reads the course (each command has --course), marks the program's stubs, and runs
+// the named command; without one, runs `overview`, if there is one, before the error. Prints an error as one
+// line, also for results that the standard output does not accept. Returns the exit code.
 int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[],
                 const std::function<void(const Course&)>& overview = {});
 

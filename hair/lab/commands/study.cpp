@@ -17,7 +17,7 @@ namespace hair {
 
 namespace {
 
-// What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of
+// The most work of a run: evaluations and iterations times particles. It takes about a second, or a fifth of
 // that.
 constexpr double kMostWork = 1e7, kMostQuickWork = 5e5;
 constexpr double kEnoughQuick = 0.05;  // s, that repeats of a run take together
@@ -44,7 +44,7 @@ void require_writable(const std::filesystem::path& cache) {
                    "); give a folder that can be, or --no-cache");
 }
 
-// One that is named must do; without, there may be none.
+// A named cache must work; without a name, the study may have none.
 std::optional<std::filesystem::path> cache_of(const StudyOptions& options) {
   if (options.no_cache) return {};
   if (options.names_cache) {
@@ -69,7 +69,7 @@ std::vector<StudyMethod> chosen_methods(const Problem& problem, const StudyOptio
   return chosen(all, options.methods, "--methods");
 }
 
-// Whether a run got anywhere.
+// True if a run took a step.
 bool has_runs(const Study& study) {
   return std::any_of(study.sweeps.begin(), study.sweeps.end(),
                      [](const Sweep& sweep) { return !sweep.runs.empty(); });
@@ -99,7 +99,7 @@ int run(const StudyOptions& options, const Course& course) {
   study.quick = options.quick;
   study.strand = options.strand;
   study.program_digest = program_digest();
-  // What can't be resumed is refused at once, not after the accurate motion, which takes long.
+  // A record that can't be resumed is refused at once, not after the accurate motion, which takes long.
   if (options.resume) read_runs(shell.folder().earlier_record(), study);
 
   shell.say("the accurate motion");
@@ -109,7 +109,7 @@ int run(const StudyOptions& options, const Course& course) {
   set_reference(problem, *motion, study);
   if (options.resume) read_runs(shell.folder().earlier_record(), study);
 
-  // A run that never ends, in an exercise, loses no more than what came within a second before it.
+  // If an exercise never returns, only the results of the last second are lost.
   auto kept = Clock::now() - kKeptEvery;
   settings.progress = [&](const std::string& what) {
     shell.say(what);
@@ -144,7 +144,7 @@ Command add_study_command(CLI::App& program) {
                             "at most 10 segments, and shorter sweeps: seconds instead of a minute", false);
   CLI::Option* scene =
       app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along");
-  // Both are required, but not of a command of its own (`study head`).
+  // Both are required, except for a command of its own (`study head`).
   app->parse_complete_callback([app, scene] {
     if (!app->get_subcommands().empty()) return;
     for (const CLI::Option* one : {scene, app->get_option("--out")})

@@ -13,7 +13,7 @@ namespace {
 
 using namespace head_study;
 
-// Of strands that the engine moves, and of those that the exercises move.
+// Numbers of strands for the engine, and for the exercises.
 constexpr int kFast = 20'000, kGiven = 1'000, kQuickFast = 2'000, kQuickGiven = 80;
 constexpr int kMostStrands = 200'000;
 constexpr int kGuides[] = {50, 100, 300, 1'000, 3'000, 10'000};
@@ -38,7 +38,7 @@ std::vector<std::string> head_files() {
   return files;
 }
 
-// Pictures of one hair, into the folder, as the study sees them.
+// Writes pictures of one hair into the folder, as the study calls it.
 class Pictured {
  public:
   Pictured(HeadPictures* draws, const HeadHair& hair, PicturedGuides guides, const OutputFolder& folder,

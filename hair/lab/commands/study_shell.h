@@ -1,4 +1,4 @@
-// The shell around each study: options, a folder, a line of progress, Ctrl-C, and how they end.
+// The common shell of all studies: options, a folder, a line of progress, Ctrl-C, and the end.
 #pragma once
 
 #include <algorithm>
@@ -23,17 +23,17 @@ struct ShellOptions {
   std::filesystem::path out;
   bool writes = true;  // into `out`
   bool quick = false, resume = false;
-  std::string when_quick;  // what --quick changes
+  std::string when_quick;  // the changes by --quick
   int threads = 1;
 };
 
-// A command with --out and --quick, which `quick` describes. --out is required, unless the command says when
-// it is.
+// Adds a command with --out and --quick, which `quick` describes. --out is required, unless the command
+// decides otherwise.
 CLI::App* add_study(CLI::App& program, const OtherCommand& command, ShellOptions& options, const char* quick,
                     bool out_is_required = true);
 void add_resume(CLI::App& app, ShellOptions& options);
 
-// Ctrl-C leaves of a study nothing, what is finished, or what is finished and --resume goes on with.
+// Ctrl-C loses a study, keeps its finished parts, or keeps them so that --resume continues.
 enum class WhenInterrupted { loses, keeps, resumes };
 
 class StudyShell {
@@ -49,19 +49,19 @@ class StudyShell {
   const std::atomic<bool>& interrupted() const { return interrupted_; }
   const OutputFolder& folder() const { return *folder_; }
 
-  // A line that is written over and over, on a terminal alone.
+  // Shows a line that replaces the last one, only on a terminal.
   void say(const std::string& what) const;
   std::function<void(const std::string&)> teller() const {
     return [this](const std::string& what) { say(what); };
   }
 
   // Writes the record, the page and the tables (names and rows; none without rows) and moves the folder to
-  // its place; each call replaces what the one before wrote. Adds to the record, in front, program, quick and
-  // machine, unless it has them; to the page the machine, and --quick.
+  // its place; each call replaces the results of the call before. Adds program, quick and machine at the
+  // start of the record, unless it has them, and the machine and --quick to the page.
   void keep(const OrderedJson& record, Page page,
             const std::vector<std::pair<std::string, std::vector<Row>>>& tables);
 
-  // Says where the page is, if one was kept, with `more` behind it; and what an interruption left. Returns
+  // Prints the page's path, if one was kept, followed by `more`, and the state after an interruption. Returns
   // the exit code.
   int end(bool finished, const std::string& more = "") const;
 
@@ -74,8 +74,8 @@ class StudyShell {
   bool terminal_, kept_ = false;
 };
 
-// Returns those of `all` that are asked for, in the order of `all`; all, if none is. Throws BadInput, which
-// begins with `where`.
+// Returns those of `all` that are asked for, in the order of `all`; all, if `ids` is empty. Throws BadInput,
+// which begins with `where`.
 template <class One>
 std::vector<One> chosen(std::vector<One> all, const std::vector<std::string>& ids, const std::string& where) {
   std::string known;

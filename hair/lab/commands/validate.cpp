@@ -68,7 +68,7 @@ int run(const ValidateOptions& options, const Course& course) {
 
   const bool all_hold = std::all_of(records.begin(), records.end(),
                                     [](const ValidationRecord& one) { return !one.ran() || one.holds(); });
-  // What calls no exercise says nothing of them.
+  // Validations that call no exercise need no stub's message.
   const bool none_called = std::all_of(records.begin(), records.end(), [](const ValidationRecord& one) {
     return !one.ran() || one.exercises.empty();
   });

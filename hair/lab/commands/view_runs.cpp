@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that has a scene's name need not hold a run.
+// A folder that has a scene's name may hold something else than a run.
 bool is_folder_of_run(const std::string& run) {
   if (!fs::is_directory(run)) return false;
   const std::vector<std::string> scenes = shipped_scenes(HAIR_SCENES_DIR);
@@ -47,7 +47,7 @@ fs::path reference_file(const std::string& scene) {
   return fs::path(HAIR_MOTIONS_DIR) / (fs::path(scene).filename().string() + ".json");
 }
 
-// A scene of one's own may have the name of one that ships.
+// A user's scene may have the name of a shipped one.
 bool differs_from_shipped(const std::string& scene) {
   const fs::path file = find_scene(scene, HAIR_SCENES_DIR),
                  shipped = fs::path(HAIR_SCENES_DIR) / file.filename();
@@ -89,8 +89,8 @@ struct Shown {
   bool of_reference = false;
 };
 
-// A folder's run, or a scene's, which is the reference's where exercises are missing. Nothing if these are
-// all that there is to show: then they are named.
+// The run of a folder or of a scene. If exercises are missing, it is the reference's run. Returns nothing,
+// and names the exercises, if they are all that the scene shows.
 std::optional<Shown> shown(const std::string& run, const Course& course, std::size_t most_points) {
   if (is_folder_of_run(run)) {
     const NamedMotion motion = of_folder(run);
@@ -114,7 +114,7 @@ std::optional<Shown> shown(const std::string& run, const Course& course, std::si
 
 int view_runs(const ViewOptions& options, const Course& course) {
   const bool folder = is_folder_of_run(options.run), with_reference = options.other == kReference;
-  // The reference's has few strands: colours that compare two runs need the same ones.
+  // The reference's run has few strands: the colours of two compared runs need the same ones.
   const std::size_t most_points = with_reference ? kMostPointsShipped : kMostPointsShown;
   if (with_reference && !folder && differs_from_shipped(options.run))
     throw BadInput(

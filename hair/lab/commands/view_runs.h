@@ -8,7 +8,7 @@ namespace hair {
 
 struct Course;
 
-// Instead of a run's name: the reference's run of the same scene, which comes along
+// Replaces a run's name: the reference's run of the same scene, which is part of the handout
 // (reference/golden/make_motion.cpp). A folder of this name is ./reference.
 inline constexpr const char* kReference = "reference";
 
@@ -18,8 +18,7 @@ struct ViewOptions {
   std::filesystem::path out;  // empty: view.html in the run's folder, or NAME.html for a scene
 };
 
-// A scene whose exercises are not all written is shown as the reference moves it. Returns the program's exit
-// code.
+// If not all exercises of a scene are written, shows the reference's run. Returns the program's exit code.
 int view_runs(const ViewOptions& options, const Course& course);
 
 }  // namespace hair

@@ -8,7 +8,7 @@
 namespace hair::head_study {
 namespace {
 
-// squares: of each strand, e_k^2; reordered.
+// squares: e_k^2 for each strand; this function reorders them.
 HeadError error_of(std::vector<double>& squares) {
   double sum = 0;
   for (const double square : squares) sum += square;

@@ -1,15 +1,14 @@
-// How far hair that is made of guides is from the same hair simulated.
+// The distance of hair made of guides from the same hair simulated.
 //
-// With d_ki the way from where point i of strand k is simulated to where it is made, in the head's axes, n
-// points to a strand:
+// With d_ki the difference between the made and the simulated position of point i of strand k, in the head's
+// axes, n points to a strand:
 //
 //   e_k   = sqrt(mean_i |d_ki|^2)          a strand's error at a moment
 //   rms   = sqrt(mean_k e_k^2)             of all strands, also those that are guides
 //   most  = the e_k that 95 % of the strands do not exceed: of K strands the ceil(0.95 K)-th from below
 //
 // A strand may have another shape than its neighbours from the start, and keep it. So there is also the error
-// of the motion alone: the same with d_ki less what it was at the start, as if each strand were given its own
-// shape once.
+// of the motion alone: d_ki less its value at the start, as if each strand were given its own shape once.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,16 +22,16 @@ struct HeadError {
 };
 
 struct HeadErrors {
-  HeadError start, end;   // as the head begins to move, and at the end
-  HeadError all, motion;  // of all moments but the start: the root mean square, and the highest `most`
+  HeadError start, end;   // when the head begins to move, and at the end
+  HeadError all, motion;  // all moments but the start: the root mean square, and the highest `most`
 };
 
 class HeadErrorTally {
  public:
   explicit HeadErrorTally(int points) : points_(points) {}
 
-  // At each moment in order, the start first: 3 numbers a point, strand after strand, at least one; `turn`:
-  // of the head since the start. Throws std::invalid_argument for spans of other sizes.
+  // Call this at each moment in order, the start first: 3 numbers a point, strand after strand, at least one;
+  // `turn`: the head's rotation since the start. Throws std::invalid_argument for spans of other sizes.
   void add(std::span<const double> made, std::span<const double> simulated, const Eigen::Matrix3d& turn);
 
   const HeadErrors& errors() const { return errors_; }

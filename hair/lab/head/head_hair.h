@@ -1,4 +1,4 @@
-// The hair of a head that is simulated strand by strand: what grows on the bust, and what it is at rest.
+// The hair of a head that is simulated strand by strand: its style on the bust, and its rest shape.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace hair::head_study {
 struct HeadHair {
   std::string id, title;  // "curly", "Curly hair"
   HairStyle style;
-  int points;   // of each strand
-  bool curved;  // at rest it is what it grew to; else straight, and lies as its weight and the head let it
+  int points;   // per strand
+  bool curved;  // its rest shape is the grown one; else it is straight, and falls onto the head
 };
 
-// Straight hair; the same without what differs from strand to strand by chance: directions, lengths, clumps,
-// strands that fly away; wavy and curly hair.
+// Straight hair; straight hair without random differences between strands (directions, lengths, clumps,
+// fly-aways); wavy and curly hair.
 const std::vector<HeadHair>& head_hairs();
 
 // Strands of `points` points each, in metres, in the head's axes.
@@ -31,7 +31,7 @@ struct GrownHead {
 // The same strands each time. Throws std::invalid_argument as grow_groom does.
 GrownHead grow_head(const Bust& bust, const HeadHair& hair, int strands);
 
-// The roots of some of them that are well spread: rising indices. All of them if there are no more.
+// The roots of `guides` strands that are well spread: ascending indices. All of them if there are no more.
 std::vector<std::size_t> choose_guides(const GrownHead& head, int guides);
 
 }  // namespace hair::head_study

@@ -10,8 +10,8 @@
 namespace hair::head_study {
 namespace {
 
-constexpr std::size_t kInterpolate = 0;  // of kModes
-constexpr double kLeast = 1e-6;          // of a figure: mm, and s
+constexpr std::size_t kInterpolate = 0;  // an index of kModes
+constexpr double kLeast = 1e-6;          // smallest value of a figure: mm, and s
 
 std::string mm(double metres) {
   return to_text(1e3 * metres);
@@ -60,7 +60,7 @@ std::string caption_of(const HeadCase& one, std::size_t mode) {
          " strands, " + mm(one.length) + " mm long in the mean";
 }
 
-// What a head costs, and how far off it is.
+// A head's costs and errors.
 Table table_of(const HeadCase& one) {
   Table table{
       caption_of(one, kInterpolate) + "; ms of CPU time for a second of motion, RMS distances of all moments",
@@ -85,7 +85,7 @@ void add_errors(const HeadCase& one, std::size_t mode, std::vector<Table>& table
   add_table(tables, rows, caption_of(one, mode) + "; errors in mm");
 }
 
-// Null: there is none.
+// Null if no run has this number of guides.
 const GuideRun* run_with(const HeadCase& one, int guides) {
   for (const GuideRun& run : one.runs)
     if (run.guides == guides) return &run;

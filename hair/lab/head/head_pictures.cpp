@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 720, kCells = 220;
 const Vector3d kView(0.85, 0.6, 0.2);
-constexpr double kChin = -0.13;  // m: what is lower is in the picture if hair is
+constexpr double kChin = -0.13;  // m: the picture shows the body below only as far as hair reaches
 
 // A head has a hundred thousand hairs of 80 micrometres. Fewer are drawn wider, so that they cover it as
 // well, but not wider than this.

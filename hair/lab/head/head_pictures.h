@@ -1,4 +1,4 @@
-// Pictures of a head in the middle of its motion: the same camera for hair that is made of few guides, of
+// Pictures of a head in the middle of its motion. The camera is the same for hair made of few guides, of
 // many, and simulated strand by strand.
 #pragma once
 
@@ -15,11 +15,11 @@ class HeadPictures {
   // Throws NoOpenGl.
   explicit HeadPictures(const Bust& bust);
 
-  // Forgets the camera: the next hair is that of another head.
+  // Forgets the camera: the next hair belongs to another head.
   void begin() { camera_.reset(); }
 
-  // At kPictured. points: 3 numbers each, strand after strand. The first that is drawn after begin() chooses
-  // the camera.
+  // Draws the moment kPictured. points: 3 numbers each, strand after strand. The first call after begin()
+  // chooses the camera.
   Image draw(std::span<const double> points, int points_of_strand);
 
  private:
@@ -28,7 +28,7 @@ class HeadPictures {
   std::optional<Camera> camera_;
 };
 
-// The numbers of guides that are drawn, of those that are studied: 100 or the fewest, 1,000 or the most.
+// The numbers of guides in pictures, out of those studied: 100 or the fewest, 1,000 or the most.
 struct PicturedGuides {
   int few, many;
 };

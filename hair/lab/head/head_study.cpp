@@ -8,7 +8,7 @@
 namespace hair::head_study {
 namespace {
 
-// The head's strands, or its guides, as they move.
+// The head's strands, or its guides, in motion.
 class Moved {
  public:
   Moved(const GrownHead& head, std::span<const std::size_t> which, const MovingHeadSettings& settings)
@@ -45,7 +45,7 @@ class GuidedHead {
     if (counts) run_.simulation += took;
   }
 
-  // Compares what synthesis makes of the guides, which goes to `made`, with what is simulated.
+  // Makes strands by synthesis into `made`, and compares them with the simulated ones.
   void compare(const ScalpTurn& turn, std::span<const double> simulated, bool counts, const SeeHead& see,
                std::span<double> made) {
     const std::span<const double> guides = guides_.points();
@@ -76,7 +76,7 @@ class GuidedHead {
 
   GuideRun run_;
   Moved guides_;
-  std::vector<std::unique_ptr<Synthesis>> synthesis_;  // of each mode, as are the tallies
+  std::vector<std::unique_ptr<Synthesis>> synthesis_;  // one for each mode, as are the tallies
   std::vector<HeadErrorTally> tallies_;
 };
 

@@ -1,9 +1,9 @@
-// Every strand of a head, or some of them with the others made by synthesis (H10): the error of that, and the
-// run time of both. As plain data.
+// Every strand of a head simulated, or some of them with the others made by synthesis (H10): the error of
+// synthesis, and the run time of both. As plain data.
 //
-// All sets of guides move beside the whole head, frame by frame, so that no motion is kept. Times are CPU
-// times of all threads, s, for the second in which the head moves. Finding a strand's guides is not in them:
-// it is done once.
+// All sets of guides move together with the whole head, frame by frame, so that no motion is stored. Times
+// are CPU times of all threads, s, for the second in which the head moves. They exclude the search for a
+// strand's guides, which is done once.
 #pragma once
 
 #include <array>
@@ -44,40 +44,40 @@ struct GuideRun {
 struct HeadCase {
   const HeadHair* hair = nullptr;
   bool collides = false;
-  bool fast = false;  // by the engine, else by the exercises
+  bool fast = false;  // by the engine; else by the exercises
   int strands = 0;
-  double length = 0;   // m, of a strand, in the mean
-  double seconds = 0;  // of every strand simulated
+  double length = 0;   // m, the mean of all strands
+  double seconds = 0;  // for every strand simulated
   std::vector<GuideRun> runs;
 };
 
 // A picture of hair that was interpolated, or of all strands simulated.
 struct HeadPicture {
   std::string hair, file;  // the hair's id; "straight-few.png"
-  int guides = 0;          // as many as strands: each is simulated
+  int guides = 0;          // equals the number of strands if each is simulated
 };
 
 struct HeadStudy {
   int threads = 1;
   std::vector<HeadCase> cases;
   std::vector<HeadPicture> pictures;
-  std::string no_pictures;  // why there are none; empty: there are
+  std::string no_pictures;  // the reason why there are none; empty: there are pictures
 };
 
 struct HeadStudySettings {
   bool collides = true;
   int threads = 1;
-  std::vector<int> guides;  // those that are more than strands are left out
+  std::vector<int> guides;  // sets with more guides than strands are left out
 };
 
 // In the middle of the way back.
 inline constexpr int kPictured = kSettle + 22;
 
-// What is called there: interpolated from so many guides, or all strands simulated, if these are as many. 3
-// numbers a point.
+// Gets the points at kPictured: interpolated from so many guides, or all strands simulated, if their number
+// is as large. 3 numbers a point.
 using SeeHead = std::function<void(int guides, std::span<const double> points)>;
 
-// Empty if interrupted. `say` is told what is being done; `see` may be empty.
+// Empty if interrupted. Calls `say` with the present task; `see` may be empty.
 std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, const GrownHead& head,
                                    const HeadStudySettings& settings, const std::atomic<bool>& interrupted,
                                    const std::function<void(const std::string&)>& say, const SeeHead& see);

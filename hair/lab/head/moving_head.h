@@ -16,8 +16,8 @@ namespace hair::head_study {
 
 inline constexpr double kFramesPerSecond = 30;
 inline constexpr int kStepsPerFrame = 2;
-inline constexpr double kDrag = 2e-4;     // N s/m^2: for each metre of hair
-inline constexpr double kFriction = 0.2;  // Coulomb's mu, of the head
+inline constexpr double kDrag = 2e-4;     // N s/m^2, per metre of hair
+inline constexpr double kFriction = 0.2;  // Coulomb's mu of the head
 
 // It waits for kSettle frames, in which hair settles; then it turns to one side and back within kMoving
 // frames.
@@ -28,7 +28,7 @@ Motion turn_of_head();
 class MovingHead {
  public:
   virtual ~MovingHead() = default;
-  // To the next frame. Throws std::runtime_error if a strand breaks; passes on what exercises throw.
+  // Goes to the next frame. Throws std::runtime_error if a strand breaks; passes on exercises' exceptions.
   virtual void advance() = 0;
   // Strand after strand, 3n numbers each, m.
   virtual void read(std::span<double> points) const = 0;
@@ -40,12 +40,12 @@ struct MovingHeadSettings {
   int threads = 1;
 };
 
-// `which` of the head's strands: rising. With H1, H2 (of straight hair) and H4.
+// `which` of the head's strands: ascending. With H1, H2 (for straight hair) and H4.
 std::unique_ptr<MovingHead> given_head(const GrownHead& head, std::span<const std::size_t> which,
                                        const MovingHeadSettings& settings);
 
-// The engine: straight hair only; it also corrects lengths. Defined by the program: has_fast_head is false,
-// and fast_head returns null, in one that has none.
+// The engine: straight hair only; it also corrects lengths. The program defines both functions. Without an
+// engine, has_fast_head is false and fast_head returns null.
 bool has_fast_head();
 std::unique_ptr<MovingHead> fast_head(const GrownHead& head, std::span<const std::size_t> which,
                                       const MovingHeadSettings& settings);

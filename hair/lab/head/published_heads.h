@@ -1,4 +1,4 @@
-// What others report of heads with many strands: their numbers, on their machines, of their scenes.
+// Published numbers of heads with many strands, on other machines and of other scenes.
 #pragma once
 
 #include "hair/io/plot/page.h"

@@ -9,7 +9,7 @@ namespace hair::phase {
 
 namespace {
 
-// A particle whose third number is the angle: code that forgets the factor 3 leaves it where it is.
+// A particle whose third number is the angle: code that forgets the factor 3 does not move it.
 class Pendulum : public particles::Dynamics {
  public:
   void acceleration(particles::Input x, particles::Input, particles::Output a) override {

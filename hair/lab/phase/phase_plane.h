@@ -20,10 +20,10 @@ struct State {
 
 struct Motion {
   std::string method;              // "forward Euler"
-  std::string should;              // how it should look
+  std::string should;              // its expected look
   int should_evaluate = 1;         // accelerations, a step
   double should_end = 1;           // energy at the end, of small swings
-  long evaluations = 0;            // of all steps, counted
+  long evaluations = 0;            // counted, for all steps
   std::vector<State> states = {};  // at the beginning, and after each step
 };
 

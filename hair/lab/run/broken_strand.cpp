@@ -10,7 +10,7 @@ namespace hair {
 namespace {
 
 const Colour kRed(0.8f, 0.02f, 0.02f);               // linear
-constexpr double kBorder = 0.95, kThickness = 5e-3;  // of the picture's half, of the target's distance
+constexpr double kBorder = 0.95, kThickness = 5e-3;  // times half a picture, and the target's distance
 
 }  // namespace
 

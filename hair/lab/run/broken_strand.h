@@ -6,8 +6,8 @@
 
 namespace hair {
 
-// Makes a strand red, thick and visible: points outside of the view are brought to its border. `strand`: its
-// place in the drawing; there is none of that number where dense hair is drawn.
+// Makes a strand red, thick and visible: moves points outside of the view to its border. `strand`: its index
+// in the drawing; dense hair has no such index.
 void mark_broken(Drawing& drawing, int strand, const Camera& camera, double aspect);
 
 }  // namespace hair

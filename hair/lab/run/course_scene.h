@@ -1,4 +1,4 @@
-// The scene that a command names, if the course has what it calls.
+// The scene that a command names, if its exercises are in the course.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 namespace hair {
 
 // `name`: a file, or the name of a shipped scene. Throws BadInput for a scene that can't be read, and for one
-// that calls an exercise that the course leaves out.
+// that calls an exercise that is not in the course.
 Scene read_course_scene(const std::string& name, const Course& course);
 
-// The same, of a scene that is not played: with few of its strands.
+// The same for a scene that is not run: with few of its strands.
 Scene read_course_outline(const std::string& name, const Course& course);
 
 }  // namespace hair

@@ -119,7 +119,7 @@ void explain_toys(const Scene& scene, Parts& parts) {
             any ? "no toy has rods or wires" : none);
 }
 
-// What acts on hair and toys alike.
+// Forces on both hair and toys.
 void explain_surroundings(const Scene& scene, Parts& parts) {
   const Description& hair = scene.hair;
   const bool any = has_strands(scene);
@@ -146,7 +146,7 @@ void explain_clearance(const Scene& scene, bool render, std::size_t strands, Par
                              : "ribbons are drawn as they are made");
 }
 
-// How many guides are not simulated, if the exercise that finds it is written.
+// The number of guides that are not simulated, if the exercise that finds it is written.
 std::string guides_left_out(const Scene& scene) {
   try {
     const std::size_t idle = idle_guides(scene, SceneDrawing(scene, {}, cache_folder())).size();
@@ -156,7 +156,7 @@ std::string guides_left_out(const Scene& scene) {
   }
 }
 
-// How many dense strands the first picture does not make, if the exercises that make it are written.
+// The number of dense strands that the first picture leaves out, if the exercises for them are written.
 std::string dense_out_of_view(const Scene& scene) {
   try {
     const Playback playback(scene);
@@ -181,7 +181,7 @@ void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
             strands > 0 ? "--no-render" : "strands are drawn as they are");
   explain_clearance(scene, render, strands, parts);
   const std::string idle = drawn ? guides_left_out(scene) : "";
-  // Its part is the work that they would be.
+  // Its part is the work that these guides would take.
   parts.add("unseen guides", drawn && idle.empty(),
             "none: all are simulated, for pictures may show each, or links couple them",
             drawn                 ? idle + " are not simulated"

@@ -12,14 +12,14 @@ namespace hair {
 struct Part {
   std::string name;                 // "bending"
   bool used = false, stub = false;  // stub: an exercise that the scene calls and that is not written
-  std::string why;                  // what it does, or why it is not used
+  std::string why;                  // its effect, or why it is not used
 };
 
 // All existing parts, and the course's exercises, in the same order for each scene; `render` as in
 // RunSettings.
 std::vector<Part> explain(const Scene& scene, bool render, const Course& course);
 
-// One line for each part: "bending             used      H2: angular springs, ..."; of an exercise that is not written "stub".
+// One line for each part: "bending    used    H2: angular springs, ..."; "stub" for an unwritten exercise.
 std::string explanation(const std::vector<Part>& parts);
 
 }  // namespace hair

@@ -9,7 +9,7 @@ namespace hair {
 
 namespace {
 
-// A signal handler has nothing else that it may touch.
+// A signal handler may touch nothing else.
 std::atomic<bool> caught = false;
 std::atomic<const char*> first_message = "";
 

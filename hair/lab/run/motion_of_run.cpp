@@ -36,7 +36,7 @@ std::string motion_json(const Scene& scene, const RunRecord& record, const Camer
     before = frame.work;
   }
   story.series = {energy, kinetic, stretch};
-  // Only what the scene has.
+  // Only series of the scene's parts.
   if (before.solver_steps > 0) story.series.push_back(solver);
   if (before.correction_steps > 0) story.series.push_back(corrections);
   if (before.contacts > 0) story.series.push_back(contacts);

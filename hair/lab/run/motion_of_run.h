@@ -1,4 +1,4 @@
-// motion.json of a run (hair/view/motion.h): what its page shows.
+// motion.json of a run (hair/view/motion.h): the content of its page.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace hair {
 
 inline constexpr const char* kMotionFile = "motion.json";
 
-// "strand 3, step 17: filter" is of strand 3; -1: of none.
+// 3 for "strand 3, step 17: filter"; -1 if the text names no strand.
 int strand_of(const std::string& blow_up);
 
-// measured: with energies and so on, which are of all strands.
+// measured: with energies and other values, which belong to all strands.
 std::string motion_json(const Scene& scene, const RunRecord& record, const Camera& camera,
                         const MotionFrames& frames, bool measured = true);
 

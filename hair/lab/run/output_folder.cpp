@@ -68,7 +68,7 @@ void check_replaceable(const fs::path& folder, const OutputKind& kind) {
                          kind.command + "; move it away, or give another folder");
 }
 
-// What runs into this folder left behind that could not clean up: killed, or out of power.
+// Removes remains of runs into this folder that could not clean up: killed, or out of power.
 void remove_remains(const fs::path& folder) {
   const std::string prefix = kTemporary.data() + folder.filename().string() + "-";
   std::error_code ignored;
@@ -123,7 +123,7 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::clean_up() const {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
-  for (const fs::path& above : above_) rmdir(above.c_str());  // no more than an empty folder
+  for (const fs::path& above : above_) rmdir(above.c_str());  // removes only empty folders
 }
 
 fs::path OutputFolder::earlier_record() const {
@@ -134,7 +134,7 @@ fs::path OutputFolder::earlier_record() const {
 }
 
 void OutputFolder::keep() {
-  check_replaceable(folder_, kind_);  // it may have changed meanwhile
+  check_replaceable(folder_, kind_);  // the folder may have changed meanwhile
   std::error_code error;
   const fs::path before = temporary_.string() + "-before";
   const bool replaces = fs::exists(folder_, error);

@@ -1,4 +1,4 @@
-// A folder that appears complete or not at all. Until then its files lie in a hidden folder beside it.
+// A folder that appears complete or not at all. Until then its files lie in a hidden folder next to it.
 // Missing parent folders are made, and removed again if they are empty at the end.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace hair {
 
-// How to recognise the output of a command in a folder. A command replaces only its own earlier output.
+// Recognises the output of a command in a folder. A command replaces only its own earlier output.
 struct OutputKind {
   std::string command;             // "hairlab run"
   std::string record;              // this file always exists
@@ -29,8 +29,8 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  std::filesystem::path now(const std::string& name) const { return temporary_ / name; }  // where a file lies
-  std::filesystem::path then(const std::string& name) const { return folder_ / name; }    // where it will be
+  std::filesystem::path now(const std::string& name) const { return temporary_ / name; }  // until keep()
+  std::filesystem::path then(const std::string& name) const { return folder_ / name; }    // afterwards
   const std::filesystem::path& path() const { return folder_; }
 
   // The record of the earlier study in this folder, to continue it. Throws BadInput if there is none.
@@ -44,10 +44,10 @@ class OutputFolder {
 
   OutputKind kind_;
   std::filesystem::path folder_, temporary_;
-  std::vector<std::filesystem::path> above_;  // those that were made, the innermost first
+  std::vector<std::filesystem::path> above_;  // the folders that were made, the innermost first
 };
 
-// A file of the folder at once. Throws BadInput if it can't be written.
+// Writes a whole file of the folder at once. Throws BadInput if it can't be written.
 void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes);
 
 // "frame-0007.png"

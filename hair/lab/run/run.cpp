@@ -31,8 +31,8 @@ std::unique_ptr<Playback> assemble(const Scene& scene) {
   }
 }
 
-// A renderer if pictures are asked for and this machine can draw; else why there are none. It loads the
-// OpenGL libraries, so runs without pictures don't.
+// A renderer if pictures are asked for and this machine can draw; else the record gets the reason. It loads
+// the OpenGL libraries, so runs without pictures don't.
 std::unique_ptr<Renderer> prepare_renderer(const Scene& scene, const RunSettings& settings,
                                            const SceneDrawing& drawing, RunRecord& record,
                                            std::ostream& notes) {
@@ -55,14 +55,14 @@ std::unique_ptr<Renderer> prepare_renderer(const Scene& scene, const RunSettings
   return {};
 }
 
-// As the scene is drawn where nobody asks for its dense hair: H10 is not called.
+// The scene without dense hair, so that its drawing does not call H10.
 Scene without_dense_hair(Scene scene) {
   scene.dense.clear();
   scene.still.clear();
   return scene;
 }
 
-// Where frames go.
+// Writes the frames of a run.
 class FrameWriter {
  public:
   FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback,
@@ -81,7 +81,7 @@ class FrameWriter {
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands),
         motion_(record.frames_asked + 1, most_points) {}
 
-  // Where the playback is now.
+  // Adds the present frame.
   void add() {
     Seconds& seconds = record_.seconds;
     const particles::State state = playback_.state(), lines = playback_.centre_lines(state);
@@ -105,13 +105,13 @@ class FrameWriter {
     laps_.book(seconds.png);
   }
 
-  // s, of all pictures so far.
+  // s, for all pictures so far.
   double rendering() const {
     const RenderTimes& times = renderer_->times();
     return times.upload + times.shadow + times.draw + times.read_back;
   }
 
-  // The last picture again, with the strand that broke after it in red.
+  // Draws the last picture again, with the strand that broke after it in red.
   void show_broken(int strand) {
     if (!renderer_ || !scene_.dense.empty()) return;
     const RenderSettings settings = drawing_.settings();

@@ -1,4 +1,4 @@
-// Plays a scene and writes the results into a folder: states, measures, pictures, a film.
+// Runs a scene and writes the results into a folder: states, measures, pictures, a film.
 #pragma once
 
 #include <atomic>
@@ -19,12 +19,12 @@ struct RunSettings {
   std::optional<int> frames;  // after the first one; overrides the scene's number
   bool render = true;         // if the scene has a look
   bool draws =
-      false;  // without pictures, too, the page shows dense hair, which needs H10; `render` says so as well
-  std::size_t most_points = kMostPointsShown;  // of the page, in all frames: more leave strands out
-  // Strands that the page leaves out are not simulated, where none moves another or makes dense hair;
-  // energies, which would be of some strands alone, are left out, too.
+      false;  // without pictures the page needs this to show dense hair, which calls H10; `render` implies it
+  std::size_t most_points = kMostPointsShown;  // for the page, in all frames: more points leave strands out
+  // Does not simulate strands that the page leaves out, if none moves another or makes dense hair.
+  // Energies of some strands alone would mislead and are left out, too.
   bool only_shown = false;
-  double read_seconds = 0;  // what it took to read the scene
+  double read_seconds = 0;  // the time that reading the scene took
 };
 
 struct RunResult {

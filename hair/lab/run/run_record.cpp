@@ -30,7 +30,7 @@ std::string text_of(const Work& work) {
                       {"penetration", json_text(work.penetration)}});
 }
 
-// The work since the frame before.
+// The work since the previous frame.
 std::string text_of(long k, const FrameRecord& frame, const Work& before) {
   return json_object({{"frame", json_text(k)},
                       {"time", json_text(frame.time)},
@@ -90,7 +90,7 @@ std::string dense_text(const RunRecord& record) {
          ", \"guides_left_out\": " + json_text(static_cast<long>(record.guides_left_out)) + "}";
 }
 
-// Which links broke at which step is in states.bin.
+// states.bin holds the broken links and their steps.
 std::string links_text(const RunRecord& record) {
   if (!record.links) return "null";
   const LinksFile& links = *record.links;

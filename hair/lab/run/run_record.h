@@ -23,9 +23,9 @@ struct FrameRecord {
 
 // The duration of each stage, s. Together they are `total`.
 struct Seconds {
-  double read = 0, assemble = 0, prepare = 0;   // the scene; what moves; what draws it
+  double read = 0, assemble = 0, prepare = 0;   // the scene; the moving objects; the drawing
   double simulate = 0, measure = 0, write = 0;  // states
-  double lay_out = 0;                           // what a picture has: dense hair, out of obstacles
+  double lay_out = 0;                           // the content of a picture: dense hair, out of obstacles
   double upload = 0, shadow = 0, draw = 0, read_back = 0, png = 0;
   double film = 0;
   double total = 0;
@@ -45,8 +45,8 @@ struct RunRecord {
   // The reason why there are none, or nothing.
   std::optional<std::string> no_pictures, no_film;
   std::string opengl;                    // the renderer's name
-  std::optional<SynthesisCounts> dense;  // of the last picture's dense hair; none without any
-  long moved_out = 0;                    // of these strands, out of obstacles
+  std::optional<SynthesisCounts> dense;  // for the last picture's dense hair; none without any
+  long moved_out = 0;                    // the number of these strands that were moved out of obstacles
   std::size_t guides_left_out = 0;       // guides that were not simulated, since no picture shows them
 
   Seconds seconds;

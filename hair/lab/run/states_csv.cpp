@@ -8,7 +8,7 @@ namespace hair {
 
 namespace {
 
-// Fields, with a comma between them. The memory is used again by the next line.
+// Fields, with a comma between them. The next line reuses the memory.
 class Line {
  public:
   void begin() {

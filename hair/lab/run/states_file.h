@@ -9,12 +9,12 @@
 //   zeros       up to a multiple of 8 bytes from the start
 //   f times     f64 time (s), f64 x 3n coordinates, f64 x 3n of their rates (1/s)
 //
-// Only if a control mesh links the strands, then comes which of its links broke when:
+// Only if a control mesh links the strands, the broken links follow:
 //
 //   8 bytes     "BROKEN 1"
 //   u32 l, b    links, and how many of them broke; b <= l
 //   u32 x 2l    the particles of each link, counted through all strands
-//   b times     u64 step (from 1), u64 link (from 0): it broke at this step's end; in this order, each link once
+//   b times     u64 step (from 1), u64 link (from 0): broken at the step's end; in this order, each once
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@
 namespace hair {
 
 struct LinksFile {
-  std::vector<std::array<int, 2>> particles;  // of each link
+  std::vector<std::array<int, 2>> particles;  // for each link
   std::vector<BrokenLink> broken;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace solver::study;
 
-// What a system is called in a legend.
+// Gives a history its name in a legend.
 using Named = std::string (*)(const History&);
 
 std::string system_name(const History& history) {
@@ -25,8 +25,8 @@ std::string step_name(const History& history) {
   return step_of(history.system);
 }
 
-// ConjGrad on all systems; or all solvers, and the direct way against time, on the first, the middle and the
-// last system: all of them would hide each other, and are in the tables.
+// ConjGrad on all systems; or all solvers, and the direct solve against time, on the first, the middle and
+// the last system: all systems together would hide each other, and the tables have them.
 enum class Drawn { conj_grad, all_solvers };
 
 Figure figure_of(Drawn drawn, const std::vector<Compared>& systems, Named named, const std::string& id,
@@ -59,7 +59,7 @@ Figure figure_of(Drawn drawn, const std::vector<Compared>& systems, Named named,
   return figure;
 }
 
-// The tables have all solvers, and the direct way where there is one.
+// The tables have all solvers, and the direct solve if there is one.
 std::vector<Table> tables_of(const std::vector<Compared>& systems, const std::string& caption) {
   std::vector<Table> tables = {table_of(convergence_rows(systems), caption)};
   add_table(tables, direct_rows(systems), "A direct way on the same systems");

@@ -9,7 +9,7 @@ using namespace solver::study;
 
 namespace {
 
-// How many of the 16 decimal digits of a double are right.
+// The number of correct digits, out of a double's 16 decimal ones.
 Value digits_left(double error) {
   return std::isfinite(error) ? Value(std::round(10 * std::max(0.0, -std::log10(error))) / 10) : Value();
 }

@@ -2,7 +2,7 @@
 // solver.json:
 //
 //   program, quick, machine, format, seconds, left_out (null, or why there are no normal equations)
-//   paths               places of a path over a bowl: solver, condition, steps, x (first, second), height above
+//   paths               places of a path over a bowl: solver, condition, steps, x (two numbers), height above
 //                       the bottom, relative to the right first guess
 //   convergence         histories: family, system, solver, unknowns, condition, and progress: iterations,
 //                       products, error (in the A-norm, relative to the first guess), squared_residual and
@@ -33,7 +33,7 @@ Row row_of_needed(const solver::study::IterationsNeeded& needed);
 Row row_of_digits(const solver::study::DigitsLost& digits);
 Row row_of_cost(const solver::study::ProductCost& cost);
 
-// The rows of all systems have a history's columns, then those of its progress; and the direct ways.
+// The rows of all systems have a history's columns, then those of its progress; and the direct solves.
 std::vector<Row> convergence_rows(const std::vector<solver::study::Compared>& systems);
 std::vector<Row> direct_rows(const std::vector<solver::study::Compared>& systems);
 

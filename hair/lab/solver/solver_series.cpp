@@ -12,7 +12,7 @@ namespace {
 
 using namespace solver::study;
 
-constexpr double kZero = 1e-34;  // where what is exactly zero stands on a logarithmic axis
+constexpr double kZero = 1e-34;  // stands for an exact zero on a logarithmic axis
 
 std::string note_of(const Progress& progress) {
   return std::to_string(progress.iterations) + " iterations, " + std::to_string(progress.products) +

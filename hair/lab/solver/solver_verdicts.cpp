@@ -11,7 +11,7 @@ namespace {
 
 using namespace solver::study;
 
-constexpr double kAboveRounding = 1e-9;  // errors that rounding has no part in
+constexpr double kAboveRounding = 1e-9;  // larger errors contain no rounding
 constexpr double kGood = 1e-10;
 
 // "a, b and c"
@@ -22,7 +22,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-// Where the error first is below kGood; null: never.
+// The first progress with an error below kGood; null if there is none.
 const Progress* good(const History& history) {
   const auto found = std::find_if(history.progress.begin(), history.progress.end(),
                                   [](const Progress& one) { return one.error <= kGood; });
@@ -45,7 +45,7 @@ std::string bound_verdict(const std::vector<Compared>& systems) {
   std::vector<std::string> above;
   for (const Compared& on : systems) {
     const History& history = on.conj_grad;
-    // A number that is none is above, too.
+    // NaN counts as above, too.
     const auto points =
         std::count_if(history.progress.begin(), history.progress.end(), [&](const Progress& one) {
           return !(one.error <= std::max(kAboveRounding, error_bound(history.condition, one.iterations)));

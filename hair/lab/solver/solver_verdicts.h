@@ -9,7 +9,7 @@
 
 namespace hair::solver_lab {
 
-// Whether ConjGrad's errors are below the theory's bound, as long as they are well above rounding.
+// Compares ConjGrad's errors with the theory's bound, as long as they are well above rounding.
 std::string bound_verdict(const std::vector<solver::study::Compared>& systems);
 
 // The iterations that ConjGrad took for each system.
@@ -21,10 +21,10 @@ std::string time_verdict(const std::vector<solver::study::Compared>& systems);
 // The iterations that ConjGrad took with and without the preconditioner.
 std::string preconditioned_verdict(const std::vector<solver::study::Compared>& systems);
 
-// Whether ConjGrad took more iterations than the bound, compared with Eigen's.
+// Names systems for which ConjGrad took more iterations than the bound, compared with Eigen's.
 std::string needed_verdict(const std::vector<solver::study::IterationsNeeded>& needed);
 
-// Where the normal equations used all iterations; empty if nowhere.
+// Names systems for which the normal equations used all iterations; empty if there are none.
 std::string stopped_verdict(const std::vector<solver::study::DigitsLost>& digits);
 
 // "h = 10 ms" of "strand, h = 10 ms".

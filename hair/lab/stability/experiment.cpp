@@ -7,7 +7,7 @@ namespace hair {
 
 namespace {
 
-// Energies of the modes in one direction, J, for places relative to those at rest.
+// Energies of the modes in one direction, J, for positions relative to those at rest.
 Eigen::VectorXd energies_in(const Modes& modes, const Hanging& hanging, const particles::State& state,
                             const Vector3d& direction) {
   const Eigen::Index n = hanging.mass.size();
@@ -49,7 +49,7 @@ double oscillator_energy(double omega, double gamma, double t) {
     x = std::exp(-half * t) * std::sin(w * t) / w;
     v = std::exp(-half * t) * std::cos(w * t) - half * x;
   } else {
-    // The slow root, -half + w, loses its digits where drag is strong: it is -omega^2 / (half + w).
+    // With strong drag the slow root, -half + w, loses its digits: it is -omega^2 / (half + w).
     const double fast = -half - w, slow = -omega * omega / (half + w);
     const double e_fast = std::exp(fast * t), e_slow = std::exp(slow * t);
     x = (e_slow - e_fast) / (2 * w);

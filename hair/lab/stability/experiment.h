@@ -31,9 +31,9 @@ enum class Fate { stable, damped_out, wrong, blown_up };
 inline constexpr int kFates = 4;
 const char* fate_name(Fate fate);
 
-inline constexpr double kWrongGrowth = 100;  // of a mode's energy
-inline constexpr double kLostEnergy = 0.1;   // of the expected energy
-inline constexpr double kStillThere = 0.01;  // of the disturbance's energy, after drag
+inline constexpr double kWrongGrowth = 100;  // times a mode's energy
+inline constexpr double kLostEnergy = 0.1;   // part of the expected energy
+inline constexpr double kStillThere = 0.01;  // part of the disturbance's energy, after drag
 inline constexpr int kLooks = 32;            // equally spaced moments in a run
 
 struct Outcome {

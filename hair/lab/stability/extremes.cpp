@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kStepsOfAll[] = {1.0 / 60, 1.0 / 240};
 
-// The hair at rest lengths times `stretch`, straight along a direction, or folded to and fro along it.
+// The hair at rest lengths times `stretch`, straight along a direction, or folded back and forth along it.
 void lay(StrandStart& start, const Vector3d& direction, double stretch, bool folded) {
   for (int i = 1; i < start.strand.count(); ++i) {
     const double way = (folded && i % 2 == 0 ? -1 : 1) * stretch * start.strand.rest_length[i - 1];
@@ -111,7 +111,7 @@ std::vector<ExtremeRun> run_extremes(const Description& hair, const StudyMethod&
       add(h, {});
     }
     if (method.is_explicit()) {
-      // Where a method has no limit without drag, half of RK4's, the largest of all.
+      // If a method has no limit without drag, it gets half of RK4's, the largest of all.
       const Oscillator fastest{hang(description, 1, false).fastest()};
       const double limit = explicit_limit(method.method, fastest);
       if (limit > 0)

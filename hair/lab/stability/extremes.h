@@ -1,5 +1,5 @@
-// How each method behaves in extreme cases: hair that is folded, crushed, torn, flung, hung with a weight, or
-// made stiff.
+// The behaviour of each method in extreme cases: hair that is folded, crushed, torn, flung, hung with a
+// weight, or made stiff.
 //
 // There is no drag, so the true motion keeps its energy. Energies are relative to hair that hangs at rest,
 // and velocities relative to the root, which moves steadily. The classes have the same names as in the maps:

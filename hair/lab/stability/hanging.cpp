@@ -16,9 +16,9 @@ namespace hair {
 
 namespace {
 
-constexpr double kOfTension = 0.01;    // of a segment's tension, which the disturbance may add or take
-constexpr double kLargestTurn = 1e-3;  // of the strand, by the disturbance
-constexpr double kSlackStrain = 1e-9;  // where there is no tension
+constexpr double kOfTension = 0.01;    // the part of a segment's tension that the disturbance may add or take
+constexpr double kLargestTurn = 1e-3;  // rad, the strand's turn by the disturbance
+constexpr double kSlackStrain = 1e-9;  // for segments without tension
 constexpr double kAboveRounding = 100 * std::numeric_limits<double>::epsilon();
 
 // -df/dx between all free particles, in one direction each.
@@ -56,14 +56,14 @@ Description with_products(const Description& hair, const StrandStart& start, Geo
   return one;
 }
 
-// The change from each free particle to the one above it, of each column; the root does not move.
+// The change from the particle above to each free particle, for each column; the root does not move.
 Eigen::MatrixXd differences(const Eigen::MatrixXd& shape) {
   Eigen::MatrixXd result = shape;
   result.bottomRows(shape.rows() - 1) -= shape.topRows(shape.rows() - 1);
   return result;
 }
 
-// The most that each segment changes by, with all modes at once at an energy of 1/2 J each.
+// The largest change of each segment, with all modes at once at an energy of 1/2 J each.
 Eigen::VectorXd most_of(const Modes& modes) {
   return (differences(modes.shape).cwiseAbs() * modes.omega.cwiseInverse()).eval();
 }
@@ -92,7 +92,7 @@ Hanging hang(const Description& hair, double stiffness, bool keeps_lengths) {
   strand.root_tangent = hanging.down;
   const int n = strand.count();
   hanging.mass = strand.mass.tail(n - 1);
-  // Drag and mass are shared out among particles in the same way (force_parts.cpp).
+  // Drag and mass are divided among particles in the same way (force_parts.cpp).
   hanging.drag_per_mass = strand.rest_length[n - 2] / 2 / strand.mass[n - 1];
 
   particles::State& state = start.state;
@@ -103,7 +103,7 @@ Hanging hang(const Description& hair, double stiffness, bool keeps_lengths) {
 
   const Simulation simulation(with_products(hair, start, GeometricTerm::full, Products::exact));
   const particles::Force& force = simulation.force(0);
-  // Straight springs in a line are linear: the second step takes away what the first one's rounding left.
+  // Straight springs in a line are linear: the second step removes the first one's rounding errors.
   for (int k = 0; k < 2; ++k) {
     const Eigen::LDLT<Eigen::MatrixXd> solver(stiffness_in(force, state, hanging.down));
     const Eigen::VectorXd pivots = solver.vectorD();
@@ -139,7 +139,7 @@ Disturbance disturb(const Hanging& hanging) {
   const Strand& strand = hanging.start.strand;
   const int n = strand.count();
   double speed =
-      std::numeric_limits<double>::infinity();  // of every mode, sqrt(kg) m/s: its energy is half the square
+      std::numeric_limits<double>::infinity();  // for every mode, sqrt(kg) m/s: its energy is half the square
   const Eigen::VectorXd turns = most_of(hanging.across_modes).cwiseQuotient(strand.rest_length);
   speed = std::min(speed, kLargestTurn / turns.maxCoeff());
   if (!hanging.keeps_lengths) {
@@ -151,7 +151,7 @@ Disturbance disturb(const Hanging& hanging) {
       const double strain = length / strand.rest_length[i] - 1;
       along = std::min(along, std::max(kOfTension * strain, kOfTension * kSlackStrain) / strains[i]);
     }
-    // The fastest mode's way must stand out of the rounding of places.
+    // The fastest mode's displacement must exceed the rounding of positions.
     const double way = hanging.along_modes.shape.cwiseAbs().maxCoeff() / hanging.along_modes.omega.maxCoeff();
     speed = std::min(speed, std::max(along, kAboveRounding * strand.rest_length.sum() / way));
   }

@@ -22,7 +22,7 @@ struct Modes {
 
 struct Hanging {
   StrandStart start;      // at rest; the root, particle 0, is at the origin
-  Vector3d down, across;  // of length 1
+  Vector3d down, across;  // unit vectors
   Eigen::VectorXd mass;   // kg, of all particles except the root
   Modes along_modes, across_modes;
   double drag_per_mass = 0;    // 1/s, for a drag of 1 N s/m^2: gamma is this times the description's drag

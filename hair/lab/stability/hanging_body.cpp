@@ -19,12 +19,12 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr int kRoot = 3;  // coordinates
-// rad, that the disturbance turns an element by: angles a about two axes across turn it by a^2/2 about
-// itself, which must stay small beside what it twists by, up to a ten-thousandth of a.
+constexpr int kRoot = 3;  // coordinates of the root
+// rad, the disturbance's turn of an element: angles a about two axes across turn it by a^2/2 about itself,
+// which must stay small compared with its twist, at most a ten-thousandth of a.
 constexpr double kLargestAngle = 1e-6;
-constexpr double kSmall = 1e-4;       // rad: energies are square to 1e-8, and rounding leaves as much
-constexpr double kLeastPart = 1e-12;  // of the fastest square frequency: below it there is only rounding
+constexpr double kSmall = 1e-4;       // rad: energies are quadratic to 1e-8, and rounding errors are as large
+constexpr double kLeastPart = 1e-12;  // part of the fastest square frequency: smaller ones are rounding
 
 Description alone(const Description& hair, const ModelledStrand& strand) {
   Description one = hair;
@@ -72,7 +72,7 @@ MatrixXd inertia_of(const Body& body, const VectorXd& rest) {
   });
 }
 
-// The integral of v^2 along the line, for which velocities are linear between its points, m^3/s^2.
+// The integral of v^2 along the line, m^3/s^2, with velocities linear between its points.
 double squares_along(const Body& body, const VectorXd& rest, const VectorXd& rates) {
   VectorXd x(3 * body.points()), v(x.size());
   body.centre_line(rest, rates, x, v);

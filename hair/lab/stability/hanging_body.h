@@ -1,9 +1,10 @@
-// A strand that its model divides, hanging at rest: what hanging.h is for masses and springs. Only its body
-// is asked. With q the small change of its coordinates, those of the root left out, its energies are
+// A strand that its model divides, hanging at rest, as in hanging.h for masses and springs. It is measured
+// only through its body. With q the small change of its coordinates, except those of the root, its energies
+// are
 //
 //   kinetic = q'^T M q' / 2        potential = q^T K q / 2 + a constant
 //
-// so that differences of energies give M, K, and from a body without weight the elastic part P of K.
+// so differences of energies give M and K. A body without weight gives the elastic part P of K.
 //
 // It hangs straight down, whatever its shape in the scene, clamped downwards, and its fibre does not resist
 // rates: the modes of M and K are then independent, and drag damps each of them on its own. The body's first
@@ -24,21 +25,21 @@ struct HangingBody {
   Modes modes;                  // shape^T M shape = 1
   Eigen::MatrixXd inertia;      // M
   Eigen::MatrixXd elastic;      // P between modes: shape^T P shape, 1/s^2
-  // 1/s, of each mode, for a drag of 1 N s/m^2. What turns the strand about itself meets none.
+  // 1/s, for each mode, for a drag of 1 N s/m^2. A twist about the strand meets no drag.
   Eigen::VectorXd drag_per_mass;
 
   double fastest() const { return modes.omega.maxCoeff(); }
-  double fastest_with_drag(bool has_drag) const;  // 1/s, of the modes that drag damps; or of the others
+  double fastest_with_drag(bool has_drag) const;  // 1/s, the modes that drag damps; or the others
 };
 
 // The description's strand, with its moduli times `stiffness`. Throws BadInput for a strand that is not
-// clamped, and if nothing brings it back.
+// clamped, or has no restoring force.
 HangingBody hang_body(const Description& hair, double stiffness);
 
-// Gives every mode the same energy, as rates with pseudo-random signs, so small that no element turns by more
-// than 1e-6.
+// Gives every mode the same energy, as rates with pseudo-random signs. The energy is so small that no element
+// turns by more than 1e-6.
 struct BodyDisturbance {
-  Eigen::VectorXd rates;      // of all coordinates
+  Eigen::VectorXd rates;      // for all coordinates
   double energy_of_mode = 0;  // J
 };
 BodyDisturbance disturb(const HangingBody& hanging);

@@ -12,7 +12,7 @@ namespace hair {
 
 namespace {
 
-constexpr double kSofter = 1e-2, kStiffer = 1e2;  // of the scene's stiffness
+constexpr double kSofter = 1e-2, kStiffer = 1e2;  // relative to the scene's stiffness
 
 std::vector<double> logarithmic(double low, double high, int count) {
   std::vector<double> values(count);
@@ -40,7 +40,7 @@ std::vector<Limit> limits_of(const StudyMethod& method, const std::vector<Statio
     const double most = 4 * hs.back(), h = station.limit(1, most), later = station.limit(growth, most);
     limit.h.push_back(h);
     shown.h.push_back(later);
-    // By half a cell, somewhere on the map.
+    // The distance is half a cell, somewhere on the map.
     differs = differs || (h < hs.back() && later * later * hs[0] > h * h * hs[1]);
   }
   if (!differs) return {limit};

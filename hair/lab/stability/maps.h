@@ -15,13 +15,13 @@ namespace hair {
 
 enum class Swept {
   stiffness,  // Young's modulus relative to the scene's: scales EA and EI together, with the scene's drag
-  drag        // N s/m for each metre of hair, with the scene's stiffness
+  drag        // N s/m per metre of hair, with the scene's stiffness
 };
 
 struct MapSettings {
   int columns = 80, rows = 80;
   long evaluations =
-      4000;  // of forces, the limit for a run of an explicit method: RK4 takes a quarter as many steps
+      4000;  // force evaluations of an explicit method's run, at most: RK4 takes a quarter as many steps
   long implicit_steps = 64;
 };
 
@@ -29,12 +29,12 @@ struct MapSettings {
 struct Limit {
   std::string name;       // "theory: 2/omega"
   std::vector<double> h;  // for each column, s; infinity: no limit; 0: no step is stable
-  bool of_run = false;    // true: not the method's limit, but the limit that a run of so few steps can detect
+  bool of_run = false;    // true: not the method's limit, but what a run of so few steps can detect
 };
 
 // The distance of the measured boundary from a limit: > 0 means stable beyond theory.
 struct Distance {
-  int columns = 0;  // those where both are on the map; the next three numbers are over these columns
+  int columns = 0;  // columns where both are on the map; the next three numbers are over these columns
   double median_cells = 0, worst_cells = 0;
   double median_relative = 0;  // measured over limit, less 1
   // The number of columns where one or both have left the map although they are more than a cell apart; and
@@ -48,8 +48,8 @@ struct StabilityMap {
   std::vector<StudyMethod> alike;  // methods with the same matrix for this hair: the map holds for them too
   Swept sweep = Swept::stiffness;
   std::vector<double> xs, hs;  // the centres of the cells; hs in s
-  RefinedGrid grid;            // of Fate
-  long steps = 0;              // of a run without a blow-up
+  RefinedGrid grid;            // classes are Fate
+  long steps = 0;              // steps of a run without a blow-up
   std::vector<double>
       boundary;  // for each column, s: no smaller step is wrong or blown up; infinity if no step is
   std::vector<Limit> limits;
@@ -71,8 +71,8 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
                       const MapSettings& settings, const std::atomic<bool>& interrupted,
                       const Progress& progress = {});
 
-// Whether two methods have the same matrix for hanging hair, for all stiffnesses of a map, and differ in
-// nothing else.
+// True if two methods have the same matrix for hanging hair, for all stiffnesses of a map, and are equal
+// otherwise.
 bool alike_when_hanging(const Description& hair, const StudyMethod& a, const StudyMethod& b);
 
 // The description with the method's options.

@@ -53,7 +53,7 @@ std::vector<StudyMethod> methods_in(const std::vector<ExtremeRun>& runs) {
   return methods;
 }
 
-// A column for each method, what became of it with a step.
+// A column for each method, with its outcome for a step.
 Table summary_of(const std::vector<ExtremeRun>& all, const std::string& caption,
                  const std::function<bool(const ExtremeRun&)>& wanted) {
   std::vector<ExtremeRun> runs;

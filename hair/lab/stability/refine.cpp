@@ -13,7 +13,7 @@ namespace {
 
 struct Interrupted {};
 
-// From its lowest row up: the class of each stretch, and the row that it begins at.
+// A stretch of a column: its class, and its first row. Stretches go from the lowest row up.
 struct Stretch {
   int fate, begin;
 };
@@ -34,7 +34,7 @@ class Refiner {
         known_(static_cast<std::size_t>(columns) * rows, -1),
         columns_(columns) {}
 
-  // Fills the columns that it gets to; throws Interrupted.
+  // Fills columns until it ends; throws Interrupted.
   void run() {
     const int last = static_cast<int>(columns_.size()) - 1;
     std::vector<int> coarse;
@@ -69,7 +69,7 @@ class Refiner {
     return known;
   }
 
-  // The first row, after `low`, that is not of low's class; high is not.
+  // The first row after `low` whose class differs from low's; high is such a row.
   int boundary(int column, int low, int high) {
     const int below = ask(column, low);
     while (high - low > 1) {
@@ -79,7 +79,7 @@ class Refiner {
     return high;
   }
 
-  // The column's stretches from the last of `result` up.
+  // Adds the column's stretches above the last of `result`.
   Column search(int column, Column result) {
     for (int low = result.back().begin; low < rows_ - 1;) {
       const int high = std::min(low + kCoarse, rows_ - 1);
@@ -94,8 +94,8 @@ class Refiner {
   }
   Column search(int column) { return search(column, {{ask(column, 0), 0}}); }
 
-  // The row where the class `above` follows `below`, looked for from `row` on, at `least` or higher. Nothing
-  // if there is neither class where one of them should be.
+  // The row where the class `above` follows `below`, searched from `row` on, at `least` or higher. Returns
+  // nothing if a cell at the expected place has another class.
   std::optional<int> boundary_near(int column, int row, int below, int above, int least) {
     // Low has the class below, high the one above; each step doubles.
     std::optional<int> low, high;
@@ -114,8 +114,8 @@ class Refiner {
     return high;
   }
 
-  // The boundaries that both neighbours have are looked for in their mean; from the first that only one of
-  // them has, or that is not there, the column is searched.
+  // Boundaries of both neighbours are searched at their mean; from the first boundary that only one neighbour
+  // has, or that is not found, the whole rest of the column is searched.
   Column follow(int column, const Column& left, const Column& right) {
     if (left[0].fate != right[0].fate) return search(column);
     Column result = {{left[0].fate, 0}};
@@ -130,7 +130,7 @@ class Refiner {
     return result;
   }
 
-  // Whether each stretch has its class at its begin, in its middle and at its end.
+  // True if each stretch has its class at its begin, in its middle and at its end.
   bool holds(int column, const Column& stretches) {
     for (std::size_t k = 0; k < stretches.size(); ++k) {
       const auto [fate, begin] = stretches[k];
@@ -162,7 +162,7 @@ class Refiner {
   int rows_;
   const std::function<int(int, int)>& classify_;
   const std::atomic<bool>& interrupted_;
-  std::vector<int> known_;  // -1: not asked yet
+  std::vector<int> known_;  // -1: not evaluated yet
   std::vector<Column> columns_;
   long asked_ = 0;
 };
@@ -177,7 +177,7 @@ RefinedGrid refine(int columns, int rows, const std::function<int(int column, in
   try {
     refiner.run();
   } catch (const Interrupted&) {
-    // What is not known yet stays so.
+    // Cells that are not known yet stay so.
   }
   return refiner.grid();
 }

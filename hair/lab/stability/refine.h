@@ -1,7 +1,7 @@
 // Fills a grid of classes but evaluates only a few cells: those near the boundaries.
 //
-// Every kCoarse-th column is searched: every kCoarse-th cell is evaluated, and a boundary between two cells
-// of different classes is found by bisection. A column in the middle between two others expects each common
+// Every kCoarse-th column is searched: every kCoarse-th cell is evaluated, and bisection finds a boundary
+// between two cells of different classes. A column in the middle between two others expects each common
 // boundary at the mean of theirs, or near it, and evaluates at least two cells to confirm it. From the first
 // boundary that only one neighbour has, or that is not found, the rest of the column is searched. The column
 // halfway between two searched columns also evaluates the ends and the middle of each stretch; if they

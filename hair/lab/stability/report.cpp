@@ -20,7 +20,7 @@ namespace {
 Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
   if (scene.hair.strands.empty() && scene.hair.modelled.empty())
     throw BadInput(scene.name + ": it has no hair; stability maps are of a strand that hangs");
-  Scene bare = scene;  // what it hangs among does not matter
+  Scene bare = scene;  // the surroundings of hanging hair have no effect
   bare.hair.obstacles.clear();
   bare.riders.clear();
   for (StrandStart& start : bare.hair.strands) start.rest_curvature.resize(0);
@@ -115,7 +115,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
                      [&](const LeftOut& one) { return one.method.id == method.id; }))
       report.left_out.push_back({method, error.what(), stub});
   };
-  // What an exercise throws costs its methods only.
+  // An exception of an exercise costs only the methods that call it.
   const auto guarded = [&](const StudyMethod& method, const auto& work) {
     try {
       work();
@@ -130,7 +130,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
     return false;
   };
   std::vector<StudyMethod> all = methods_for(problem, settings.absent);
-  // How a system is solved does not decide where a method breaks.
+  // The way of solving does not change where a method breaks.
   std::erase_if(all, [](const StudyMethod& method) { return !method.preconditioner; });
   for (const StudyMethod& method : all) {
     guarded(method, [&] {

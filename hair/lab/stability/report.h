@@ -35,7 +35,7 @@ struct Frequencies {
   double twist = 0;              // 0 if it does not twist
   double tension = 0;            // the fastest across it from tension alone, with half a mass at the tip
   double chain =
-      0;  // the same with full mass at the tip, of masses and springs: sqrt(g/l x), x the Laguerre polynomial's largest zero
+      0;  // the same with full mass at the tip, for masses and springs: sqrt(g/l x), x Laguerre's last zero
 };
 
 struct LeftOut {
@@ -89,7 +89,7 @@ std::string cells(double distance);  // "-0.43"
 // "H4, filtered; H4, full"
 std::string names_of(const StabilityMap& map);
 
-// Says in words what a limit says over the whole map, where it is no curve; and whether the map says so, too.
+// A sentence on a limit that is no curve, over the whole map; and whether the map agrees.
 std::string verdict(const StabilityMap& map, const Limit& limit);
 
 CellMap figure_of(const StabilityMap& map);

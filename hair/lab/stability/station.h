@@ -1,5 +1,5 @@
-// A column of a map: hair that hangs, disturbed, with one stiffness and one drag. What becomes of it with a
-// step, and what theory says; for any model.
+// A column of a map: hair that hangs, disturbed, with one stiffness and one drag. It gives the outcome for a
+// step, and the theory's, for any model.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 namespace hair {
 
 struct Station {
-  // A run of so many steps.
+  // Makes a run of so many steps.
   std::function<Outcome(double h, long steps)> run;
-  // The largest step with which nothing grows by more than `growth` in a step; infinity if that is above
+  // The largest step with which no error grows by more than `growth` in a step; infinity if that is above
   // `most`.
   std::function<double(double growth, double most)> limit;
 };
@@ -19,11 +19,10 @@ struct Station {
 // Relative to the scene's stiffness. `hair` has the method's options (with_options).
 Station make_station(const Description& hair, const StudyMethod& method, double stiffness, double drag);
 
-// What a map's axes count from.
+// The scales of a map's axes.
 struct MapScales {
-  double
-      frequency;  // 1/s: of explicit methods the fastest of all, of implicit ones the fastest that weight alone holds
-  double critical_drag;  // N s/m^2, for each metre: damps an oscillation of this frequency critically
+  double frequency;      // 1/s: the fastest of all; for implicit methods, the fastest that weight alone holds
+  double critical_drag;  // N s/m^2, per metre: damps an oscillation of this frequency critically
 };
 MapScales map_scales(const Description& hair, const StudyMethod& method);
 

@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// 1, 1/2, 1/6, ...: some methods' polynomials are exponential series that end after so many powers.
+// 1, 1/2, 1/6, ...: the polynomials of some methods are exponential series that end after so many powers.
 int powers_of(Method method) {
   const int powers = row_of(method).polynomial;
   if (powers == 0) throw std::invalid_argument("this method's stability function is no part of exp's series");
@@ -32,7 +32,7 @@ double amplification(int powers, Complex z) {
 }
 
 // The first h > 0 beyond which |R(h lambda)| > growth. |h lambda| = 4 is outside of all three regions, and
-// they are seen whole from 0: on a ray from there one leaves them once.
+// each region is star-shaped from 0: a ray from 0 leaves it once.
 double polynomial_limit(int powers, Complex lambda, double growth) {
   const double size = std::abs(lambda);
   if (size == 0) return kInfinity;
@@ -48,7 +48,7 @@ double polynomial_limit(int powers, Complex lambda, double growth) {
     const double middle = (low + high) / 2;
     (amplification(powers, middle / size * lambda) <= bound ? low : high) = middle;
   }
-  // Midpoint without drag: 1 + z^4/8 is 1 as far as numbers go, up to 3e-4.
+  // Midpoint without drag: 1 + z^4/8 rounds to 1 for |z| up to 3e-4.
   return low < 1e-3 && lambda.real() == 0 && growth == 1 ? 0 : low / size;
 }
 
@@ -79,7 +79,7 @@ double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffn
       scale.asDiagonal() * (growth * stiffness - growth * (growth + 1) * in_matrix) * scale.asDiagonal();
   const Eigen::VectorXd values = solver::symmetric_eigenvalues(matrix);
   const double mu = values.maxCoeff();
-  // What is below the rounding of the largest is 0.
+  // A value below the rounding of the largest is 0.
   if (mu <= 1e-12 * values.cwiseAbs().maxCoeff()) return kInfinity;
   const double drag = growth * (growth + 1) * gamma, least = 2 * (growth + 1) * std::sqrt(mu);
   return (drag + std::hypot(drag, least)) / (2 * mu);

@@ -4,7 +4,7 @@
 //
 // The modes of K and M are independent of each other, so an explicit method sees oscillators
 //
-//   x'' = -omega^2 x - gamma x',       lambda = -gamma/2 +- sqrt(gamma^2/4 - omega^2),  zeta = gamma / (2 omega)
+//   x'' = -omega^2 x - gamma x',    lambda = -gamma/2 +- sqrt(gamma^2/4 - omega^2),  zeta = gamma / (2 omega)
 //
 // and its limit is the smallest of their limits. That is not always the fastest oscillator's: with strong
 // drag, gamma > sqrt(2) omega, forward Euler's limit is that of the slowest oscillator.
@@ -45,12 +45,12 @@ double explicit_limit(Method method, const Oscillator& oscillator, double growth
 //
 //   (M + h gamma M + h^2 P) (v' - v) = -h K x - h gamma M v - h^2 P v,   x' = x + h v'.
 //
-// An error that grows as z^k satisfies (M + h gamma M + h^2 P) z^2 + (h^2 (K - P) - h gamma M - 2 M) z + M =
-// 0. It first leaves the unit circle at z = -1, where 4 + 2 h gamma = h^2 mu with mu the largest eigenvalue
-// of M^-1 (K - 2 P): h = (gamma + sqrt(gamma^2 + 4 mu)) / mu, no limit if mu <= 0. With the geometric term in
-// tension, P = K, so mu < 0. Without it, P contains only stretching and bending, and K - P is the tension;
-// hair without bending then has the limit 2/omega_t, that of an explicit method across the hair. `stiffness`
-// and `in_matrix` are K and P, symmetric; `mass` is the diagonal of M.
+// An error that grows as z^k satisfies (M + h gamma M + h^2 P) z^2 + (h^2 (K - P) - h gamma M - 2 M) z + M
+// = 0. It first leaves the unit circle at z = -1, where 4 + 2 h gamma = h^2 mu with mu the largest
+// eigenvalue of M^-1 (K - 2 P): h = (gamma + sqrt(gamma^2 + 4 mu)) / mu, no limit if mu <= 0. With the
+// geometric term in tension, P = K, so mu < 0. Without it, P contains only stretching and bending, and K -
+// P is the tension; hair without bending then has the limit 2/omega_t, that of an explicit method across
+// the hair. `stiffness` and `in_matrix` are K and P, symmetric; `mass` is the diagonal of M.
 double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
                       const Eigen::MatrixXd& in_matrix, double gamma, double growth = 1);
 

@@ -86,7 +86,7 @@ class ErrorTally {
   std::vector<RestLength> lengths_;
   int moments_ = 0;
   double potential_ = 0;  // at the start
-  double squares_ = 0;    // of all distances at all moments except the start
+  double squares_ = 0;    // sum for all distances at all moments except the start
   Errors largest_;
   double most_energy_ = 0, most_angular_momentum_ = 0;
 };

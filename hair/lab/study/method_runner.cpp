@@ -82,7 +82,7 @@ std::optional<double> MethodRunner::play(const Scene& scene, int times, int adva
 
 bool MethodRunner::repeat(const Scene& scene, const Repeats& repeats, const std::atomic<bool>& interrupted,
                           MethodRun& run) {
-  // One that broke or got useless did so on the way to its next moment, or there.
+  // A run that broke or became useless did so on the way to its next moment, or at it.
   const int advances = playback_->frame() + (run.ending == RunEnding::broke ? 1 : 0);
   const double once = run.seconds[0];
   const int times = std::clamp(static_cast<int>(repeats.clock / std::max(once, 1e-9)), 1, kMostTimes);

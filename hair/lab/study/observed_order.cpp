@@ -10,15 +10,15 @@ namespace hair {
 namespace {
 
 constexpr double kSafe = 10;     // times the floor: an error of the reference shifts an order by 0.15 at most
-constexpr double kAgree = 0.25;  // of an order
-constexpr double kFlat = 0.1;    // of an order
-constexpr double kAsTheory = 0.25;  // of an order
+constexpr double kAgree = 0.25;  // difference of two orders
+constexpr double kFlat = 0.1;    // order of a flat halving
+constexpr double kAsTheory = 0.25;  // difference of an order from theory's
 
 struct Halving {
   double order, before, after;  // and the steps, s
 };
 
-// Those between finished runs, coarse to fine.
+// The halvings between finished runs, coarse to fine.
 std::vector<Halving> halvings(const std::vector<MethodRun>& runs, Norm norm, double least) {
   std::vector<Halving> found;
   for (std::size_t k = 1; k < runs.size(); ++k) {
@@ -39,8 +39,8 @@ ObservedOrder observed_order(const Sweep& sweep, Norm norm, double floor) {
   const auto flat = [&](int k) { return std::abs(all[k].order) < kFlat; };
   if (count >= 2 && flat(count - 1) && flat(count - 2)) observed.stays_at = sweep.runs.back().errors[norm];
 
-  // From the finest halving that is not flat on to coarser ones, as long as these agree with it. What agrees
-  // further up alone is no asymptotic part.
+  // Goes from the finest halving that is not flat to coarser ones, as long as these agree with it. Coarser
+  // halvings that agree only with each other show no asymptotic order.
   int last = count - 1;
   while (last >= 0 && flat(last)) --last;
   int first = last;

@@ -22,8 +22,8 @@ enum class RunEnding {
 // The cost of a run, the same on every machine.
 struct Counts {
   long steps = 0;
-  long evaluations = 0;  // of the forces, as many as the method's contract specifies
-  long iterations = 0;   // of ConjGrad: each a product with a matrix
+  long evaluations = 0;  // force evaluations that the method's contract specifies
+  long iterations = 0;   // ConjGrad's: each is a product with a matrix
   long corrections = 0;  // Newton steps: of H6's length correction, or of implicit Euler to convergence
   long unconverged = 0;  // solves and corrections that ended above their tolerance
 
@@ -36,7 +36,7 @@ struct MethodRun {
   RunEnding ending = RunEnding::finished;
   std::string trouble;  // if it did not finish, where and how: "strand 0, step 17: integration"
   Counts counts;
-  Errors errors;                // of a finished run; 0 if below the study's floors
+  Errors errors;                // for a finished run; 0 if below the study's floors
   std::vector<double> seconds;  // CPU time of each repeat
 
   double time() const;  // their median, s
@@ -65,10 +65,10 @@ struct Study {
   double duration = 0;  // s
   int strand = 0, particles = 0;
   double size = 0;       // m, from size_of
-  double tolerance = 0;  // of implicit solves, relative
+  double tolerance = 0;  // relative, for implicit solves
   double most_work = 0;  // the limit for a run: StudySettings
   Machine machine;
-  std::string program_digest;  // of the program that measured: program_digest(); compared on resuming
+  std::string program_digest;  // identifies the measuring program: program_digest(); compared on resuming
 
   // The accurate motion.
   std::string reference;

@@ -27,8 +27,8 @@ AxisName name_of(Against against) {
   }
 }
 
-// Of a run that ended early: what all of it would have taken. Even one that broke before its first step was
-// begun evaluated something, and took what a clock can tell.
+// A run that ended early counts with the cost of its whole length. Even a run that broke in its first step
+// evaluated forces, and took some measurable time.
 double place(const MethodRun& run, Against against) {
   if (against == Against::step) return run.step;
   const double whole = static_cast<double>(run.steps_per_moment) * kMoments;

@@ -33,7 +33,7 @@ const std::vector<StudyMethod>& methods_of_springs() {
   return methods;
 }
 
-// Of strands that their models divide into elements: without springs there is no choice of their products.
+// For strands that their models divide into elements: without springs there is no choice of products.
 const std::vector<StudyMethod>& methods_of_models() {
   static const std::vector<StudyMethod> methods = {
       {"symplectic-euler", "symplectic Euler", Method::symplectic_euler},

@@ -34,7 +34,7 @@ std::vector<Cost> costs_for(const Study& study, Norm norm, double error) {
   return costs;
 }
 
-// Down from the strand's size in powers of ten, while any method gets there.
+// From the strand's size down in powers of ten, as long as a method reaches the error.
 Table cheapest_table(const Study& study) {
   constexpr int kShown = 3;
   Table table{"CPU time, s, for an error at the end, m: the three cheapest methods", {"error, m"}, {}};

@@ -19,7 +19,7 @@ constexpr std::array<const char*, 5> kSweepEnds = {"unfinished", "below the refe
                                                    "smaller steps make no difference",
                                                    "the next would take too long", "not written"};
 
-// Of the norms that the problem has.
+// The values of the norms that the problem has.
 OrderedJson json_of(const Errors& errors, const std::function<OrderedJson(Norm)>& value) {
   OrderedJson json = OrderedJson::object();
   for (const Norm norm : all_norms())
@@ -76,7 +76,7 @@ MethodRun read_run(const JsonValue& json) {
   return run;
 }
 
-// Each of half the step before.
+// Each run has half the step of the previous one.
 std::vector<MethodRun> read_sweep(const JsonValue& json) {
   std::vector<MethodRun> runs;
   for (const JsonValue& one : json.items()) {
@@ -90,7 +90,7 @@ std::vector<MethodRun> read_sweep(const JsonValue& json) {
   return runs;
 }
 
-// All but the runs.
+// Everything except the runs.
 OrderedJson head_of(const Study& study) {
   const bool finished = std::none_of(study.sweeps.begin(), study.sweeps.end(),
                                      [](const Sweep& sweep) { return sweep.end == SweepEnd::unfinished; });
@@ -133,8 +133,8 @@ std::string written(const Study& study, const MethodRun& run, Norm norm, std::st
   return error < study.floors[norm] ? "below " + number(study.floors[norm]) : number(error);
 }
 
-// What must be the same, for runs to go on from: everything that the record says but the runs themselves, how
-// long the reference took, and whether it is finished; and what follows from the reference, if that is known.
+// The part of a record that must be equal when a study resumes: all except the runs, the reference's time,
+// and whether it is finished; with the values that follow from the reference, if that is known.
 nlohmann::json identity(nlohmann::json same, bool has_reference) {
   same.erase("finished");
   same.erase("space_error");

@@ -41,7 +41,7 @@ void read_runs(const std::filesystem::path& file, Study& study);
 std::vector<Row> run_rows(const Study& study);  // all runs: study.csv
 Row row_of_level(const SpaceLevel& level);
 
-bool has(const Study& study, Norm norm);  // whether the problem has such errors
+bool has(const Study& study, Norm norm);  // true if the problem has such errors
 
 const char* name_of(RunEnding ending);
 const char* name_of(SweepEnd end);

@@ -53,7 +53,7 @@ bool is_below(const MethodRun& run, const Errors& floors) {
          run.errors[Norm::trajectory] < floors[Norm::trajectory];
 }
 
-// The last halvings of the step made no difference. Nothing is known of an error below the floors.
+// True if the last halvings of the step made no difference. Errors below the floors are unknown.
 bool stalls(const std::vector<MethodRun>& runs, const Errors& floors) {
   std::vector<double> errors;
   for (const MethodRun& run : runs) {
@@ -64,14 +64,14 @@ bool stalls(const std::vector<MethodRun>& runs, const Errors& floors) {
   return hair::stalls(errors);
 }
 
-// Of the whole run that comes after this one, if it takes twice as much.
+// The work of the whole next run, if it takes twice as many steps.
 double work_of_next(const MethodRun& run, int particles) {
   const double of_a_step = static_cast<double>(std::max(1L, run.counts.work())) /
                            static_cast<double>(std::max(1L, run.counts.steps));
   return 2 * of_a_step * run.steps_per_moment * kMoments * particles;
 }
 
-// Throws BadInput for what can't be assembled.
+// Throws BadInput for a problem that can't be assembled.
 std::unique_ptr<MethodRunner> make_runner(const Problem& problem, const StudyMethod& method,
                                           const Trajectory& accurate, const Errors& floors) {
   try {

@@ -1,5 +1,5 @@
-// The paths over the bowl are said by their places; and hairlab writes them, with the solved exercises and
-// without.
+// The sentences on the paths over the bowl follow from their places; and hairlab writes them, with and
+// without the solved exercises.
 #include <gtest/gtest.h>
 
 #include <cmath>

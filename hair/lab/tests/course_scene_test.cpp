@@ -1,4 +1,4 @@
-// Courses of few exercises, read by one program: which scenes it plays, and what it says of others.
+// Courses of few exercises, read by one program: the scenes that it runs, and its messages for the others.
 #include "hair/lab/run/course_scene.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::string file_of(const std::vector<std::string>& ids) {
 
 struct Some {
   std::vector<std::string> ids;
-  std::vector<std::string> plays;  // of the shipped scenes, in alphabetical order
+  std::vector<std::string> plays;  // some of the shipped scenes, in alphabetical order
 };
 
 const Some kCourses[] = {

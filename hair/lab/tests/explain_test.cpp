@@ -1,4 +1,4 @@
-// What --explain says of each part, and that it is what a scene calls.
+// --explain describes each part, and agrees with the calls of a scene.
 #include "hair/lab/run/explain.h"
 
 #include <gtest/gtest.h>

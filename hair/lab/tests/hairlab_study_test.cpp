@@ -1,4 +1,4 @@
-// hairlab study from outside: how it goes on, and what it keeps.
+// hairlab study from outside: how it resumes, and its record.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -36,7 +36,7 @@ class HairlabStudy : public testing::Test {
     settings.environment.push_back("XDG_CACHE_HOME=" + (folder_ / "cache").string());
     return run_hairlab(arguments, settings);
   }
-  // Until a run is finished and kept.
+  // Waits until a run is finished and kept.
   void wait_for_a_run(int process) const {
     EXPECT_TRUE(wait_until([&] { return fs::exists(out_ / "study.json"); }, process));
   }
@@ -73,7 +73,7 @@ TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
   EXPECT_EQ(part["finished"], false);
   EXPECT_TRUE(has(bytes_of(out_ / "index.html"), "--resume goes on"));
 
-  // Of something else it can't.
+  // It can't resume another study.
   expect_refused(study({"--resume", "--methods", "h6"}), 2,
                  "is another study, and can't be resumed: its \"methods\"");
   EXPECT_EQ(record(), part);
@@ -88,7 +88,7 @@ TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
   }
 }
 
-// As with an exercise that never returns, and a second Ctrl-C. Whole it would take ten seconds or more.
+// It is killed, as after a hanging exercise and a second Ctrl-C. The whole study would take ten seconds.
 TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
@@ -150,7 +150,7 @@ TEST_F(HairlabStudy, TheCacheThatItHasByItselfMayBeNone) {
   EXPECT_EQ(run.errors, "");
 }
 
-// Before the accurate motion is computed, which would be kept in the cache.
+// The refusal comes before the accurate motion is computed, which would be kept in the cache.
 TEST_F(HairlabStudy, WhatCanNotBeResumedIsRefusedAtOnce) {
   const auto expect_at_once = [&](const std::vector<std::string>& arguments, const std::string& part) {
     expect_refused(study(arguments), 2, part);
@@ -167,7 +167,7 @@ TEST_F(HairlabStudy, WhatCanNotBeResumedIsRefusedAtOnce) {
   expect_at_once({"--resume", "--methods", "h6"}, "is another study, and can't be resumed: its \"methods\"");
   Json spoiled = record();
   spoiled["methods"][0]["runs"][0]["seconds"] = Json::array();
-  spoiled.erase("program");  // which is to come first
+  spoiled.erase("program");  // it must come first
   folder_.write("out/study.json", "{\n  \"program\": \"hairlab study\"," + spoiled.dump().substr(1));
   expect_at_once({"--resume", "--methods", kFew[1]}, "seconds: is empty");
 }

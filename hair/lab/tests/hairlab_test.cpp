@@ -1,4 +1,4 @@
-// hairlab from outside: what it writes, what it says, what it returns.
+// hairlab from outside: its files, its messages, its exit codes.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -29,7 +29,7 @@ const char* const kPendulum = R"({"shows": "a pendulum", "frames": 60, "frames_p
  {"position": [1, 0, 0], "mass": 1}], "rods": [{"between": [0, 1]}],
  "feedback": {"stiffness": 100, "damping": 20}}]})";
 
-// Stiff springs and a long step: an explicit method can't.
+// Stiff springs and a long step: an explicit method breaks.
 const char* const kBlowUp = R"({"shows": "breaks", "frames": 400, "frames_per_second": 60,
  "steps_per_frame": 1, "method": "forward_euler", "hair": [{"segments": 4, "length": 0.04, "clamped": false,
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
@@ -40,7 +40,7 @@ const char* const kWarns =
  "hair": [{"segments": 30, "length": 0.3, "clamped": false, "material": {"stretch_factor": 1e6},
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-// Two guides whose roots part: the link at their tips breaks.
+// Two guides whose roots move apart: the link at their tips breaks.
 const char* const kLinked = R"({"shows": "links break", "frames": 12, "frames_per_second": 60,
  "steps_per_frame": 4, "method": "implicit_euler",
  "motions": [{"name": "away", "keys": [{"time": 0}, {"time": 0.15, "position": [0.02, 0, 0]}]}],
@@ -62,7 +62,7 @@ class Hairlab : public testing::Test {
     return run_hairlab(options, settings);
   }
 
-  // It says one line with `part` on the error output, returns `code`, and writes nothing.
+  // It prints one line with `part` on the error output, returns `code`, and writes nothing.
   void expect_refused(const ProgramRun& run, int code, const std::string& part) const {
     EXPECT_EQ(run.code, code);
     EXPECT_TRUE(has(run.errors, part)) << run.errors;
@@ -129,7 +129,7 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_GT(record["seconds"]["simulate"], 0);
 }
 
-// Rod and point: E = 0 at the start, and v^2 / 2 = g times the height that it has fallen.
+// Rod and point: E = 0 at the start, and v^2 / 2 = g times the height of its fall.
 TEST_F(Hairlab, MeasuresAPendulumAsItsClosedFormSays) {
   const ProgramRun run = play(kPendulum);
   ASSERT_EQ(run.code, 0) << run.errors;
@@ -169,7 +169,7 @@ TEST_F(Hairlab, DoesTheSameTwice) {
     EXPECT_EQ(bytes_of(folder_ / ("first/" + name)), bytes_of(out_ / name)) << name;
   }
   Json first = read_run(folder_ / "first"), second = read_run(out_);
-  // Each moment is in one stage: what is left is rounding of a clock that counts from the machine's start.
+  // Each moment belongs to one stage; the rest is rounding of a clock that counts from the machine's start.
   double sum = -first["seconds"]["total"].get<double>();
   for (const Json& stage : first["seconds"]) sum += stage.get<double>();
   EXPECT_NEAR(sum, first["seconds"]["total"], 1e-6) << first["seconds"];
@@ -200,7 +200,7 @@ TEST_F(Hairlab, LoadsOpenGlForPicturesAlone) {
   EXPECT_EQ(read_run(out_)["no_pictures"], "the scene has no \"render\"");
 }
 
-// Files that are no libraries stand where the loader looks first.
+// Files that are no libraries are in the folder that the loader searches first.
 TEST_F(Hairlab, WritesAllButPicturesWithoutOpenGl) {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libEGL.so.1"}) folder_.write(name, "");
   const ProgramRun run = play(kSwing, {}, {.environment = {"LD_LIBRARY_PATH=" + folder_.path().string()}});
@@ -230,7 +230,7 @@ TEST_F(Hairlab, WritesWhichLinksBrokeWhen) {
   EXPECT_TRUE(read_run(out_)["links"].is_null());
 }
 
-// Strands that start through a ball are moved out of it; without one nothing is.
+// Strands that start inside a ball are moved out of it; without a ball none is moved.
 TEST_F(Hairlab, WritesHowManyStrandsItKeptOutOfObstacles) {
   const std::string scene = R"({"shows": "a disc of hair on a ball", "frames": 1, "method": "implicit_euler",
     "hair": [{"segments": 4, "length": 0.04, "roots": {"disc": {"centre": [0, 0, 0.1], "normal": [0, 0, 1],
@@ -262,7 +262,7 @@ TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
   for (const StateFrame& frame : states.frames) EXPECT_TRUE(frame.state.x.allFinite());
 }
 
-// Its numbers are finite and wrong: it says so at the end, where programs and people see it.
+// Its numbers are finite and wrong: the warning is in the last line and in the record.
 TEST_F(Hairlab, WarnsInItsLastLineAndInTheRecord) {
   const ProgramRun run = play(kWarns);
   EXPECT_EQ(run.code, 0);
@@ -293,7 +293,7 @@ TEST_F(Hairlab, WarningsFailAStrictRun) {
 TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
-    // As soon as it plays, its hidden folder is there.
+    // Its hidden folder exists as soon as it runs.
     const fs::path playing = folder_ / (".hairlab-out-" + std::to_string(process));
     EXPECT_TRUE(wait_until([&] { return fs::exists(playing / "frame-0003.png"); }, process));
     EXPECT_FALSE(fs::exists(out_));
@@ -328,7 +328,7 @@ TEST_F(Hairlab, NamesTheExerciseThatAStubIsOf) {
   EXPECT_EQ(bytes_of(out_ / "run.json"), before) << "an earlier run is lost";
 }
 
-// Before anything is written, and with all.
+// The message comes before anything is written, and names all stubs.
 TEST_F(Hairlab, SaysWhichExercisesAreStubs) {
   const ProgramSettings student{.program = STUDENT_HAIRLAB};
   const std::string scene = folder_.write("scene.json", kPendulum);
@@ -348,7 +348,7 @@ TEST_F(Hairlab, SaysWhichExercisesAreStubs) {
   EXPECT_FALSE(has(run_hairlab({"scenes"}).output, "stubs"));
 }
 
-// The reference's run takes the place of one that stubs can't play, and stands beside one that is played.
+// The reference's run replaces one that stubs can't run, and appears next to one that runs.
 TEST_F(Hairlab, ViewsTheReferencesRunOfAScene) {
   const ProgramSettings student{.program = STUDENT_HAIRLAB};
   const fs::path page = folder_.path() / "page.html";
@@ -383,7 +383,7 @@ TEST_F(Hairlab, ViewsASceneThoughAFolderHasItsName) {
   EXPECT_EQ(view().code, 2) << "a run, then";
 }
 
-// Beside the same frame of a run that ends there.
+// The last picture is compared with the same frame of a run that ends there.
 TEST_F(Hairlab, TheLastPictureOfARunThatBrokeShowsTheStrand) {
   Json scene = Json::parse(kBlowUp);
   scene["render"] = {{"image_width", 64}, {"image_height", 48}};
@@ -441,11 +441,11 @@ TEST_F(Hairlab, RefusesFoldersThatCanNotBeWrittenOrHoldSomethingElse) {
   EXPECT_EQ(bytes_of(out_ / "notes.txt"), "mine");
 }
 
-// A limit on the size of files acts as a disk that is full: first for the table of states, with less for all.
+// A limit on the size of files acts like a full disk, which affects the table of states first.
 TEST_F(Hairlab, WritesNothingOnAFullDisk) {
   for (const int limit : {0, 1, 8}) {
     const ProgramRun run = play(kSwing, {"--no-render", "--frames", "40"}, {.file_limit = limit});
-    // With a limit of nothing, what it says has no room, either.
+    // With a limit of 0 its messages can't be written, either.
     if (limit == 0)
       EXPECT_EQ(run.code, 2);
     else
@@ -469,7 +469,7 @@ TEST_F(Hairlab, ResultsThatAreLostAreNotASuccess) {
         "hairlab: the standard output can't be written (No space left on device), so that results are lost");
 }
 
-// Nor is written into a file that it opens.
+// It does not write messages into a file that it opens.
 TEST_F(Hairlab, AClosedStandardOutputIsNotASuccess) {
   const std::vector<std::string> run = {
       "run", folder_.write("scene.json", kSwing), "--no-render", "--frames", "1", "--out", out_.string()};
@@ -513,7 +513,7 @@ TEST_F(Hairlab, ExplainsHowMuchDenseHairTheFirstPictureLeavesOut) {
 }
 
 // Two rows of eight straight guides, 2 cm apart. Thicker strips touch all 15 particles of each guide of the
-// other row but its root: the inner guides stand on an edge of two strips, the outer ones on one of one.
+// other row except its root: inner guides are at an edge of two strips, outer ones at an edge of one.
 TEST_F(Hairlab, TellsOfThickStripsBeforeItBegins) {
   const auto row = [](double z) {
     return Json{

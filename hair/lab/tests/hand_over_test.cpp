@@ -1,4 +1,4 @@
-// hairlab hands over to its studies and to what reads grooms, which are programs of their own beside it.
+// hairlab hands over to its studies and to its groom reader, which are separate programs in its folder.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -15,7 +15,7 @@ class HandOver : public testing::Test {
  protected:
   HandOver() { fs::copy_file(HAIRLAB, hairlab_); }
 
-  // A program in the place of another one, which says what it is given.
+  // Writes a program that replaces another one and prints its arguments.
   void make_program(const fs::path& file) const {
     folder_.write(file.filename(), "#!/bin/sh\necho \"$@\"\necho moved >&2\nexit 130\n");
     fs::permissions(file, fs::perms::owner_all);
@@ -63,7 +63,7 @@ TEST_F(HandOver, PassesArgumentsOutputAndExitCodeThrough) {
   }
 }
 
-// A scene with a groom's file is played by what reads such files, and by hairlab itself without that file.
+// The groom program runs a scene with a groom's file; hairlab itself runs the scene without that file.
 TEST_F(HandOver, NamesWhatReadsTheGroomOfAScene) {
   const std::string scene = folder_.write(
       "own.json",
@@ -81,7 +81,7 @@ TEST_F(HandOver, NamesWhatReadsTheGroomOfAScene) {
   EXPECT_EQ(run.output, "run " + scene + " --explain\n");
 }
 
-// By another name, too: the studies lie beside the program, not beside its name.
+// The studies are found by the program's own folder, not by that of its link.
 TEST_F(HandOver, FindsStudiesThroughALink) {
   make_program(studies_);
   fs::create_directory(folder_ / "bin");

@@ -1,4 +1,4 @@
-// A run's folder appears whole or not at all, and nobody's files are lost.
+// A run's folder appears whole or not at all, and no other files are lost.
 #include "hair/lab/run/output_folder.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST(OutputFolderTest, TakesAnEmptyFolderALinkAndASlashAtTheEnd) {
   EXPECT_EQ(bytes_of(test / "empty/run.json"), std::string(kRunRecordBegin) + "2");
 }
 
-// What a run that was killed left behind goes; what one that still runs has written stays.
+// Remains of a killed run are removed; files of a process that still runs stay.
 TEST(OutputFolderTest, RemovesTheRemainsOfWhatWasKilled) {
   const TestFolder test;
   const std::string dead = ".hairlab-out-" + std::to_string(1 << 22 | 1);  // above the largest process number

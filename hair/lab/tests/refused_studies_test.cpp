@@ -1,5 +1,5 @@
-// hairlab's studies refuse bad input, as seen from outside: in one line, before they compute, and without a
-// trace.
+// hairlab's studies refuse bad input, as seen from outside: in one line, before they compute, and without
+// leaving files.
 #include <gtest/gtest.h>
 
 #include <sstream>

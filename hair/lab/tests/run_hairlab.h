@@ -23,15 +23,15 @@ struct ProgramSettings {
   std::vector<std::string> environment = {};  // "NAME=value", in addition to our own
   long file_limit = -1;                       // the largest file that it may write, in units of 512 bytes
   std::function<void(int)> meanwhile = {};    // called with its process id once it runs
-  std::filesystem::path output = {};  // where its standard output goes; without it, into the ProgramRun
+  std::filesystem::path output = {};          // file for its standard output; empty: into the ProgramRun
 };
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});
 
-// It ended with this code, and said one line that has a part.
+// Expects this exit code, and one line that has a part.
 void expect_refused(const ProgramRun& run, int code, const std::string& part);
 
-// Helpers for tests: whether a text contains a part, and its number of lines.
+// Helpers for tests: a search for a part of a text, and the number of its lines.
 bool has(const std::string& text, const std::string& part);
 std::ptrdiff_t lines_of(const std::string& text);
 
@@ -40,7 +40,7 @@ class TestFolder {
  public:
   std::filesystem::path operator/(const std::string& name) const { return path() / name; }
   const std::filesystem::path& path() const { return folder_.path(); }
-  std::vector<std::string> names(const std::string& folder = "") const;  // of all its files, in order
+  std::vector<std::string> names(const std::string& folder = "") const;  // all of its files, in order
 
   // Writes a file, and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const;

@@ -1,4 +1,4 @@
-// The solver's page says what the numbers say, whatever the code that was studied does.
+// The sentences of the solver's page follow from the numbers, whatever the studied code does.
 #include "hair/lab/solver/solver_record.h"
 
 #include <gtest/gtest.h>

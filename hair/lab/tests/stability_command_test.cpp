@@ -1,4 +1,4 @@
-// hairlab stability from outside: how it goes on, and what rigid links have.
+// hairlab stability from outside: how it resumes, and its results for rigid links.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 namespace hair {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;  // a record is known by how it begins
+using OrderedJson = nlohmann::ordered_json;  // a record is identified by its first keys
 
 class StabilityCommand : public testing::Test {
  protected:
@@ -23,7 +23,7 @@ class StabilityCommand : public testing::Test {
   TestFolder folder_;
 };
 
-// As after Ctrl-C: some maps are there, and those only are not run anew, as their times show.
+// As after Ctrl-C, some maps exist; their times show that only these are not computed again.
 TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
   ASSERT_EQ(stability().code, 0);
   const OrderedJson whole = record();
@@ -43,7 +43,7 @@ TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
     EXPECT_EQ(now, before) << "map " << i;
   }
 
-  // Of other settings it can't, and a record that was spoiled is refused.
+  // It can't resume with other settings, and refuses a damaged record.
   expect_refused(run_hairlab({"stability", "strand-swing", "--quick", "--segments", "3", "--resume", "--out",
                               (folder_ / "out").string()}),
                  2, "can't be resumed: its hair");

@@ -1,5 +1,5 @@
-// All of hairlab's studies have these in common, as seen from outside: their files, their ends, and what they
-// refuse.
+// Common properties of all of hairlab's studies, as seen from outside: their files, their ends, and their
+// refusals.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -16,12 +16,12 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 struct StudyCase {
-  std::string name;                                           // of the record's program, after hairlab
+  std::string name;                                           // the record's program, after hairlab
   std::string record;                                         // "solver.json"
   std::vector<std::string> files;                             // those that it writes, in order
-  std::vector<std::string> arguments;                         // of a short study
+  std::vector<std::string> arguments;                         // arguments of a short study
   std::string stub;                                           // the exercise that it needs first
-  void (*look)(const Json& record, const std::string& page);  // what else the record and the page have
+  void (*look)(const Json& record, const std::string& page);  // checks of the record and the page
 };
 
 void look_at_solver(const Json& record, const std::string& page) {
@@ -184,7 +184,7 @@ TEST_P(Studies, RefuseOptionsThatTheyDoNotHave) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
-// As soon as it studies, its hidden folder is there.
+// Its hidden folder exists as soon as it studies.
 TEST_P(Studies, InterruptedKeepWhatTheySayOrNothing) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {

@@ -1,4 +1,4 @@
-// hairlab validate from outside: which validations it runs, what it says, what it returns.
+// hairlab validate from outside: its validations, its messages, its exit codes.
 #include <gtest/gtest.h>
 
 #include "hair/lab/tests/run_hairlab.h"
@@ -40,7 +40,7 @@ TEST(ValidateCommand, RunsThoseThatAreAskedForInTheListsOrder) {
 }
 
 TEST(ValidateCommand, SaysWhatIsNotWrittenYet) {
-  // What calls no exercise can run, and is not why anyone asks.
+  // Validations that call no exercise can run, but nobody asks for them alone.
   const ProgramRun all = run_hairlab({"validate", "--quick"}, kStudent);
   EXPECT_EQ(all.code, 3);
   EXPECT_TRUE(has(all.output, "left out: it needs P1: student/explicit_integrators.cpp, ")) << all.output;

@@ -1,4 +1,4 @@
-// The first three frequencies of hair that is clamped and weighs nothing, beside those of a beam.
+// The first three frequencies of clamped hair without weight, compared with those of a beam.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kModes = 3;
 
-// The largest eigenvalue is (2n / b)^4 times that of mode b, and rounding takes its part of it.
+// The largest eigenvalue is (2n / b)^4 times that of mode b, and its rounding error is relative to it.
 double rounding_of(double root, int segments) {
   return 0x1p-53 * std::pow(2 * segments / root, 4);
 }

@@ -1,5 +1,5 @@
-// Hair that is clamped and weighs nothing swings in its first mode: a method's frequency, its own dispersion
-// undone, is that of the strand's matrices.
+// Clamped hair without weight swings in its first mode. A method's frequency, corrected for its own
+// dispersion, is that of the strand's matrices.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -22,7 +22,7 @@ struct SwingMethod {
   Method method;
   const char *id, *name;
   double (*undo)(double measured, double step);
-  double (*decay)(double phase);  // of the amplitude in a step that turns by `phase`; or null
+  double (*decay)(double phase);  // decay of the amplitude in a step that turns by `phase`; or null
 
   std::vector<std::string> exercises() const {
     const auto own = row_of(method).exercises;
@@ -32,8 +32,8 @@ struct SwingMethod {
   }
 };
 
-// Both implicit methods multiply the amplitude by the cosine of the phase: see dispersion.h. Of the fastest
-// axial mode a step's phase is 1 with Runge-Kutta; of the first one there is no decay to see.
+// Both implicit methods multiply the amplitude by the cosine of the phase: see dispersion.h. With Runge-Kutta
+// the fastest axial mode has the phase 1 in a step; the first mode shows no decay.
 double cosine_decay(double phase) {
   return -std::log(std::cos(phase));
 }
@@ -64,7 +64,7 @@ BeamSwing sample_swing(const StrandStart& rest, const BeamModes& modes, Method m
                        const ValidationSettings& settings) {
   const Strand& strand = rest.strand;
   const double period = 2 * std::numbers::pi / modes.frequencies[0];
-  // Below 2 / w of the fastest axial mode, or, where nothing is too fast, long enough to see the dispersion.
+  // Below 2 / w of the fastest axial mode, or, if no mode is too fast, long enough to show the dispersion.
   const double fastest = 2 * std::sqrt(strand.stretch_rigidity / (strand.mass[1] * strand.rest_length[0]));
   const int steps =
       method == Method::runge_kutta_4 ? static_cast<int>(std::ceil(period / 40 * fastest / 2)) : 1;
@@ -85,7 +85,7 @@ BeamSwing sample_swing(const StrandStart& rest, const BeamModes& modes, Method m
     settings.go_on();
     samples[k] = simulation.state(0).x[3 * kBeamSegments + 2] / (kHeight * kBeamLength);
     if (!simulation.advance(result.steps)) continue;
-    samples.setConstant(std::numeric_limits<double>::quiet_NaN());  // it broke
+    samples.setConstant(std::numeric_limits<double>::quiet_NaN());  // the run broke
     break;
   }
   result.fit = fit_sinusoid(samples);

@@ -1,4 +1,4 @@
-// The height at which hair that stands buckles: by its stiffness, and by what it does.
+// The height at which standing hair buckles: from its stiffness, and from its motion.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -12,8 +12,8 @@ namespace hair {
 
 namespace {
 
-// Where the softest stiffness changes its sign: a secant from either side, halved where it does not close in.
-// NaN, if there is no such place from 6 to 9.
+// The zero of the softest stiffness: a secant from either side, with bisection where it does not converge.
+// NaN if there is no zero from 6 to 9.
 double critical_gamma(const Material& material, int segments) {
   const auto stiffness = [&](double gamma) {
     return softest_stiffness(standing_hair(material, segments, length_of(material, gamma)));

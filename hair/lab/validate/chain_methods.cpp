@@ -72,18 +72,18 @@ class ChainOfRods : public MovingChain {
   Eigen::MatrixXd scratch_;
 };
 
-// What stretching leaves, see dispersion.h.
+// The error from stretching, see dispersion.h.
 double h6_error(const HangingChain& chain, double x) {
   return chain.count() * chain.stretch * x / 4;
 }
 
-// Up to n s x / 2, see dispersion.h: half of it, give or take as much.
+// Up to n s x / 2, see dispersion.h: the middle of this range, with half the range as the error.
 double h6_decay(const HangingChain& chain, double x, double) {
   return chain.count() * chain.stretch * x / 4;
 }
 
 // P2 solves to r = 1e-10 of a right-hand side that is l g. The inverse of J W J^T has the entries sum_{k >=
-// max(i,j)} m_k / l^2, so that the tension is off by n (T_0 / g) r / l at most, and w by half of its part of
+// max(i,j)} m_k / l^2, so the tension is off by at most n (T_0 / g) r / l, and w by half of that relative to
 // the smallest tension.
 double rods_error(const HangingChain& chain, double) {
   return 1e-10 * chain.count() * chain.tension(0) / chain.tension(chain.count() - 1) / 2;
@@ -93,7 +93,7 @@ double rods_decay(const HangingChain&, double, double turn) {
   return runge_kutta_4_decay(turn);
 }
 
-// A force that is off by a part, twice what w is, changes the speed by that part of `turn` of the amplitude.
+// A force's relative error, twice that of w, changes the speed by that part of `turn` of the amplitude.
 double rods_decay_error(const HangingChain& chain, double x, double turn) {
   return 2 * rods_error(chain, x) * turn;
 }

@@ -22,7 +22,7 @@ struct ChainMethod {
   std::string id;    // "h6"
   std::string name;  // "mass-spring, H6"
   std::vector<std::string> exercises;
-  int order;  // of its time error
+  int order;  // order of its time error
 
   // The true frequency from the measured one: undoes the integrator's dispersion (dispersion.h).
   double (*undo)(double measured, double step);
@@ -31,8 +31,8 @@ struct ChainMethod {
   // amplitude. The oscillation has w^2 = (g/l) x.
   double (*other_error)(const HangingChain& chain, double x);
 
-  // The part of that oscillation's amplitude that a step takes away if the phase turns by `turn`; and a bound
-  // of its error.
+  // The relative loss of that oscillation's amplitude in a step whose phase turns by `turn`; and a bound for
+  // its error.
   double (*decay)(const HangingChain& chain, double x, double turn);
   double (*decay_error)(const HangingChain& chain, double x, double turn);
 

@@ -42,7 +42,7 @@ Table table_of_modes(const std::string& caption, const std::string& first) {
           {}};
 }
 
-// The largest of errors over their tolerances; of what is no number, that.
+// The largest error over its tolerance; NaN if one of them is NaN.
 class Worst {
  public:
   void add(double error, double tolerance) {
@@ -65,7 +65,7 @@ Check check_of_decays(const Worst& worst, const std::string& id, const std::stri
           "in units of each mode's own tolerance (measure_mode.h)"};
 }
 
-// Of the modes in between the worst alone is a check, so that a person sees the end of the list.
+// Among the modes in between only the worst is a check, so that the list stays short.
 bool has_check(int mode, int n) {
   return mode <= 3 || mode == n;
 }
@@ -122,8 +122,8 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
   return result;
 }
 
-// What steps take is in the table alone: with a lower mass that is 0.01 of the upper one H6 takes seven times
-// as much for the swing's size as of one pendulum, and no theory here says how much that may be.
+// The table alone shows the steps' losses: if the lower mass is 0.01 of the upper one, H6 loses seven times
+// as much for the swing's size as with one pendulum, and no theory here bounds this.
 ValidationResult swing_double_pendulums(const ChainMethod& method, const ValidationSettings& settings) {
   ValidationResult result;
   Table table = table_of_modes("Double pendulums, " + method.name, "mass ratio, mode");
@@ -131,8 +131,8 @@ ValidationResult swing_double_pendulums(const ChainMethod& method, const Validat
     if (settings.quick && ratio != 1 && ratio != 1e6) continue;
     HangingChain chain{Eigen::Vector2d(kMass, ratio * kMass), kLink};
     const Eigen::Vector2d squares = double_pendulum_squares(ratio);
-    // The fast mode feels it times x. Less than 1e-11, and a length that is right to 1e-12 is no length any
-    // more.
+    // The fast mode feels it times x. It is less than 1e-11, and a relative error of 1e-12 in a length is
+    // only rounding.
     chain.stretch = std::clamp(1e-7 / squares[1], 1e-11, 1e-9);
     for (const int k : {0, 1}) {
       const MeasuredMode mode = measure_mode(method, chain, squares[k], squares[1], settings);

@@ -1,5 +1,5 @@
-// Hair that moves comes to rest where all forces balance: clamped level, and standing, below and above the
-// height at which it buckles.
+// Moving hair comes to rest where all forces balance: clamped level, and standing, below and above the height
+// at which it buckles.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -33,11 +33,11 @@ double stretch_of(const Material& material, double length) {
   return material.line_density() * kEarthGravity * length / material.stretch_rigidity();
 }
 
-// Where the strand balances, found from x on, and how slowly it swings there. NaN, if it does not.
+// The strand's balance, found from x on, and its slowest oscillation there. NaN if there is no balance.
 struct Balanced {
   Eigen::Vector2d tip;  // over its length
   double slowest;       // rad/s
-  double rounding;      // of the tip, over its length: what rounding of forces can move
+  double rounding;      // the tip's shift by rounding errors of forces, over its length
 };
 
 Balanced find_balance(const StrandStart& start, const Eigen::VectorXd& x) {

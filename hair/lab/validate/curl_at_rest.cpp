@@ -1,5 +1,4 @@
-// A curl without gravity stays as it is, wherever it is and however it is turned: nothing moves beyond
-// rounding.
+// A curl without gravity stays as it is, at any place and in any direction: it moves only by rounding.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +11,7 @@ namespace hair {
 
 namespace {
 
-// At rest near the origin; then turned and moved by as much as it is long, so that all coordinates are
-// rounded anew.
+// At rest near the origin; then turned and moved by its own length, so that all coordinates are rounded anew.
 StrandStart turned_curl(const Material& material, int segments, double length) {
   const RestShape shape = curly_shape(segments, length, 0.01, 0.02, {});
   StrandStart start = start_at_rest(material, shape);

@@ -1,6 +1,6 @@
 // A curl that hangs from its upper end. Under a heavy weight it is a planar curve: its natural curvature
-// shows at its lower end alone. Under a lighter one it could gain by leaving the plane, and does: the planar
-// shape gives way to one in space. See J. T. Miller, A. Lazarus, B. Audoly and P. M. Reis, "Shapes of a
+// shows only at its lower end. Under a lighter one it can lower its energy by leaving the plane, and does:
+// the planar shape becomes unstable. See J. T. Miller, A. Lazarus, B. Audoly and P. M. Reis, "Shapes of a
 // Suspended Curly Hair" (Physical Review Letters 112, 2014).
 //
 // In units of the length and of EI there are the weight Gamma = rho g S L^3 / EI, the total natural curvature
@@ -26,7 +26,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double kPoisson = 0.45;
 constexpr double kDown = 0.005;  // a step along the branch
-constexpr double kPart = 1e-5;   // of phi: a difference quotient's step
+constexpr double kPart = 1e-5;   // times phi: a difference quotient's step
 
 class HangingCurl {
  public:
@@ -36,7 +36,7 @@ class HangingCurl {
     root_.axes << 1, 0, 0, 0, -1, 0, 0, 0, -1;
   }
 
-  // Newton's method for kappa2, from where it was; the residual is halved until it falls.
+  // Newton's method for kappa2, from its last value; a step is halved until the residual falls.
   void settle(double part, const ValidationSettings& settings) {
     weight_ = std::pow(part * phi_, 3);
     VectorXd r = bends(residual(q_));
@@ -85,8 +85,8 @@ class HangingCurl {
   }
   VectorXd bends(const VectorXd& all) const { return all(Eigen::seqN(1, n_, 3)); }
 
-  // Of the residual's entries of these kinds (0 kappa1, 1 kappa2, 2 tau of each element), by the coordinates
-  // of the same kinds.
+  // The derivatives of the residual's entries of these kinds (0 kappa1, 1 kappa2, 2 tau of each element) by
+  // the coordinates of the same kinds.
   MatrixXd derivative(const std::vector<int>& kinds) {
     std::vector<int> which;
     for (int i = 0; i < n_; ++i)
@@ -110,7 +110,7 @@ class HangingCurl {
   double weight_ = 0;
 };
 
-// Where the branch loses its stability on the way down, and where it has it again, if it has.
+// The point where the branch becomes unstable on the way down, and the one where it is stable again, if any.
 struct Limits {
   std::optional<double> gives_way, holds_again;
   std::vector<Point> softest;  // along the branch: the eigenvalue over that of a straight element's bend
@@ -120,7 +120,7 @@ struct At {
   double part, softest;
 };
 
-// Where the eigenvalue is 0, by secants.
+// Finds the zero of the eigenvalue by secants.
 double zero_between(HangingCurl& curl, At one, At other, const ValidationSettings& settings) {
   for (int k = 0; k < 4; ++k) {
     const double part = one.part - one.softest * (other.part - one.part) / (other.softest - one.softest);

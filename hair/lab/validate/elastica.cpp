@@ -10,12 +10,12 @@ namespace hair {
 
 namespace {
 
-// psi, its derivative, and how far the tip is from here: level and down, over L.
+// psi, its derivative, and the tip's distances from here: level and down, over L.
 using Values = Eigen::Vector4d;
 
 struct Rod {
   double gamma, stretch;
-  double square = 0;  // of a segment's length, over L
+  double square = 0;  // square of a segment's length, over L
 
   Values derivative(double t, const Values& y) const {
     const double sine = std::sin(y[0]), cosine = std::cos(y[0]);
@@ -29,7 +29,7 @@ struct Rod {
   double slope_at_tip(double psi) const { return -square / 24 * gamma * std::sin(psi); }
   double psi_at_root() const { return std::numbers::pi / 2 - square / 8 * gamma; }
 
-  // From the tip to here, by the midpoint rule: what it has beside the integral is a derivative at either
+  // From the tip to here, by the midpoint rule: its difference from the integral is a derivative at either
   // end.
   Eigen::Vector2d place(const Values& y) const {
     return y.tail<2>() - square / 24 * y[1] * Eigen::Vector2d(std::cos(y[0]), -std::sin(y[0]));
@@ -55,12 +55,12 @@ Eigen::Matrix4Xd shoot(const Rod& rod, double psi_at_tip, int steps_per_part) {
   return columns;
 }
 
-// The logarithm of psi at the clamp grows with that of psi at the tip, the more slowly the further it is:
-// sin(psi) / psi falls. And psi grows by exp(2/3 sqrt(Gamma)) at most, for psi' / psi stays below sqrt(Gamma
-// t). So the first guess is too small, and so is every secant's.
+// The logarithm of psi at the clamp grows with that of psi at the tip, the more slowly the larger psi is,
+// because sin(psi) / psi falls. And psi grows by at most exp(2/3 sqrt(Gamma)), because psi' / psi stays below
+// sqrt(Gamma t). So the first guess is too small, and so is every secant's.
 //
-// The error that it leaves is what the last shot misses psi = psi_at_root by: nowhere is an angle off by more
-// than there, for what differs grows on the way, and no point is off by more than that times its distance.
+// The remaining error is the last shot's distance from psi = psi_at_root. Errors grow along the way, so no
+// angle is off by more, and no point is off by more than that times its distance.
 Elastica solve(const Rod& rod, int steps_per_part) {
   const double target = std::log(rod.psi_at_root());
   double guess = target - 2.0 / 3 * std::sqrt(rod.gamma * (1 + rod.stretch)), slope = 1;
@@ -92,7 +92,7 @@ Elastica elastica(double gamma, double stretch, double segments) {
   particles::require(segments >= std::sqrt(gamma), "the segments of an elastica", segments,
                      "sqrt(Gamma) or more");
   const Rod rod{gamma, stretch, 1 / (segments * segments)};
-  // A hundred steps or more while psi grows by a factor e.
+  // At least a hundred steps while psi grows by a factor e.
   const int steps = 10 + static_cast<int>(std::sqrt(gamma) * 100 / kElasticaParts);
   Elastica result = solve(rod, 2 * steps);
   result.error += (result.points - solve(rod, steps).points).colwise().norm().maxCoeff() / 15;

@@ -50,7 +50,7 @@ struct Elastica {
 // load lies on particles, so
 //
 //   (psi_{j+1} - 2 psi_j + psi_{j-1}) / h^2 = Gamma t_j sin(psi_j),
-//   psi_{-1} = psi_0 at the tip,   (psi_{n-1} + psi_n) / 2 = pi/2 at the clamp, which bends half of a segment,
+//   psi_{-1} = psi_0 at the tip,   (psi_{n-1} + psi_n) / 2 = pi/2 at the clamp, which bends half a segment,
 //
 // To fourth order this is psi'' + h^2/12 psi'''' = Gamma t sin(psi), with psi' = -h^2/24 psi''' at the tip
 // and psi = pi/2 - h^2/8 psi'' at the clamp. The particles are sums over segments, the midpoint rule. Needs

@@ -1,8 +1,8 @@
-// Hair that is clamped, weighs nothing and is bent by a moment at its tip: an arc, up to a full circle.
+// Clamped hair without weight, bent by a moment at its tip: an arc, up to a full circle.
 //
-// A rod's curvature is M / EI everywhere. Of a strand each joint bends by a = M l / EI, the clamp by half of
-// that, and so segments have exactly the arc's angles in their middles: particles lie on an arc as well,
-// which is larger by (a/2) / sin(a/2), 1 + a^2/24 + ...; a full circle closes.
+// A rod's curvature is M / EI everywhere. In a strand each joint bends by a = M l / EI, and the clamp by
+// half of that. So segments have exactly the arc's angles in their middles, and particles lie on an arc as
+// well, which is larger by (a/2) / sin(a/2), 1 + a^2/24 + ...; a full circle closes.
 #include <cmath>
 #include <limits>
 #include <numbers>

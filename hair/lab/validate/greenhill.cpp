@@ -63,7 +63,7 @@ double softest_stiffness(const StrandStart& standing) {
   const auto strand = under_gravity(standing, Vector3d(0, 0, -kEarthGravity));
   const Eigen::MatrixXd K = planar_stiffness(strand->force, standing.state.x);
   const int n = standing.strand.segments();
-  // Of a particle's two unknowns, the one that is level.
+  // Each particle has two unknowns; this takes the horizontal one.
   const Eigen::MatrixXd sideways = K(Eigen::seqN(0, n, 2), Eigen::seqN(0, n, 2));
   return solver::symmetric_eigenvalues(sideways)[0];
 }

@@ -1,5 +1,5 @@
-// Hair that is clamped level and bends under its own weight, at rest, beside the elastica: the error against
-// the number of segments, and against the time that it takes to find.
+// Hair that is clamped level and bends under its own weight, at rest, compared with the elastica: the error
+// against the number of segments, and against the time that the search takes.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -17,13 +17,13 @@ namespace {
 
 struct Rest {
   int segments;
-  double error;    // of the tip, over L; NaN, if none was found
-  double seconds;  // of CPU time, to find it
+  double error;    // the tip's, over L; NaN if no balance was found
+  double seconds;  // CPU time of the search
 
-  // Beside the curve that the strand follows to fourth order, over L; where segments are too few for it, 0.
+  // The fourth-order curve of the strand, over L; 0 if the strand has too few segments for it.
   double expected = 0;   // the tip's error
-  double apart = 0;      // tip and tip
-  double tolerance = 0;  // how far they may be
+  double apart = 0;      // the distance of the two tips
+  double tolerance = 0;  // the largest allowed distance
 };
 
 // Hair of one length in more and more segments.
@@ -59,7 +59,7 @@ SegmentSweep sweep_segments(const Material& material, double gamma, const Valida
   return sweep;
 }
 
-// Between two numbers of segments of which one is twice the other.
+// The order between two numbers of segments, one twice the other.
 double order(const Rest& coarse, const Rest& fine) {
   return std::log2(coarse.error / fine.error);
 }

@@ -34,14 +34,14 @@ Eigen::VectorXd laguerre_zeros(int n) {
 
 Eigen::Vector2d double_pendulum_squares(double mass_ratio) {
   const double s = std::sqrt(mass_ratio / (1 + mass_ratio));
-  // 1 / (1 - s) = (1 + s) (1 + mu), without what 1 - s would lose.
+  // 1 / (1 - s) = (1 + s) (1 + mu), without the cancellation in 1 - s.
   return {1 / (1 + s), (1 + s) * (1 + mass_ratio)};
 }
 
 Eigen::VectorXd mode_angles(const HangingChain& chain, double x) {
   const int n = chain.count();
   Eigen::VectorXd angles(n);
-  // From the tip up: the tension's sideways part in link i accelerates all below it.
+  // From the tip up: the tension's sideways part in link i accelerates all masses below it.
   double sideways = 1, momentum = 0;
   for (int i = n - 1; i >= 0; --i) {
     momentum += chain.mass[i] * sideways;

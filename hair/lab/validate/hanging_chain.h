@@ -6,10 +6,10 @@
 //
 //   m_i q_i'' = T_{i+1} (q_{i+1} - q_i) / l - T_i (q_i - q_{i-1}) / l.
 //
-// For equal masses a mode's w^2 is (g/l) x, with x a zero of the Laguerre polynomial L_n, and the amplitude
-// of mass i is L_{n-i}(x). The equation above is then (j+1) L_{j+1} = (2j+1-x) L_j - j L_{j-1}, j = n - i (D.
-// Bernoulli 1732, for the chain; M. Abramowitz and I. A. Stegun, "Handbook of Mathematical Functions",
-// 22.7.12, for the polynomials).
+// For equal masses a mode's w^2 is (g/l) x, with x a zero of the Laguerre polynomial L_n, and the
+// amplitude of mass i is L_{n-i}(x). The equation above is then (j+1) L_{j+1} = (2j+1-x) L_j - j L_{j-1},
+// j = n - i (D. Bernoulli 1732, for the chain; M. Abramowitz and I. A. Stegun, "Handbook of Mathematical
+// Functions", 22.7.12, for the polynomials).
 //
 // Two masses, upper m and lower mu m: w^2 = (g/l) (1 + mu +- sqrt(mu (1 + mu))). The determinant of the two
 // equations, with w^2 = (g/l) x, is (1 + mu) (1 - x)^2 = mu x^2; so x = 1 / (1 -+ s), s = sqrt(mu / (1 +
@@ -30,7 +30,7 @@ struct HangingChain {
 
   int count() const { return static_cast<int>(mass.size()); }
   double tension(int i) const { return gravity * mass.tail(count() - i).sum(); }  // N, of link i
-  double square_unit() const { return gravity / link; }                           // of w^2, 1/s^2
+  double square_unit() const { return gravity / link; }                           // unit of w^2, 1/s^2
 };
 
 // The n zeros of L_n, increasing: eigenvalues of the symmetric tridiagonal matrix with 2j + 1 on its diagonal
@@ -43,8 +43,8 @@ Eigen::Vector2d double_pendulum_squares(double mass_ratio);
 // The angles of the links in the mode with w^2 = (g/l) x, scaled so that the largest is 1.
 Eigen::VectorXd mode_angles(const HangingChain& chain, double x);
 
-// How much a larger amplitude slows a mode: its frequency is w (1 + c A^2 + ...), with A the largest angle of
-// a link.
+// The effect of the amplitude on a mode's frequency: it is w (1 + c A^2 + ...), with A the largest angle of a
+// link.
 //
 // With M_ij = l^2 sum_{k >= max(i,j)} m_k and G_i = l T_i the Lagrangian is
 //

@@ -1,5 +1,5 @@
-// The elastica that strands are compared with, itself beside six digits of it that the assignment states and
-// what is known of its limits.
+// Checks the elastica itself, to which strands are compared: six digits of it that the assignment states, and
+// its limits.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -33,13 +33,13 @@ double slope(double gamma) {
   return curve.tip()[1] / curve.tip()[0];
 }
 
-// Of the limits see elastica.h; H is the tip's drop, W its x. In the boundary layer, with e = 1 /
+// For the limits see elastica.h; H is the tip's drop, W its x. In the boundary layer, with e = 1 /
 // sqrt(Gamma),
 //
 //   H / L = 1 - e (2 - sqrt(2)) + ...,   W / L = e sqrt(2) + e^2 (pi/2 - sqrt(2) + 1) + ...:
 //
-// multiplied by psi', the equation integrates once, and what the lighter load further down takes away (1 - s
-// instead of 1) is e times the integral of 1 - cos(psi).
+// after multiplication by psi' the equation integrates once, and the lower load further down (1 - s
+// instead of 1) subtracts e times the integral of 1 - cos(psi).
 void check_limits(ValidationResult& result) {
   const double light = 0.01;
   result.checks.push_back(

@@ -11,7 +11,7 @@ struct MeasuredMode {
   double square = 0;     // l w^2 / g of a small swing: corrected for dispersion and amplitude
   double tolerance = 0;  // relative, as below
   double softening = 0;  // the amplitude's effect on `square`, relative: 2 c A^2
-  double decay = 0;      // of the amplitude in a step
+  double decay = 0;      // the amplitude's decay in a step
   double expected_decay = 0, decay_tolerance = 0;
   double step = 0, angle = 0;
   int steps = 0;

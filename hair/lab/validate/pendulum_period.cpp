@@ -11,8 +11,8 @@ namespace hair {
 
 namespace {
 
-// Of the error's series a h^p + b h^(p+1) + ... two runs take away the first term (L. F. Richardson): with
-// `coarse` of steps of h and `fine` of h/2.
+// Two runs remove the first term of the error's series a h^p + b h^(p+1) + ... (L. F. Richardson): `coarse`
+// with steps of h and `fine` with h/2.
 double extrapolated(double coarse, double fine, int order) {
   return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
@@ -49,10 +49,9 @@ Check check_of(const Periods& periods, double degrees, double expected, int orde
   return check;
 }
 
-// From three step sizes. Of a h^p + b h^(p+1) it is p + log2((1 + r) / (1 + r/2)), about p + r / 2 log(2), r
-// what b adds to the first difference, of 1; and halving the steps changes the extrapolated value by r / 2
-// (2^p
-// - 1) of that difference.
+// The order from three step sizes. For a h^p + b h^(p+1) it is p + log2((1 + r) / (1 + r/2)), about p + r / 2
+// log(2), with r the part of b in the first difference; halving the steps changes the extrapolated value by r
+// / 2 (2^p - 1) of that difference.
 Check check_of_order(const Periods& periods, double degrees, int order) {
   const auto& [coarse, middle, fine] = periods.measured;
   Check check;

@@ -16,17 +16,17 @@ namespace {
 constexpr int kMostIterations = 200;
 constexpr double kMostChange = 1, kLeastChange = 1e-12;
 
-// Unknown j of 2(n - 1), among the 3n numbers.
+// The index of unknown j of 2(n - 1) among the 3n numbers.
 Eigen::Index place(Eigen::Index unknown) {
   return 3 * (unknown / 2 + 1) + (unknown % 2 == 0 ? 0 : 2);
 }
 
-// The two numbers of each segment: what sums over the particles below it are.
+// Adds up the two numbers of each segment over the particles below it.
 void add_up_below(Eigen::Ref<Eigen::MatrixXd> rows) {
   for (Eigen::Index i = rows.rows() - 3; i >= 0; --i) rows.row(i) += rows.row(i + 2);
 }
 
-// Segment j as a direction and a length, and what acts at its end with all that acts below.
+// Segment j as a direction and a length, and the force at its end, including all forces below.
 struct Segment {
   Eigen::Vector2d u;
   double length;
@@ -45,12 +45,13 @@ struct Segment {
   }
 };
 
-// Newton's step: how far each segment's end goes across and along, if it turns and gets longer. With K_e the
-// stiffness against changes of segments and F what acts at a segment's end, both sums over particles,
+// Newton's step: the motion of each segment's end across and along the segment, as it turns and gets longer.
+// With K_e the stiffness against changes of segments and F the force at a segment's end, both sums over
+// particles,
 //
 //   (K_e, in the segments' frames, + (u . F, -across . F; -across . F, 0) / length) step = F in its frame:
 //
-// the second term is what makes a turn not a straight line.
+// the second term accounts for the curved path of a turning end.
 Eigen::VectorXd newton_step(const particles::Force& force, const Eigen::VectorXd& x,
                             const Eigen::VectorXd& f) {
   Eigen::MatrixXd K = planar_stiffness(force, x);
@@ -139,7 +140,7 @@ Eigen::Vector2d planar_tip(particles::Input x) {
 Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x) {
   Balance balance;
   balance.x = std::move(x);
-  // A coordinate is known to 2^-53 of the strand's length, and so a segment's force to EA / l0 of that.
+  // A coordinate is accurate to 2^-53 of the strand's length, and so a segment's force to EA / l0 of that.
   const double length = strand.rest_length.sum(), segment = strand.rest_length.minCoeff();
   balance.rounding = 16 * 0x1p-53 * strand.stretch_rigidity * length / segment;
   for (;;) {

@@ -1,5 +1,5 @@
 // Strands at rest in the plane y = 0: Newton's method, with the forces' own exact products, finds the balance
-// of all forces. For strands whose particle 0 is fixed and whose forces keep them in that plane.
+// of all forces. It needs strands whose particle 0 is fixed and whose forces keep them in that plane.
 //
 // The unknowns are (x, z) of particles 1 to n - 1: 2(n - 1) numbers. The matrices are dense: suited for
 // hundreds of segments, not for thousands.
@@ -22,7 +22,7 @@ Eigen::Vector2d planar_tip(particles::Input x);
 
 struct Balance {
   Eigen::VectorXd x;    // 3n, m
-  int iterations = 0;   // of Newton's method
+  int iterations = 0;   // Newton iterations
   double change = 1;    // the largest one in the last iteration: radians, or parts of a segment
   double residual = 0;  // N, the largest force on a free particle
   double rounding = 0;  // N, the rounding error that `residual` may have

@@ -8,7 +8,7 @@ namespace hair {
 
 namespace {
 
-// Half of the last digit that is printed.
+// Half of the last printed digit.
 constexpr double kSixDigits = 0.5e-6, kSevenDigits = 0.5e-7;
 
 void add(ValidationResult& result, const std::string& id, const std::string& shows, const std::string& source,

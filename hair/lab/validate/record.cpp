@@ -59,7 +59,7 @@ Section section_of(const ValidationRecord& record) {
   const ValidationResult& result = record.result;
   if (result.checks.empty()) return section;
   section.first = {table_of(rows_of(result.checks, found), "Checks of " + record.id)};
-  // An exercise's numbers may be none: that must not cost the page.
+  // An exercise's numbers may be NaN: the page must still appear.
   for (const Figure& figure : result.figures) try {
       section.figures.push_back(to_svg(figure));
     } catch (const std::invalid_argument& error) {

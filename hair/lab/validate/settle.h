@@ -1,4 +1,4 @@
-// Moves hair until drag has brought it to rest.
+// Moves hair until drag brings it to rest.
 #pragma once
 
 #include "hair/lab/validate/validation.h"

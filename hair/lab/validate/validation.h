@@ -50,7 +50,7 @@ struct ValidationSettings {
   bool quick = false;  // fewer and coarser runs: at most a second for each validation
   const std::atomic<bool>* interrupted = nullptr;
 
-  // Throws Interrupted once Ctrl-C was pressed. Called at least every tenth of a second.
+  // Throws Interrupted after Ctrl-C. Must be called at least every tenth of a second.
   void go_on() const;
 };
 

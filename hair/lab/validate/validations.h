@@ -9,7 +9,7 @@ namespace hair {
 // In published_numbers.cpp; calls no exercise.
 Validation published_numbers();
 
-// In curl_gives_way.cpp, which is there if the course has H8.
+// In curl_gives_way.cpp, which is compiled if the course has H8.
 Validation curl_gives_way();
 
 // They keep a reference to the method. In pendulum_period.cpp, then chain_oscillations.cpp.

@@ -25,7 +25,7 @@ void shift(std::vector<double>& points, int k, const Vector3d& by) {
   for (int axis = 0; axis < 3; ++axis) points[3 * (kPoints * k + 1) + axis] += by[axis];
 }
 
-// Of 20 strands one may be farther off than `most`: strand k is off by k mm at one of two points, so that e_k
+// One of 20 strands may be farther off than `most`: strand k is off by k mm at one of two points, so that e_k
 // = k mm / sqrt(2).
 TEST(HeadErrors, AreRootMeanSquaresAndTheNinetyFifthPercentile) {
   std::vector<double> made = still();
@@ -56,12 +56,12 @@ TEST(HeadErrors, OverTimeLeaveTheStartOut) {
   EXPECT_EQ(errors.end.most, 0);
   EXPECT_NEAR(errors.all.rms, 3e-3 / 2, 100 * kUnit);  // 3 mm at half of the points, at half of the moments
   EXPECT_NEAR(errors.all.most, 3e-3 / std::sqrt(2.0), 100 * kUnit);
-  // The ways from the start are 5 and 4 mm long. What is kept of the start is single precision.
+  // The differences from the start are 5 and 4 mm long. The start is kept in single precision.
   EXPECT_NEAR(errors.motion.rms, std::sqrt((25e-6 + 16e-6) / 4), 4e-3 * 0x1p-23);
   EXPECT_NEAR(errors.motion.most, 5e-3 / std::sqrt(2.0), 4e-3 * 0x1p-23);
 }
 
-// What goes with the head as it is turns with it.
+// A difference that turns with the head is no error.
 TEST(HeadErrors, OfTheMotionAloneAreNoneIfTheDifferenceTurnsWithTheHead) {
   const Matrix3d turn = Eigen::AngleAxisd(1.2, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   std::vector<double> before = still(), after = still();

@@ -1,4 +1,4 @@
-// The record, the table and the page of a study that is made up.
+// The record, the table and the page of an invented study.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -98,7 +98,7 @@ TEST_F(HeadPage, SaysWhyThereAreNoPictures) {
   EXPECT_EQ(page.find("<img"), std::string::npos);
 }
 
-// Fewer strands than any number of guides: what there is, is every strand.
+// Fewer strands than any number of guides: only the run of every strand remains.
 TEST_F(HeadPage, IsMadeWithoutRuns) {
   HeadStudy study = made_study();
   for (HeadCase& one : study.cases) one.runs.clear();

@@ -1,4 +1,4 @@
-// The study of a head with the reference's exercises: what its errors must do, whatever the hair is.
+// The study of a head with the reference's exercises: properties of its errors for any hair.
 #include "hair/lab/head/head_study.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ HeadCase studied(const GrownHead& head, const HeadStudySettings& settings, const
 }
 
 // Straight strands of eight points on a level square of 10 cm, side x side of them. They leave it in
-// directions that turn smoothly along it, and nothing is in their way: a strand's motion is a smooth function
-// of where it grows.
+// directions that turn smoothly along it, and there are no obstacles: a strand's motion is a smooth
+// function of its root.
 GrownHead smooth_patch(int side) {
   static const HeadHair hair = {"patch", "A patch", *find_hair_style("long-smooth"), 8, false};
   GrownHead head{&hair, {}, {}, 0.14};
@@ -44,9 +44,9 @@ class Hairs : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(HeadStudy, Hairs, testing::Values("straight", "wavy", "curly"),
                          [](const auto& one) { return std::string(one.param); });
 
-// A child that grows where a guide does has its weight 1 to 1e-8: root_weights finds its place to 1e-10 of a
-// triangle's edge, which is at most a hundred times the triangle's height. The rest is of guides that lie at
-// most two lengths away.
+// A child at a guide's root has this guide's weight 1 to 1e-8: root_weights finds its place to 1e-10 of a
+// triangle's edge, which is at most a hundred times the triangle's height. The rest comes from guides that
+// lie at most two lengths away.
 TEST_P(Hairs, HaveNoErrorIfEachIsAGuide) {
   const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 4);
   const HeadCase one = studied(head, {true, 1, {4}});
@@ -73,9 +73,9 @@ TEST_P(Hairs, HaveTheSameErrorsAgainOnTwoThreads) {
   }
 }
 
-// Of n guides that are chosen farthest first, each root is within twice the least possible distance, which
-// falls as the root of n. So sixteen times the guides are at most half as far away. Interpolation between
-// them has an error of second order in this distance, at the rim, where there is no triangle, of first: it
+// If n guides are chosen farthest first, each root is within twice the least possible distance, which falls
+// as the root of n. So sixteen times the guides are at most half as far away. Interpolation between them has
+// an error of second order in this distance, and of first order at the rim, where there is no triangle: it
 // falls to a half at least. Extrapolation keeps the shape of the nearest guide: first order.
 TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
   const HeadCase one = studied(smooth_patch(13), {false, 1, {4, 64}});
@@ -90,8 +90,8 @@ TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
   }
 }
 
-// Where all strands have one shape, that is what is interpolated, however few guides there are. Before the
-// head moves, strands that start alike are moved alike, but for the rounding of where they are: u of 0.1 m at
+// If all strands have one shape, interpolation gives this shape with any number of guides. Before the head
+// moves, strands that start alike move alike, except for the rounding of their positions: u of 0.1 m at
 // each of 30 steps, which the stiffness of segments of 2 cm makes larger by h^2 k / m = 2e6 at most. H10's
 // own rounding is 1e-12 of coordinates below a metre.
 TEST(HeadStudy, EqualStrandsAreInterpolatedWithoutAnError) {

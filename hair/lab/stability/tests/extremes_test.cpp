@@ -1,4 +1,4 @@
-// STAFF ONLY. Extreme cases are what their names say, and each method does there what it must.
+// STAFF ONLY. Extreme cases are as their names say, and each method has its necessary outcome.
 
 #include "hair/lab/stability/extremes.h"
 
@@ -51,7 +51,7 @@ TEST(Extremes, AreWhatTheirNamesSay) {
   EXPECT_NEAR(of("EA 1e6 times as large").strand.stretch_rigidity / plain.stretch_rigidity, 1e6, 1e-3);
 }
 
-// What starts at rest where nothing pulls stays there, and says nothing of a method.
+// A case without forces stays at rest, and shows nothing about a method.
 TEST(Extremes, LeaveOutWithoutGravityWhatWouldNotMove) {
   Description floating = falling_hair();
   floating.gravity.setZero();

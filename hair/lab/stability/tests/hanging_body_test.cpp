@@ -1,5 +1,5 @@
-// STAFF ONLY. Links that hang: their frequencies are those of closed forms, and methods break where theory
-// has it.
+// STAFF ONLY. Hanging links: their frequencies are those of closed forms, and methods break at the limits of
+// theory.
 #include "hair/lab/stability/hanging_body.h"
 
 #include <gtest/gtest.h>
@@ -33,9 +33,9 @@ const hair::Material& material_of(const Description& hair) {
   return hair.modelled[0].spec.fibre.material;
 }
 
-// Half a rod twists at the clamp: the chain goes on behind it as in a mirror that turns motions round, and at
-// the tip as in one that does not. So its waves are sines, and their frequencies (2 c / l) sin((2j - 1) pi /
-// (4 n)).
+// Half a rod twists at the clamp: the chain continues behind it as in a mirror that reverses motions, and at
+// the tip as in a mirror that does not. So its waves are sines, and their frequencies (2 c / l) sin((2j - 1)
+// pi / (4 n)).
 TEST(HangingBody, TwistsAsInTheClosedFormWithoutDrag) {
   constexpr int kLinks = 6;
   const Description description = links(kLinks);
@@ -73,8 +73,8 @@ TEST(HangingBody, SwingsWithoutWeightAsABeam) {
   EXPECT_NEAR(slowest(description, 2) / slowest(description, 1), std::sqrt(2), 1e-5);
 }
 
-// Drag c for each metre damps what moves across with c / (rho A); what a rod's own thickness adds to its
-// inertia is (r / l)^2 of it.
+// Drag c per metre damps motions across with c / (rho A); a rod's own thickness adds (r / l)^2 to its
+// inertia.
 TEST(HangingBody, DragDampsWhatMovesAcross) {
   const Description description = links(5);
   const HangingBody hanging = hair::hang_body(description, 1);
@@ -94,7 +94,7 @@ TEST(HangingBody, AHingedStrandHasNothingThatTwistsItBack) {
   EXPECT_THROW(hair::hang_body(description, 1), hair::BadInput);
 }
 
-// The first h that is wrong, halved to a thousandth; bounds as in stability_maps_test.
+// The first wrong h, by bisection to a thousandth; bounds as in stability_maps_test.
 void expect_limit(Method method, double stiffness, double drag, long steps) {
   Description description = links(10);
   description.method = method;
@@ -120,7 +120,7 @@ TEST(HangingBody, MethodsBreakWhereTheoryHasIt) {
     expect_limit(Method::symplectic_euler, stiffness, 0, 4000);
     expect_limit(Method::runge_kutta_4, stiffness, 0, 4000);
   }
-  // Drag above twists' frequency: it is drag that sets the limit.
+  // The drag is above the twists' frequency and sets the limit.
   expect_limit(Method::symplectic_euler, 1, 3, 4000);
   expect_limit(Method::runge_kutta_4, 1, 3, 4000);
   for (const double stiffness : {1e-3, 1e-2}) expect_limit(Method::implicit_euler, stiffness, 0, 2000);

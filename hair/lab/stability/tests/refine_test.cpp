@@ -1,5 +1,5 @@
-// STAFF ONLY. Refinement: few cells tell all, islands of a size are met, and smaller ones are known to be
-// missable.
+// STAFF ONLY. Refinement: few cells determine all others, islands above a size are found, and smaller ones
+// can be missed.
 
 #include "hair/lab/stability/refine.h"
 
@@ -95,7 +95,7 @@ TEST(Refine, FindsBoundariesThatCrossTheEdges) {
     }
 }
 
-// From one column to the next: a boundary jumps, the class above it becomes another, and a layer ends.
+// From one column to the next, a boundary jumps, the class above it changes, and a layer ends.
 TEST(Refine, FindsWhatChangesFromOneColumnToTheNext) {
   for (int edge = 1; edge < kSize; ++edge)
     for (int jump = 1; jump <= 12; ++jump) {
@@ -111,7 +111,7 @@ TEST(Refine, FindsWhatChangesFromOneColumnToTheNext) {
                                             : column >= edge && row < 20 + jump ? 1
                                                                                 : 2; }};
       for (std::size_t k = 0; k < all.size(); ++k) {
-        // A layer that no coarse row is in, and that only one of two neighbours has, can be missed.
+        // A layer without a coarse row, which only one of two neighbours has, can be missed.
         if (k >= 2 && jump < hair::kCoarse) continue;
         expect_same_within_a_cell(
             all[k], refined(all[k]),
@@ -144,7 +144,7 @@ TEST(Refine, AsksForATenthOfTheCellsOfTwoBoundaries) {
   }
 }
 
-// Beyond the boundary two classes follow each other by chance; the boundary below them is none the worse.
+// Above the boundary two classes alternate at random; the boundary below them stays right.
 TEST(Refine, ChanceAboveABoundaryLeavesItWhereItIs) {
   for (const Boundaries& one : many_boundaries(2)) {
     std::mt19937 random(7);
@@ -195,15 +195,14 @@ TEST(Refine, FindsTheShoresOfLargerIslands) {
     }
 }
 
-// As the header says: what holds no square of its stride can be missed. This one is beside all cells that are
-// asked for.
+// As the header says, an island without a square of the stride can be missed. This one lies between all
+// evaluated cells.
 TEST(Refine, MissesAnIslandBesideTheCellsThatItAsksFor) {
   const Island island{hair::kCoarse + 1, 33, hair::kCoarse - 1, hair::kCoarse - 1};
   EXPECT_EQ(cells_met(refined(island.in(20))), 0);
 }
 
-// A narrow one between two columns that are searched is met where it is as high as half of a stretch, or at
-// an edge.
+// A narrow island between two searched columns is found if it is as high as half of a stretch, or at an edge.
 TEST(Refine, MeetsNarrowIslandsHalfwayBetweenItsColumns) {
   for (int between = 0; between + hair::kCoarse < kSize; between += hair::kCoarse) {
     const int column = between + hair::kCoarse / 2 - 1;
@@ -212,8 +211,8 @@ TEST(Refine, MeetsNarrowIslandsHalfwayBetweenItsColumns) {
   }
 }
 
-// What is met on the way to a boundary, and is neither class: where it is looked for first, and in its last
-// halving.
+// An island of a third class in the search for a boundary: at the search's first cell, and in its last
+// bisection.
 TEST(Refine, MeetsNarrowIslandsWhereABoundaryShouldBe) {
   for (int between = 0; between + hair::kCoarse < kSize; between += hair::kCoarse) {
     EXPECT_GT(cells_met(refined(Island{between + 2, 20, 1, 1}.in(20))), 0) << "after column " << between;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Maps: the measured boundary is where theory has it, few runs find what all find, and classes
-// are what they say.
+// STAFF ONLY. Maps: the measured boundary is at the theory's limit, few runs find the same boundary as all
+// runs, and classes match their definitions.
 
 #include <gtest/gtest.h>
 
@@ -40,8 +40,8 @@ hair::StudyMethod implicit_method(Method method, hair::GeometricTerm term) {
   return one;
 }
 
-// The first h that is wrong, halved to a thousandth, from where it is stable: half of theory's limit; up to
-// twice that.
+// The first wrong h, by bisection to a thousandth, between half of theory's limit, which is stable, and twice
+// the limit.
 double measured_limit(const Description& description, const hair::StabilityMap& map, std::size_t column,
                       double theory) {
   const bool stiffness = map.sweep == hair::Swept::stiffness;
@@ -61,10 +61,10 @@ double measured_limit(const Description& description, const hair::StabilityMap& 
   return low;
 }
 
-// The curve that a map draws, beside runs of many steps, in columns from end to end. Where a method keeps
-// errors bounded it exchanges energy, by 100 at 99/101 of its limit (experiment.h): 2 % too low, and a
-// thousandth is the bisection's. A growth by 10 in so many steps, from which on it is seen, is less than 1 %
-// beyond the limit, or the last curve says where it is.
+// Compares the curve of a map with runs of many steps, in columns from end to end. A method that keeps errors
+// bounded exchanges energy, by 100 at 99/101 of its limit (experiment.h): 2 % too low, and the bisection adds
+// a thousandth. A growth by 10 in so many steps, from which on it is seen, is less than 1 % beyond the limit,
+// or the last curve gives its place.
 void expect_theory(const Description& hair, const hair::StudyMethod& method, hair::Swept sweep,
                    const hair::MapSettings& few) {
   hair::MapSettings settings = few;
@@ -144,7 +144,7 @@ TEST(StabilityMaps, ClassesAreWhatTheySay) {
   EXPECT_EQ(judged(0.09, 0, 1), Fate::damped_out);
   EXPECT_EQ(judged(0.09, 0, 0.5), Fate::stable);   // drag took the rest
   EXPECT_EQ(judged(1e-9, 0, 1e-3), Fate::stable);  // nothing is left to compare with
-  hair::Judge judge;                               // what was wrong once stays so
+  hair::Judge judge;                               // a wrong run stays wrong
   judge.look(Eigen::Vector2d(1, 200), 0, 1);
   judge.look(Eigen::Vector2d(0, 0), 0, 1);
   EXPECT_EQ(judge.outcome().fate, Fate::wrong);

@@ -1,5 +1,4 @@
-// STAFF ONLY. What a stability page says: no disagreement is passed over, and nothing that is not there is
-// claimed.
+// STAFF ONLY. A stability page reports every disagreement, and claims nothing without a measurement.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +20,7 @@ TEST(StabilityDistance, IsInCellsAndTakesTheSignOfTheBoundary) {
   EXPECT_EQ(distance.columns_beyond, 0);
 }
 
-// Theory says 4 and nothing is wrong, or everything: no column has both, and all of them disagree.
+// Theory's limit is 4, and no step or every step is wrong: no column has both boundaries, all disagree.
 TEST(StabilityDistance, CountsColumnsWhereOneHasLeftTheMap) {
   const hair::Distance never = hair::distance_of({kInfinity, kInfinity}, {4, 8}, kSteps);
   EXPECT_EQ(never.columns, 0);
@@ -42,7 +41,7 @@ TEST(StabilityDistance, LetsBothLeaveTheMapOnOneSide) {
   EXPECT_EQ(distance.columns_beyond, 0);
 }
 
-// The first row is wrong already: there is no cell below it to be halfway to.
+// The first row is wrong already: there is no lower cell for a boundary between two.
 TEST(StabilityDistance, ABoundaryBelowTheMapIsZero) {
   hair::RefinedGrid grid;
   grid.cells = {2, 0, 0,   //

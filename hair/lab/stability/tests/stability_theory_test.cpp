@@ -1,5 +1,5 @@
-// STAFF ONLY. Limits that theory gives, beside the spectral radius of the matrix that a step is: just below a
-// limit it is at most 1, just above it is more.
+// STAFF ONLY. Compares theory's limits with the spectral radius of a step's matrix: just below a limit it is
+// at most 1, just above it is more.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-// Gelfand's formula, |A^N|^(1/N) with N = 2^40: what the norm of a power is apart from the radius' power has
+// Gelfand's formula, |A^N|^(1/N) with N = 2^40: the factor between the power's norm and the radius' power has
 // a logarithm of at most some tens, divided by N.
 double spectral_radius(MatrixXd power) {
   double logarithm = 0;
@@ -42,7 +42,7 @@ class Oscillating : public particles::Dynamics {
   hair::Oscillator oscillator_;
 };
 
-// Of the method as it is implemented: columns are the steps from (1, 0) and (0, 1).
+// The matrix of the implemented method: its columns are the steps from (1, 0) and (0, 1).
 MatrixXd step_matrix(Method method, const hair::Oscillator& oscillator, double h) {
   Oscillating dynamics(oscillator);
   MatrixXd matrix(2, 2), scratch = MatrixXd::Zero(3, particles::kIntegratorScratch);
@@ -134,7 +134,7 @@ TEST(StabilityTheory, ImplicitLimitsAreWhereTheStepsMatrixGrows) {
     const auto step = [&](double at) { return hair::predictor_corrector_step(s.mass, s.k, s.p, gamma, at); };
     EXPECT_LE(spectral_radius(step(0.999 * twice)), 1 + 1e-7) << "H6, gamma " << gamma << ", h " << twice;
     EXPECT_GT(spectral_radius(step(1.001 * twice)), 1 + 1e-9) << "H6, gamma " << gamma << ", h " << twice;
-    // The first of several modes' limits: nothing grows with any smaller step.
+    // The smallest limit of several modes: no error grows with any smaller step.
     for (int k = 1; k < 200; ++k)
       EXPECT_LE(spectral_radius(step(k / 200.0 * twice)), 1 + 1e-7)
           << "H6, gamma " << gamma << ", part " << k;
@@ -152,7 +152,7 @@ TEST(StabilityTheory, AHangingChainsFastestIsLaguerres) {
     strand.bend_rigidity = 0;
     const hair::Hanging hanging = hair::hang(description, 1, false);
     const double omega = hanging.across_modes.omega.maxCoeff();
-    // Hair stretches by its weight over EA at most, and links get longer by as much.
+    // Hair stretches by at most its weight over EA, and links get longer by as much.
     const double strain = strand.mass.sum() * kG / strand.stretch_rigidity;
     EXPECT_NEAR(omega * omega / (kG / 0.1 * hair::laguerre_zeros(n)[n - 1]), 1, strain) << n << " masses";
   }

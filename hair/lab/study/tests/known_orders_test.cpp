@@ -11,10 +11,10 @@ namespace {
 
 using hair::Norm;
 
-// An error c h^p (1 + d h + ...) shows the order p + d h / (2 ln 2) from h to h/2: each halving of the step
-// halves what is missing, so that the last order is off by as much as it differs from the one before. Half as
-// much again for the terms that follow, and 0.02 for the reference's own error, which is below 1/100 of
-// these. At a single moment c may pass through 0; over all of them it does not.
+// An error c h^p (1 + d h + ...) shows the order p + d h / (2 ln 2) from h to h/2: each halving of the
+// step halves the deviation, so the last order is off by as much as it differs from the previous one. The
+// bound adds half as much for the terms that follow, and 0.02 for the reference's own error, which is
+// below 1/100 of these. At a single moment c may pass through 0; over all of them it does not.
 void expect_order(const hair::Study& study, const std::string& id, int order) {
   const Norm norm = Norm::trajectory;
   const hair::Sweep& sweep = sweep_of(study, id);
@@ -30,7 +30,7 @@ void expect_order(const hair::Study& study, const std::string& id, int order) {
   EXPECT_LE(std::abs(last - order), 1.5 * std::abs(last - before) + 0.02)
       << "orders " << before << ", " << last << "\n"
       << shown(sweep);
-  // And the study says so.
+  // The study finds the same order.
   const hair::ObservedOrder seen = hair::observed_order(sweep, norm, study.floors[norm]);
   ASSERT_TRUE(seen.order) << shown(sweep);
   EXPECT_NEAR(*seen.order, order, 0.25) << shown(sweep);  // the halvings that it takes agree to within that
@@ -72,7 +72,7 @@ TEST(KnownOrders, OfRigidLinks) {
   expect_order(study, "implicit-euler", 1);
 }
 
-// Once its errors are below what the reference knows, a method has no finer steps, and none of these errors
+// Once its errors are below the reference's accuracy, a method has no finer steps, and none of these errors
 // is quoted.
 TEST(KnownOrders, ASweepEndsAtTheFloor) {
   const hair::Study study = studied(kPendulum, 0.1, {"runge-kutta-4"}, 1e7).whole();

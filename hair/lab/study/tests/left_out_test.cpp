@@ -1,4 +1,4 @@
-// STAFF ONLY. A study of one who has not written H6 yet: all else is there, and H6 is left out by name.
+// STAFF ONLY. A study before H6 is written: all other methods are there, and H6 is left out by name.
 #include <gtest/gtest.h>
 
 #include "hair/lab/study/study_record.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. What a study keeps: failures by name, runs to resume from.
+// STAFF ONLY. The record of a study: failures by name, runs to resume from.
 #include "hair/lab/study/study_record.h"
 
 #include <gtest/gtest.h>
@@ -37,12 +37,12 @@ class StudyRecord : public testing::Test {
   fs::path folder_ = temporary_.path();
 };
 
-// As it is read: a number that is none is null.
+// The JSON as a reader sees it: NaN is null.
 Json json_of(const hair::Study& study) {
   return Json::parse(hair::record_text(hair::study_json(study)));
 }
 
-// Without what differs from time to time.
+// The record without values that differ between runs.
 std::string timeless(const hair::Study& study) {
   Json json = json_of(study);
   json["reference"].erase("seconds");
@@ -109,7 +109,7 @@ TEST_F(StudyRecord, ResumedItIsTheSameAsOneThatWasNeverInterrupted) {
   }
 }
 
-// Of errors below the floors nothing is kept but that: what comes next may depend on no more.
+// The record keeps of errors below the floors only that they are below: later choices may depend on no more.
 TEST_F(StudyRecord, AResumedStudyKnowsNoMoreOfErrorsBelowTheFloorsThanOneThatWasNot) {
   Studied all = studied(kPendulum, 0.1, {"midpoint", "runge-kutta-4"}, 1e6);
   all.motion.agreement = 1e-5;
@@ -130,7 +130,7 @@ TEST_F(StudyRecord, AResumedStudyKnowsNoMoreOfErrorsBelowTheFloorsThanOneThatWas
   EXPECT_GT(below, 0);
 }
 
-// A position that is known at the end alone says nothing of whether smaller steps make a difference.
+// A position that is known only at the end does not show whether smaller steps make a difference.
 TEST_F(StudyRecord, ASweepDoesNotStallWhereNothingIsKnownOfItsErrors) {
   const Studied all = studied(kPendulum, 0.1, {"midpoint"}, 1e6);
   hair::Study study = all.empty();

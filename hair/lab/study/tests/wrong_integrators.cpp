@@ -1,5 +1,5 @@
-// STAFF ONLY. P1 as students get it wrong: a midpoint that moves particles by the velocity of the start, and
-// an RK4 that is 1 % off in everything that pulls. Forward and symplectic Euler are right.
+// STAFF ONLY. Typical wrong versions of P1: a midpoint that moves particles by the start's velocity, and an
+// RK4 whose accelerations are 1 % off. Forward and symplectic Euler are right.
 #include "particles/explicit_integrators.h"
 
 namespace particles {

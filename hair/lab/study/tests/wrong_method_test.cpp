@@ -20,13 +20,13 @@ TEST(WrongMethod, IsExposed) {
   const auto said = [&](const char* id) { return hair::verdict(sweep_of(study, id), seen(id)); };
   for (const char* right : {"forward-euler", "symplectic-euler"}) EXPECT_EQ(said(right), "as theory has it");
 
-  // Of the order 1 instead of 2.
+  // It has order 1 instead of 2.
   ASSERT_TRUE(seen("midpoint").order) << shown(sweep_of(study, "midpoint"));
   EXPECT_NEAR(*seen("midpoint").order, 1, 0.25) << shown(sweep_of(study, "midpoint"));
   EXPECT_EQ(said("midpoint"), "less than theory says");
 
-  // To another motion: 1 % of what gravity does in a tenth of a second, 0.01 * 9.81 * 0.1^2 / 2 = 5e-4 m, and
-  // no less than a tenth of that since springs hold.
+  // RK4 converges to another motion: 1 % of gravity's effect in a tenth of a second, 0.01 * 9.81 * 0.1^2 / 2
+  // = 5e-4 m, and at least a tenth of that because springs hold.
   const hair::ObservedOrder off = seen("runge-kutta-4");
   ASSERT_TRUE(off.stays_at) << shown(sweep_of(study, "runge-kutta-4"));
   EXPECT_GT(*off.stays_at, 5e-5);

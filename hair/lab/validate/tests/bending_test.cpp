@@ -1,5 +1,5 @@
-// STAFF ONLY. All that bends: the reference bends as theory says, and a clamp or a mass that is a little
-// wrong is found out.
+// STAFF ONLY. Validations with bending: the reference bends as theory says, and slightly wrong clamps and
+// masses are detected.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,9 +43,9 @@ TEST(BendingAgain, IsTheSameButForTimes) {
   EXPECT_EQ(json(), json());
 }
 
-// --- What is wrong ---
+// --- Wrong models ---
 
-// Takes away from the clamp's spring: the energy -stiffness * angle^2 / 2 of the first segment below level.
+// Weakens the clamp's spring: the energy -stiffness * angle^2 / 2 of the first segment below level.
 class WeakerClamp final : public particles::Force {
  public:
   explicit WeakerClamp(double stiffness) : stiffness_(stiffness) {}
@@ -71,7 +71,7 @@ class WeakerClamp final : public particles::Force {
   double stiffness_;
 };
 
-// Gamma = 1. Changes a strand, or what acts on it.
+// The tip's error at Gamma = 1, after a change of the strand or its forces.
 template <typename Change>
 double tip_error(int segments, const Change& change) {
   const Material material;
@@ -114,7 +114,7 @@ TEST(BendingThatIsWrong, AWholeSegmentsMassAtTheTipHasOrderOne) {
               1, kAboutOne);
 }
 
-// What the frequency of a mode is off by, relative, over what theory says.
+// The relative error of a mode's frequency, over theory's.
 double frequency_error(int segments, int mode, const StrandStart& start) {
   const double length = start.strand.rest_length.sum();
   const double root = beam_root_of({}, length, beam_modes(start).frequencies[mode - 1]);
@@ -131,8 +131,8 @@ TEST(BendingThatIsWrong, FrequenciesOfAWholeSegmentsMassAtTheTipAreTooLow) {
   }
 }
 
-// Gamma is known to the error's next term, about its square, and to W / EA of the height, cubed: 2.8e-5 of 10
-// segments.
+// Gamma is accurate to the error's next term, about its square, and to W / EA of the height, cubed: 2.8e-5
+// for 10 segments.
 TEST(BendingThatIsWrong, HairThatIsHeavierByATenThousandthBucklesWhereItShouldStand) {
   const Material material;
   const double height = length_of(material, (1 - 5e-5) * strand_greenhill(10));

@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 
 // Collocation at Chebyshev's points t_i = (1 - cos(pi i / n)) / 2, with the matrix of derivatives there (L.
 // N. Trefethen, "Spectral Methods in MATLAB", 2000, chapter 6): psi'' = Gamma t sin(psi), psi'(0) = 0, psi(1)
-// = pi/2, by Newton's method. Places are integrals, and so the same matrix's inverse.
+// = pi/2, by Newton's method. Positions are integrals, so they use the inverse of the same matrix.
 Eigen::Vector2d collocated_tip(double gamma, int n) {
   const auto point = [n](int i) { return (1 - std::cos(kPi * i / n)) / 2; };
   const auto weight = [n](int i) { return (i == 0 || i == n ? 2.0 : 1.0) * (i % 2 == 0 ? 1 : -1); };
@@ -41,14 +41,14 @@ Eigen::Vector2d collocated_tip(double gamma, int n) {
     const Eigen::VectorXd step = solver::dense_solve(J, left);
     psi -= std::min(1.0, 0.5 / step.cwiseAbs().maxCoeff()) * step;
   }
-  // What grows from 0 at the tip with the slopes sin(psi) and cos(psi), up to the clamp.
+  // Integrates the slopes sin(psi) and cos(psi) from the tip, where the integral is 0, up to the clamp.
   const auto integral = [&](const Eigen::VectorXd& slope) {
     return solver::dense_solve(D.bottomRightCorner(n, n), slope.tail(n))(n - 1, 0);
   };
   return {integral(psi.array().sin()), integral(psi.array().cos())};
 }
 
-// Rounding of D^2, whose entries reach n^4: 2^-53 of it. What n points leave out falls like exp(-n).
+// Rounding of D^2, whose entries reach n^4: 2^-53 of it. The truncation error of n points falls like exp(-n).
 TEST(Elastica, CollocationFindsTheSameTip) {
   constexpr int kPoints = 48;
   const double rounding = 0x1p-53 * std::pow(kPoints, 4);

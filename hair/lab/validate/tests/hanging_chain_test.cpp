@@ -13,8 +13,8 @@ namespace {
 
 using reference_tests::kUnit;
 
-// What is left of m_i x q_i = T_i (q_i - q_{i-1}) / g - T_{i+1} (q_{i+1} - q_i) / g, over the largest term of
-// all.
+// The residual of m_i x q_i = T_i (q_i - q_{i-1}) / g - T_{i+1} (q_{i+1} - q_i) / g, over the largest of all
+// terms.
 double largest_residual(const HangingChain& chain, double x) {
   const Eigen::VectorXd angles = mode_angles(chain, x);
   double residual = 0, term = 0, sideways = 0;
@@ -29,9 +29,9 @@ double largest_residual(const HangingChain& chain, double x) {
   return residual / term;
 }
 
-// The sums over masses, here and in mode_angles, round n times, each by 2^-53 of the largest of n terms. Of x
-// itself rounding takes 2^-53 as well, and the sideways places of n masses add it up. A heavy lower mass
-// multiplies what rounds in its own place, which is small where the links above it turn both ways.
+// The sums over masses, here and in mode_angles, round n times, each by 2^-53 of the largest of n terms. x
+// itself has a rounding error of 2^-53, and the sideways positions of n masses add it up. A heavy lower mass
+// multiplies the rounding error of its own position, which is small if the links above it turn both ways.
 TEST(HangingChain, ModesSatisfyTheirEquations) {
   for (const int n : {1, 2, 10, 20}) {
     const HangingChain chain{Eigen::VectorXd::Constant(n, 1e-7)};
@@ -61,8 +61,8 @@ TEST(HangingChain, TwoEqualMassesAreBothAChainAndADoublePendulum) {
   EXPECT_NEAR(zeros[1], squares[1], 16 * kUnit);
 }
 
-// w^2 = (g/l) (1 + mu +- sqrt(mu (1 + mu))), the slow one without what the difference loses: their product is
-// 1 + mu.
+// w^2 = (g/l) (1 + mu +- sqrt(mu (1 + mu))), the slow one without the difference's cancellation: their
+// product is 1 + mu.
 TEST(HangingChain, DoublePendulumsSatisfyTheirQuadraticEquation) {
   for (const double ratio : {1e-6, 1e-2, 1.0, 1e2, 1e6}) {
     const Eigen::Vector2d x = double_pendulum_squares(ratio);

@@ -1,5 +1,5 @@
-// STAFF ONLY. Chains, pendulums and double pendulums: the reference swings as theory says, and what is wrong
-// by a little is found out.
+// STAFF ONLY. Chains, pendulums and double pendulums: the reference swings as theory says, and small faults
+// are detected.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(Oscillations, RodsSwingDoublePendulumsAsTheirQuadraticEquationSays) {
   expect_all_hold(double_pendulums(chain_by_rods()));
 }
 
-// A method that is asked to swing a chain, and swings another.
+// A wrong method: it swings another chain than the given one.
 template <const ChainMethod& (*method)(), void (*change)(HangingChain&)>
 std::unique_ptr<MovingChain> start_changed(const HangingChain& chain, const particles::State& state,
                                            double step) {
@@ -117,7 +117,7 @@ TEST(Oscillations, AnotherMethodsDispersionIsFoundOut) {
   EXPECT_GT(error_over_tolerance(wrong), 1000);
 }
 
-// Loses a ten-millionth of what goes sideways in each step, more than it should.
+// In each step it loses a ten-millionth of the sideways motion, more than allowed.
 class DampedChain : public MovingChain {
  public:
   explicit DampedChain(std::unique_ptr<MovingChain> chain)
@@ -149,7 +149,7 @@ TEST(Oscillations, DampingThatNoFrequencyShowsIsFoundOut) {
   EXPECT_EQ(found, 3) << "of chains of 2, 10 and 20 masses";
 }
 
-// What a student's method may do: no number at all from the third step on.
+// A student's method may return NaN, here from the third step on.
 class BrokenChain : public MovingChain {
  public:
   explicit BrokenChain(const particles::State& state) : state_(state) {}
@@ -178,8 +178,8 @@ TEST(Oscillations, WhatBreaksDoesNotHoldAndIsShown) {
   }
 }
 
-// One pendulum by the lecture's five steps, written as angles, with the parts of a step for which its filters
-// act.
+// One pendulum by the lecture's five steps, written as angles, with the parts of a step during which its
+// filters act.
 class HalfStepPendulum : public MovingChain {
  public:
   HalfStepPendulum(const HangingChain& chain, const particles::State& state, double step, double first,
@@ -211,10 +211,10 @@ std::unique_ptr<MovingChain> start_halves(const HangingChain& chain, const parti
   return std::make_unique<HalfStepPendulum>(chain, state, step, first / 4.0, second / 4.0);
 }
 
-// These are H6's five steps for one segment that does not stretch: a filter takes what goes along the segment
-// away, the correction turns a step along the tangent into one along the circle, the impulse makes its chord
-// the velocity. So the same numbers come out, but for what springs stretch (1e-11 in each step) and solves
-// leave (1e-12).
+// These are H6's five steps for one segment that does not stretch: a filter removes the part along the
+// segment, the correction turns a step along the tangent into one along the circle, and the impulse makes its
+// chord the velocity. So the numbers are the same, except for the springs' stretch (1e-11 in each step) and
+// the solves' residuals (1e-12).
 TEST(Oscillations, H6IsTheMapThatItsFiveStepsMakeOfAPendulum) {
   ChainMethod map = chain_by_h6();
   map.start = start_halves<2, 2>;
@@ -223,8 +223,8 @@ TEST(Oscillations, H6IsTheMapThatItsFiveStepsMakeOfAPendulum) {
               measured_period_ratio(chain_by_h6(), angle, 800, kQuick), 1e-7);
 }
 
-// The map is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving
-// steps changes it by as much as that error: no measure of what is left.
+// The map is of order 1. Extrapolated as if it were of order 2, its result keeps an error of order 1, and
+// halving the steps changes it by as much as that error, so the change is no measure of the rest.
 TEST(Oscillations, ALostOrderIsFoundOutAtEachAngle) {
   ChainMethod map = chain_by_h6();
   map.start = start_halves<2, 2>;

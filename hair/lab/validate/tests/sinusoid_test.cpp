@@ -40,7 +40,7 @@ TEST(Sinusoid, WhatIsNoneHasNoFrequency) {
   EXPECT_TRUE(std::isnan(fit_sinusoid(samples).frequency));
 }
 
-// Its frequency triples on the way: there is no best one in reach of the steps.
+// Its frequency triples on the way: no single frequency fits.
 TEST(Sinusoid, AFitThatDoesNotConvergeHasNoFrequency) {
   Eigen::VectorXd samples(50);
   for (int k = 0; k < 50; ++k) samples[k] = std::cos(0.2 * k + 0.004 * k * k);
@@ -76,7 +76,7 @@ TEST(Dispersion, ImplicitEulerIsUndone) {
   }
 }
 
-// The map of (x, h v) in dispersion.h: two filters, each dividing a kick and what was there by 1 + y^2/2.
+// The map of (x, h v) in dispersion.h: two filters, each dividing a kick and the old value by 1 + y^2/2.
 TEST(Dispersion, FiltersAreUndone) {
   for (const double y : {0.05, 0.2, 1.0}) {
     const double c = y * y / 2 / (1 + y * y / 2);
