@@ -46,7 +46,7 @@ void add_bend_product(const Strand& strand, Input x, Input dx, Output df);
 //
 //   S = k (grad phi grad phi^T + max(phi cot phi, 0) g g^T),
 //
-// where g is the derivative of the bend out of its plane: g . dx = b . (de2 / |e2| - de1 / |e1|), with de the
+// Here g is the derivative of the bend out of its plane: g . dx = b . (de2 / |e2| - de1 / |e1|), with de the
 // change of e. The first part is the Gauss-Newton approximation. At phi = 0, S is exact for any axis b
 // perpendicular to the strand. Such an axis is also needed if the bend is only rounding error, because u1 x
 // u2 then has an arbitrary direction. At the fold df += 0.

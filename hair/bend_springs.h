@@ -8,8 +8,8 @@
 //
 // The rest shape is straight. "Difficulty: Each spring constant affects both bending and stretching": these
 // springs resist stretching in addition to the segments' springs (twice, because they overlap), and do not
-// resist small bends, because d - d0 is of second order in the angle. The assignment's text has measurements
-// of both.
+// resist small bends, because d - d0 is of second order in the angle. The assignment's text measures both
+// effects.
 //
 // Two particles at the same place have neither force nor product, because the direction is undefined. A
 // strand of fewer than 3 particles has no such springs. x, f, dx and df have 3n entries.

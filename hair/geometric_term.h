@@ -16,7 +16,7 @@ enum class GeometricTerm {
   dropped    // 0
 };
 
-// The nearest term with which products are definite.
+// The term closest to this one with which products are definite.
 constexpr GeometricTerm definite(GeometricTerm term) {
   return term == GeometricTerm::full ? GeometricTerm::filtered : term;
 }

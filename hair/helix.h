@@ -17,17 +17,16 @@ namespace hair {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A point of the centre line with its material frame. The columns of `axes` are n1, n2 and t: two directions
-// of the cross section, and the tangent, of length 1 and at right angles, n1 x n2 = t.
+// A point of the centre line with its material frame. The columns of `axes` are two directions n1, n2 of the
+// cross section and the tangent t. They have length 1 and are perpendicular, with n1 x n2 = t.
 struct MaterialFrame {
   Vector3d position = Vector3d::Zero();  // m
   Matrix3d axes = Matrix3d::Identity();
 };
 
-// How a point and its frame move for each coordinate of an element that they belong to, as long as the
-// element's start is held: the frame turns by turns * dq (a small turn is a vector along its axis), the point
-// moves by moves
-// * dq.
+// The Jacobian of a point and its frame with respect to the coordinates of their own element, while the
+// element's start is held: for a change dq the frame turns by turns * dq (a small rotation is a vector along
+// its axis), and the point moves by moves * dq.
 struct HelixJacobian {
   Matrix3d turns = Matrix3d::Zero();  // rad m
   Matrix3d moves = Matrix3d::Zero();  // m^2
@@ -46,16 +45,16 @@ struct HelixPoint {
   int element = 0;
   double s = 0;                          // m, from the start of its element
   Vector3d position = Vector3d::Zero();  // m
-  Matrix3d moves = Matrix3d::Zero();     // m^2, as HelixJacobian's, for the coordinates of its own element
+  Matrix3d moves = Matrix3d::Zero();     // m^2, as in HelixJacobian, for the coordinates of its own element
   Vector3d force =
       Vector3d::Zero();  // N, on this piece: weight, drag, contacts, - mass * acceleration at q" = 0
   Matrix3d inertia =
-      Matrix3d::Zero();  // kg: its mass times 1. Implicit steps add what resists a change of velocity
-                         // because forces grow: h C for a damping C, h^2 S for a stiffness S.
+      Matrix3d::Zero();  // kg: its mass times the identity. Implicit steps add h C for a damping C
+                         // and h^2 S for a stiffness S, because these forces grow during the step.
                          // Symmetric, positive semi-definite
 };
 
-// What does not change.
+// The constants of a strand.
 struct HelixStrand {
   Eigen::VectorXd lengths;    // m, n elements, > 0
   double line_density = 0;    // rho S, kg/m

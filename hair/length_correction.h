@@ -33,7 +33,7 @@ inline constexpr int kCorrectionScratch = 8;
 // Successive relaxation (Provot): sweeps over the segments. For each segment it restores the length at once
 // by moving the two ends along the segment. It repeats the sweeps until no error is above `tolerance`, or
 // `most_sweeps` sweeps are done. The order within a sweep is free. `error` is the largest error of the
-// returned x; if no sweep is needed, it makes none.
+// returned x. A strand whose lengths are right already takes 0 sweeps.
 //
 // The convergence is slow: the number of sweeps grows with n^2.
 CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_sweeps, Output x);
@@ -50,21 +50,21 @@ CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_
 // Newton's method alone diverges if a step turns segments far: if the root was flung away, or if masses
 // differ by 1e6. For these cases any fallback is allowed, even one that ignores the masses; but x stays
 // finite, and `converged` is true only if the lengths are right. Positions are rounded: a tolerance below
-// 2^-51 max|x_i| / min(l0) may be treated as this value, but as no more than 1e-3: where rounding leaves
-// more, because the root is 1e10 m away, nothing is converged.
+// 2^-51 max|x_i| / min(l0) may be treated as this value, but never as more than 1e-3. If the root is 1e10 m
+// away, rounding leaves larger errors, and `converged` is false.
 //
-// A hair of 200 segments whose lengths are wrong by a percent takes Newton's method at most 8 steps, and
-// sweeps hundreds. One segment alone takes any method one step, or two for rounding.
+// For a hair of 200 segments whose lengths are wrong by a percent, Newton's method takes at most 8 steps, and
+// relaxation takes hundreds of sweeps. For a single segment any method takes one step, or two for rounding.
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
                                  Scratch scratch);
 
 // Velocities that do not stretch (Bridson): applies equal and opposite impulses along each segment to its two
 // ends, until |u . (v_{i+1} - v_i)|, with u the segment's direction, is at most `tolerance` (m/s) for all
 // segments, or `most_sweeps` sweeps are done; `error` is the largest remaining value. Any order of sweeps is
-// allowed, and so is solving for all impulses at once, which takes one iteration, or some more for rounding:
-// one segment alone takes two at most. What has to change nothing takes none.
+// allowed. Solving for all impulses at once is allowed, too: it takes one iteration, or some more for
+// rounding, and at most two for a single segment. If all velocities are right already, it takes none.
 //
-// In all three functions numbers that are not finite are never converged.
+// In all three functions `converged` is false if a number is not finite.
 CorrectionReport correct_velocities(const Strand& strand, Input x, double tolerance, int most_sweeps,
                                     Output v, Scratch scratch);
 

@@ -12,7 +12,7 @@
 //   iX(i-1) = [  1    0 ]     (i-1)Xi = [ 1   0 ]     r~ x = r x x,  r = r_i, from link i-1 to link i
 //             [ -r~   1 ]               [ r~  1 ]
 //
-// The types are apart, so that a motion is not taken for a force.
+// Motions and forces are different types, so that the compiler refuses to mix them up.
 #pragma once
 
 #include <Eigen/Core>
@@ -65,8 +65,8 @@ inline double dot(const SpatialMotion& s, const SpatialForce& f) {
   return s.linear.dot(f.force) + s.angular.dot(f.torque);
 }
 
-// What resists: f = H^T alpha + M a, tau = J alpha + H a. M and J are symmetric. A single link has M = m 1, H
-// = 0 and J its inertia tensor.
+// Inertia: f = H^T alpha + M a, tau = J alpha + H a. M and J are symmetric. A single link has M = m 1, H = 0
+// and J its inertia tensor.
 //
 // As a matrix on [alpha; a] this is Mirtich's I^ = [ H^T M ]
 //                                                  [ J   H ].

@@ -1,5 +1,5 @@
-// A static link between two particles of guide hairs, and the law of the triangle strips between them.
-// Particles are counted through all strands: those of strand 0, of strand 1, ... Source: the lecture,
+// A static link between two particles of guide hairs, and the force law of the triangle strips between them.
+// Particles are numbered through all strands: strand 0 first, then strand 1, ... Source: the lecture,
 // "Control Mesh".
 #pragma once
 
@@ -9,7 +9,7 @@ namespace hair {
 
 using Eigen::Vector3d;
 
-// Holds particle b where a's frame had it when the link was made.
+// A spring that holds particle b at its place in a's frame when the link was made.
 struct StaticLink {
   int a = 0, b = 0;                    // a != b
   Vector3d offset = Vector3d::Zero();  // m: from a to b at rest, in a's frame
@@ -19,7 +19,7 @@ struct StaticLink {
 };
 
 struct StripLaw {
-  double thickness = 0;  // r > 0, m: nearer particles are pushed away
+  double thickness = 0;  // r > 0, m: the distance below which particles are pushed away
   double stiffness = 0;  // k >= 0, N/m
   double friction = 0;   // mu >= 0
 };

@@ -2,11 +2,11 @@
 // guides, and triangle strips between them. Source: the lecture, "Control Mesh"; J. T. Chang, J. Jin, Y. Yu,
 // "A Practical Model for Hair Mutual Interactions" (SCA 2002).
 //
-// All linked guides are one system of n particles: x, v, f, dx, df and tangents have 3n entries. What depends
-// on directions (frames of particles, normals of contacts) is that of the step's start, and is held during
-// the step. So every force here is linear in x, or 0; its product is exact, symmetric, and -df/dx is positive
-// semi-definite. Functions named add_... add to their output. Good solutions allocate nothing. Errors: 1e-12
-// of the sizes that results are made of.
+// All linked guides are one system of n particles: x, v, f, dx, df and tangents have 3n entries. Directions
+// (frames of particles, normals of contacts) are those of the step's start, and are held during the step.
+// So every force here is linear in x, or 0; its product is exact, symmetric, and -df/dx is positive
+// semi-definite. Functions named add_... add to their output. Good solutions allocate nothing. Errors:
+// 1e-12 of the sizes of a result's terms.
 #pragma once
 
 #include <array>
@@ -28,14 +28,14 @@ using particles::Output;
 //   d = x_b - (x_a + R offset)
 //
 // and its stretch |d| / length. frames[i] is that of particle i. largest[l] is the largest stretch that link
-// l ever had: a link that gave way stays weak. (3) to (5) hold it, too.
+// l ever had: a link that has yielded stays weak. (3) to (5) hold it constant, too.
 
 // (1) The part of its stiffness that a link still has: 1 if largest <= yields, else 0 if largest >= breaks;
-// from yields to breaks it falls linearly. With yields = breaks the link breaks at once.
+// between yields and breaks it falls linearly. With yields = breaks the link breaks at once.
 double link_strength(const StaticLink& link, double largest);
 
-// (2) largest[l] = max(largest[l], the stretch of link l). Called once after each step, with the positions
-// that it ended at.
+// (2) largest[l] = max(largest[l], the stretch of link l). The simulation calls this once after each step,
+// with the positions at the step's end.
 void remember_stretches(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input x,
                         Output largest);
 
@@ -43,8 +43,8 @@ void remember_stretches(std::span<const StaticLink> links, std::span<const Matri
 double link_energy(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input largest,
                    Input x);
 
-// (4) f += -dE/dx: on b -k s d, on a the opposite. So links change no linear momentum. Of angular momentum
-// they do: nothing here takes the torque that the arm R offset exerts on the guide that it turns with. In
+// (4) f += -dE/dx: -k s d on b, and the opposite on a. So links preserve linear momentum, but not angular
+// momentum: this force leaves out the torque that the arm R offset exerts on the guide of particle a. In
 // simulations that part is given (hair/mass_spring/frame_torque.h).
 void add_link_force(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input largest,
                     Input x, Output f);
@@ -54,15 +54,15 @@ void add_link_product(std::span<const StaticLink> links, Input largest, Input dx
 
 // ---- Strips
 //
-// Between two neighbouring guides lies a strip of triangles, whose corners are particles of both. A particle
-// of a third hair that comes near a triangle is pushed away from it, along its normal. StripLaw is in
+// A strip of triangles lies between two neighbouring guides; its corners are particles of both. A particle of
+// a third hair that comes near a triangle is pushed away from it, along its normal. StripLaw is in
 // hair/static_link.h, too.
 
 // A particle near a triangle.
 struct StripContact {
   int point = 0;
-  std::array<int, 3> corners = {};    // none of them is the point
-  std::array<double, 3> shares = {};  // b_0, b_1, b_2 >= 0, their sum is 1
+  std::array<int, 3> corners = {};    // the triangle's particles; `point` is none of them
+  std::array<double, 3> shares = {};  // barycentric weights b_0, b_1, b_2 >= 0, their sum is 1
   Vector3d normal =
       Vector3d::UnitZ();  // n, of length 1: from the triangle to the side that the point belongs to
   double weight = 0;      // w: 0 to 1
@@ -77,10 +77,11 @@ struct StripContact {
 // T, T_j: tangents of the point and of the corners, of length 1, or 0. Returns false, and leaves anything in
 // `contact`, if N is 0, a share is negative, or the point is `thickness` or more away from the plane.
 //
-// The lecture's weight is 1 - Ta.Tb. A hair that is turned end for end touches as it did, so neither sign may
-// matter: hairs that lie side by side, parallel or antiparallel, merge (0), and those that cross push each
-// other (1). Without the absolute value antiparallel hairs would get 2. Ta is one tangent here; for Tb, which
-// the paper interpolates, each corner has its say, so that its sign does not matter, either.
+// The lecture's weight is 1 - Ta.Tb. A hair has no preferred end, so the sign of its tangent must not matter:
+// hairs that lie side by side, parallel or antiparallel, merge (weight 0), and hairs that cross push each
+// other (weight 1). Without the absolute value antiparallel hairs would get 2. Ta is one tangent here. The
+// paper interpolates Tb; here each corner has a term of its own, so the signs of the T_j do not matter
+// either.
 bool touch_strip(int point, const std::array<int, 3>& corners, double side, double thickness, Input x,
                  Input tangents, StripContact& contact);
 
@@ -94,12 +95,12 @@ double strip_energy(std::span<const StripContact> contacts, const StripLaw& law,
 // (6), angular momentum.
 void add_strip_force(std::span<const StripContact> contacts, const StripLaw& law, Input x, Output f);
 
-// (9) df += (df/dx) dx. A contact with g >= r has none.
+// (9) df += (df/dx) dx. A contact with g >= r adds nothing.
 void add_strip_product(std::span<const StripContact> contacts, const StripLaw& law, Input x, Input dx,
                        Output df);
 
-// (10) Friction is explicit: it changes velocities, once before each step, contact after contact in their
-// order. With u the part of v_point - sum over j of b_j v_corner_j that is perpendicular to n, and
+// (10) Friction is explicit: it changes velocities once before each step, in the order of the contacts. With
+// u the part of v_point - sum over j of b_j v_corner_j that is perpendicular to n, and
 //
 //   W = w_point + sum over j of b_j^2 w_corner_j       w: inverse_mass, n numbers, 1/kg; 0 if pinned
 //
@@ -107,8 +108,8 @@ void add_strip_product(std::span<const StripContact> contacts, const StripLaw& l
 //
 //   |J| = min(mu p h, |u| / W)
 //
-// so it never reverses u, and where pinned particles stand still it never increases the kinetic energy. No
-// impulse if W or u is 0. h: the step, s.
+// so it never reverses u, and if pinned particles stand still, it never increases the kinetic energy. If W or
+// u is 0, there is no impulse. h: the step, s.
 void apply_strip_friction(std::span<const StripContact> contacts, const StripLaw& law, Input inverse_mass,
                           double h, Input x, Output v);
 

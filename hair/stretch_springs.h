@@ -7,8 +7,8 @@
 //   f on i = k_i (l - l0) u, and on i + 1 the opposite
 //
 // A segment of length 0 has no direction, so it has neither force nor product (its energy is still k l0^2 /
-// 2). Every other one has, however short it is. A strand of 1 particle has no segments, and an energy of 0.
-// x, f, dx and df have 3n entries.
+// 2). Any longer segment has both. A strand of 1 particle has no segments, and an energy of 0. x, f, dx and
+// df have 3n entries.
 #pragma once
 
 #include "hair/geometric_term.h"

@@ -25,7 +25,7 @@ Role read_role(const JsonValue& json) {
   json.fail("unknown role; write assigned, optional, given or absent");
 }
 
-// Ids are parts of target names, file names and pages; files are looked for by their name alone.
+// Ids are parts of target names, file names and pages; files are found by their name alone.
 std::string read_name(const JsonValue& json, std::string_view also_allowed, const std::string& right) {
   const std::string text = json.text();
   const bool plain = std::all_of(text.begin(), text.end(), [&](char c) {
@@ -87,7 +87,7 @@ Exercise read_exercise(const JsonValue& json, const Course& before) {
   if (exercise.functions.empty()) {
     json["functions"].fail("is empty; name the functions that " + exercise.file + " defines");
   }
-  // Prerequisites come first in the list, so that no exercise can need itself in a circle.
+  // Prerequisites come first in the list, so that exercises can't need each other in a circle.
   for (const JsonValue& prerequisite : json["prerequisites"].items()) {
     if (!before.find(prerequisite.text())) {
       prerequisite.fail("no such exercise stands before " + exercise.id + "; name one that does");
@@ -111,7 +111,7 @@ void change_exercises(Course& course, const JsonValue& changes) {
   }
 }
 
-// Without the functions that it calls an exercise can't be linked, whoever writes it.
+// An exercise can't be linked without the functions that it calls, whoever writes it.
 void check_prerequisites(const Course& course, const JsonValue& last_file) {
   for (const Exercise& exercise : course.exercises) {
     if (exercise.role == Role::absent) continue;

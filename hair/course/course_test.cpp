@@ -29,7 +29,7 @@ class CourseFiles : public testing::Test {
   }
   static std::string list(const std::string& exercises) { return "{\"exercises\": [" + exercises + "]}"; }
 
-  // What reading `exercises` (and `course`, if there is one) complains about; "" if nothing.
+  // The error of reading `exercises` (and `course`, if there is one); "" if there is none.
   std::string complaint(const std::string& exercises, const std::string& course = "") const {
     const fs::path file = write("exercises.json", exercises);
     try {
@@ -51,7 +51,7 @@ class CourseFiles : public testing::Test {
   fs::path dir_ = temporary_.path();
 };
 
-// One line that has `part` in it.
+// One line that contains `part`.
 testing::AssertionResult says(const std::string& message, const std::string& part) {
   if (message.find(part) != std::string::npos && message.find('\n') == std::string::npos) {
     return testing::AssertionSuccess();

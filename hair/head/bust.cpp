@@ -32,7 +32,7 @@ double hairline(double y) {
   return line.back().z;
 }
 
-// What looks to the front, down to below the chin.
+// 1 for the front of the head, down to below the chin.
 double face_of(const Vector3d& point, const Vector3d& normal) {
   constexpr double chin = -0.13;  // m
   const auto smooth_step = [](double t) {
@@ -50,8 +50,8 @@ Bust::Value Bust::value_at(const Vector3d& point) const {
 }
 
 Surface Bust::surface_at(const Vector3d& point) const {
-  constexpr double least_slope = 0.3;  // deep inside there are places without a slope
-  constexpr double far = 0.05;         // m: from the box, instead
+  constexpr double least_slope = 0.3;  // deep inside, the slope may vanish
+  constexpr double far = 0.05;         // m: the distance from the box replaces the value then
   const Vector3d out = point - point.cwiseMax(box().min()).cwiseMin(box().max());
   if (const double distance = out.norm(); distance > far) return {distance, out / distance};
   const auto [value, gradient] = value_at(point);
@@ -73,8 +73,8 @@ Vector3d Bust::surface_towards(const Vector3d& direction) const {
     inside = outside;
     outside += std::max(shortest, -0.7 * value);
   }
-  // Steps of Newton's method, which never leave what is known to hold the surface.
-  constexpr double rounding = 1e-15;  // of s; nearer the steps go to and fro
+  // Steps of Newton's method, which never leave the interval that contains the surface.
+  constexpr double rounding = 1e-15;  // relative to s; smaller steps would alternate
   double s = outside;
   for (int i = 0; i < 60; ++i) {
     const Value here = value_at(centre() + s * direction);
@@ -95,7 +95,7 @@ bool Bust::has_hair(const Vector3d& point) const {
 }
 
 Vector3d Bust::combed(const Vector3d& point) const {
-  constexpr double far = 0.045;  // m: so far from the parting, hair falls
+  constexpr double far = 0.045;  // m: at this distance from the parting, hair falls
   const Vector3d parting(kPartingSide, std::clamp(point.y(), kPartingFront, kPartingBack), 0);
   Vector3d away(point.x() - parting.x(), point.y() - parting.y(), 0);
   const double distance = away.norm();
@@ -106,7 +106,7 @@ Vector3d Bust::combed(const Vector3d& point) const {
   const Vector3d way = begun * (away + 0.35 * Vector3d::UnitY()) - 0.8 * Vector3d::UnitZ() +
                        2 * face_of(point, normal) * aside;
   const Vector3d along = way - normal.dot(way) * normal;
-  // Hair is nowhere combed straight out.
+  // Hair is never combed straight out.
   return along.norm() > 1e-6 ? along.normalized() : normal.unitOrthogonal();
 }
 

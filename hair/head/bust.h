@@ -1,12 +1,12 @@
-// A bust: head, face, neck and shoulders as one smooth surface, in which nothing is drawn after anybody. It
-// is the zero level of a function that joins ellipsoids and capsules, and carves eyes and ears out of them.
-// Each joint is a polynomial smooth minimum, with a width k of its own:
+// A bust: head, face, neck and shoulders as one smooth surface; it is no real person's. It is the zero
+// level of a function that joins ellipsoids and capsules, and carves eyes and ears out of them. Each joint
+// is a polynomial smooth minimum, with a width k of its own:
 //
 //   min(a, b) - k h^2 / 4,   h = max(k - |a - b|, 0) / k
 //
 // (I. Quilez, "smooth minimum", iquilezles.org/articles/smin, the quadratic one). It has a continuous
-// gradient, and is the minimum itself where the two differ by k or more, so that what is far away may be left
-// out. Divided by its gradient's length, the function is the distance near the surface.
+// gradient. It equals the minimum if a and b differ by k or more, so far parts may be left out. Divided by
+// its gradient's length, the function is the distance near the surface.
 //
 // The sizes are about those of adults: 15 cm wide, 19 cm deep and 23 cm high with the chin, 45 cm across the
 // shoulders.
@@ -23,7 +23,7 @@ class Bust : public Head {
 
   struct Value {
     double value;       // m, below 0 inside
-    Vector3d gradient;  // of any length; near the surface above 0.4
+    Vector3d gradient;  // not normalised; longer than 0.4 near the surface
   };
   Value value_at(const Vector3d& point) const;
 
@@ -35,14 +35,15 @@ class Bust : public Head {
   // From the hairline over the forehead, above the ears, and down to the nape.
   bool has_hair(const Vector3d& point) const override;
 
-  // From a parting, which goes from the forehead to the crown, to both sides and down; behind it to the back
-  // and down. Across the parting it jumps; elsewhere it is smooth. From the face it goes aside.
+  // Hair is combed away from a parting, which goes from the forehead to the crown, to both sides and down;
+  // behind it to the back and down. The field jumps across the parting; elsewhere it is smooth. On the face
+  // it points aside.
   Vector3d combed(const Vector3d& point) const override;
 
   double on_face(const Vector3d& point) const override;
 };
 
-// Where hair is parted, as seen from above: from the forehead to the crown.
+// The parting, as seen from above: from the forehead to the crown.
 inline constexpr double kPartingSide = 0.018, kPartingFront = -0.11,
                         kPartingBack = 0.045;  // m: x, and y from, to
 

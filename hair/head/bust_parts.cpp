@@ -8,9 +8,9 @@ namespace hair {
 
 namespace {
 
-// So near to the surface nothing is left out that has an effect.
+// This near to the surface, every part with an effect is included.
 constexpr double kNearBust = 0.02;               // m
-constexpr double kBottom = -0.35, kEdge = 0.03;  // m: where the chest is cut off, and how round its edge is
+constexpr double kBottom = -0.35, kEdge = 0.03;  // m: the end of the chest, and the radius of its edge
 
 Bust::Value of_ellipsoid(const Vector3d& p, const Vector3d& radii) {
   const Vector3d inverse = radii.cwiseInverse(), q = p.cwiseProduct(inverse), u = q.cwiseProduct(inverse);
@@ -55,9 +55,9 @@ class BustParts {
     capsule(mirrored(from), mirrored(to), radius, blend);
   }
 
-  // A part may be left out where its value is above that of the others by its blend. What has been joined
-  // until then may still be above the surface, by as much as the joints that follow are wide, and a joint
-  // takes a quarter of its width away.
+  // A part may be left out if its value is above the others' by its blend. The parts joined before it may
+  // still be above the surface, by as much as the later joints are wide; a joint lowers the value by a
+  // quarter of its width.
   void set_reaches() {
     double later = 0;
     for (auto part = all.rbegin(); part != all.rend(); ++part) {

@@ -1,4 +1,4 @@
-// What a bust is made of.
+// The ellipsoids and capsules of a bust.
 #pragma once
 
 #include <span>
@@ -11,26 +11,26 @@ enum class PartShape { ellipsoid, capsule };
 
 struct BustPart {
   PartShape shape;
-  bool carved;        // taken away, instead of joined
+  bool carved;        // subtracted from the others, instead of joined
   double blend;       // m, the joint's k
   Vector3d a;         // m, an ellipsoid's centre, or a capsule's first end
   Vector3d b;         // m, the ellipsoid's radii, or the capsule's other end
   double radius = 0;  // m, of the capsule
 
-  // From the middle, beyond this distance, it changes nothing near the surface.
+  // Farther from `middle` than the reach, the part changes nothing near the surface.
   Vector3d middle = Vector3d::Zero();
   double reach_squared = 0;
 };
 
-// In the order in which they are joined. The first is never left out.
+// In the order in which they are joined. The first part is never left out.
 std::span<const BustPart> bust_parts();
 
-// Of the part alone: zero on its surface, and the distance near it.
+// The part alone: zero on its surface, and the distance near it.
 Bust::Value value_of(const BustPart& part, const Vector3d& point);
 
 enum class LeaveOut { nothing, what_is_far };
 
-// Of all parts, joined. What is far may be left out: near the surface that changes nothing.
+// All parts, joined. Far parts may be left out, because they change nothing near the surface.
 Bust::Value value_of_parts(const Vector3d& point, LeaveOut leave_out);
 
 }  // namespace hair

@@ -31,9 +31,9 @@ std::vector<Vector3d> near_surface(const Bust& bust, double far, int count) {
   return points;
 }
 
-// A central difference over 2 s errs by s^2 / 6 times the third derivative, of at most 1 / (5 mm)^2 or so;
-// where two parts begin to blend, the second derivative jumps by up to 1 / 2k, and it errs by s / 4 times
-// that.
+// The error of a central difference over 2 s is s^2 / 6 times the third derivative, which is at most about 1
+// / (5 mm)^2. At the begin of a blend, the second derivative jumps by up to 1 / 2k, and the error is s / 4
+// times that.
 TEST(Bust, TheGradientIsTheDerivative) {
   const Bust bust;
   constexpr double s = 1e-7;
@@ -58,7 +58,7 @@ TEST(Bust, TheGradientIsContinuousNearTheSurface) {
     Vector3d before = bust.value_at(point - far * way).gradient;
     for (int i = -20; i <= 20; ++i) {
       const Vector3d x = point + i / 20.0 * far * way;
-      // It turns by at most 1 / (1 mm) along the way; a jump would not get smaller with s.
+      // The gradient turns by at most 1 / (1 mm) along the way; a jump would not get smaller with s.
       EXPECT_LT((bust.value_at(x + s * way).gradient - bust.value_at(x).gradient).norm(), s / 1e-3)
           << x.transpose();
       const Vector3d here = bust.value_at(x).gradient;
@@ -79,7 +79,7 @@ TEST(Bust, TheDistanceIsRightToFirstOrderAndHasTheRightSign) {
     for (const double d : {1e-4, -1e-4})
       EXPECT_NEAR(bust.surface_at(point + d * here.normal).distance, d, 250 * d * d) << point.transpose();
   }
-  // The middle lines of what it is made of are inside, and its box and what lies beyond is outside.
+  // The middle lines of its parts are inside; its box and points beyond it are outside.
   for (const BustPart& part : bust_parts())
     if (!part.carved && part.middle.z() > -0.32) {
       EXPECT_LT(bust.surface_at(part.middle).distance, 0) << part.middle.transpose();
@@ -94,7 +94,7 @@ TEST(Bust, TheDistanceIsRightToFirstOrderAndHasTheRightSign) {
   }
 }
 
-// What is left out far away changes nothing near the surface.
+// Parts far away change nothing near the surface.
 TEST(Bust, WhatIsLeftOutIsFarAway) {
   const Bust bust;
   for (const Vector3d& point : near_surface(bust, 0.003, 5000)) {
@@ -163,20 +163,20 @@ TEST(Bust, HairIsCombedFromThePartingToBothSides) {
       EXPECT_GT(root.side.x() * (root.position.x() - kPartingSide), 0) << root.position.transpose();
       ++parted;
     }
-    // At the end of the parting the field begins to fan out, and there it may turn quickly.
+    // At the end of the parting the field begins to fan out, and may turn quickly there.
     const Vector3d end(kPartingSide, kPartingBack, root.position.z());
     if ((root.position - end).norm() < 0.02) continue;
     const Vector3d by = 1e-4 * root.axis.cross(root.side);
     for (const Vector3d& beside : {Vector3d(root.position + by), Vector3d(root.position + 1e-4 * root.side)})
       if ((beside.x() > kPartingSide) == (root.position.x() > kPartingSide))
         smoothest = std::min(smoothest, bust.combed(beside).dot(root.side));
-    // It falls beside the head.
+    // Hair falls beside the head.
     if (root.position.z() < 0.02 && std::abs(root.axis.z()) < 0.5) {
       EXPECT_LT(root.side.z(), -0.5) << root.position.transpose();
     }
   }
   EXPECT_GT(parted, 100);
-  // In 0.1 mm it turns by less than 0.02 radians.
+  // In 0.1 mm the field turns by less than 0.02 radians.
   EXPECT_GT(smoothest, std::cos(0.02));
 }
 

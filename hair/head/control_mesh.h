@@ -1,4 +1,4 @@
-// Makes the control mesh of guides as they lie at the start: which of them are neighbours, what links them,
+// Makes the control mesh of guides as they lie at the start: the pairs of neighbours, the links between them,
 // and the strips between them. Source: J. T. Chang, J. Jin, Y. Yu, "A Practical Model for Hair Mutual
 // Interactions" (SCA 2002): strips lie between horizontal neighbours on a scalp, and between vertical ones
 // too on a brush.
@@ -14,10 +14,9 @@
 
 namespace hair {
 
-// Of a scalp: rows. Of a brush: both.
+// A scalp uses rows, a brush uses both.
 enum class Neighbours { rows, both };
 
-// Two guides.
 using Pair = std::array<int, 2>;
 
 // Guides grow in rows; row r holds the guides starts[r] to starts[r + 1] - 1, the last one those up to

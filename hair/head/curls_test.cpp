@@ -1,8 +1,8 @@
-// STAFF ONLY. What interpolation does to curls, and extrapolation does not.
+// STAFF ONLY. Interpolation makes curls smaller, and extrapolation does not.
 //
 // A curl with the phase p is a helix of radius r about an axis; between guides with the weights w_k the
-// helices add up to one of radius r |sum of w_k e^(i p_k)|. With phases by chance the mean of its square is
-// r^2 times the mean of the sum of w_k^2: a third in the middle of a triangle, a half on average over it.
+// helices add up to one of radius r |sum of w_k e^(i p_k)|. With random phases the mean of its square is r^2
+// times the mean of the sum of w_k^2: a third in the middle of a triangle, a half on average over it.
 #include <gtest/gtest.h>
 
 #include "hair/head/test_guides.h"
@@ -58,8 +58,7 @@ TEST(Curls, InterpolatedHaveTheRadiusOfTheMeanOfTheirPhases) {
   }
   const double left = std::sqrt(squares) / kCurl;
   RecordProperty("radius", std::to_string(left));
-  // Over 100 guides the mean is not that of all phases; 180 triangles, each of which differs by about a
-  // third.
+  // 100 guides do not have the mean of all phases: 180 triangles, each of which differs by about a third.
   EXPECT_NEAR(left, std::sqrt(0.5), 0.1) << "the radius that is left of the guides'";
   EXPECT_NEAR(weights, 0.5, 0.02) << "the mean of the sum of the squares of weights";
 }
@@ -72,7 +71,7 @@ TEST(Curls, OppositePhasesLeaveNone) {
   Synthesis synthesis(
       {.guides = roots, .children = children, .points = kCurlPoints, .mode = SynthesisMode::interpolate});
   VectorXd guides = curls(roots, kCurlPoints, kCurl, 0.01);
-  // The second is the first, turned half about its root.
+  // The second guide is the first one, turned by half a turn about its root.
   for (int i = 0; i < kCurlPoints; ++i) {
     const Vector3d from = guides.segment<3>(3 * i) - roots[0].position;
     guides.segment<3>(3 * (kCurlPoints + i)) = roots[1].position + Vector3d(-from.x(), -from.y(), from.z());
@@ -80,7 +79,7 @@ TEST(Curls, OppositePhasesLeaveNone) {
   EXPECT_NEAR(radius_of(make_all(synthesis, guides).data()), 0, 1e-16);
 }
 
-// Its points are as far from the guide's as the roots are, and so is the circle.
+// The distance of its points from the guide's is that of the roots, and so the circle keeps its radius.
 TEST(Curls, ExtrapolatedKeepTheirRadius) {
   const Curls hair(SynthesisMode::extrapolate);
   double squares = 0;

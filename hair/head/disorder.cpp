@@ -9,7 +9,7 @@ namespace hair {
 namespace {
 
 constexpr double kFlies =
-    0.25;  // how far a fly-away's tip goes aside at most, over its distance from the root
+    0.25;  // the largest sideways distance of a fly-away's tip, over its distance from the root
 
 enum class Chance : std::uint64_t { clumps = 1, fly_aways };
 
@@ -51,7 +51,7 @@ void Disorder::apply(int child, const RootFrame& root, const ScalpTurn& turn,
     const Vector3d way = turn * gathers_[child];
     for (int i = 1; i < count; ++i) {
       const double along = static_cast<double>(i) / (count - 1), part = along * (2 - along);
-      // What is between their roots goes along with the nearest guide, as wisps do.
+      // Like wisps, the offset between the roots turns with the nearest guide.
       if (turns.empty())
         points.segment<3>(3 * i) += part * way;
       else

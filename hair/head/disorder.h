@@ -1,8 +1,8 @@
-// What makes dense hair look grown: strands that gather to locks, and a few that fly away.
+// Makes dense hair look grown: strands gather into locks, and a few fly away.
 //
-// By chance some children are the middles of clumps, one of `clump`. Each child's tip goes a part,
-// `gathered`, of the way to that of the nearest middle, and its points less, the nearer they are to the root.
-// A fly-away is in no clump; it goes aside as the square of how far a point is along the strand.
+// Some children, chosen at random, are the middles of clumps: one of `clump`. Each child's tip moves by the
+// part `gathered` towards the tip of the nearest middle; its other points move less, the nearer they are to
+// the root. A fly-away is in no clump; its points move aside by the square of their place along the strand.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,24 +15,25 @@ namespace hair {
 
 class Disorder {
  public:
-  // Of the description's children; the same seed gives the same. Empty, and free, without clumps and
-  // fly-aways.
+  // For the description's children; the same seed gives the same result. Without clumps and fly-aways it is
+  // empty and costs nothing.
   explicit Disorder(const SynthesisDescription& description);
 
-  // Moves a child's points, 3 x points, but its first. `turn`: of the scalp since the start. `turns`: of the
-  // guide of its wisp, a point each, or empty.
+  // Moves a child's points, 3 x points, but not the first. `turn`: the rotation of the scalp since the start.
+  // `turns`: the frames of its wisp's guide, one for each point, or empty.
   void apply(int child, const RootFrame& root, const ScalpTurn& turn, std::span<const Eigen::Matrix3d> turns,
              Eigen::Ref<Eigen::VectorXd> points) const;
 
-  // How far it moves a point at most, of a strand whose points are at most `far` from its root.
+  // The largest distance by which it moves a point, for a strand whose points are at most `far` from its
+  // root.
   double reach(int child, double far) const;
 
  private:
   void choose_clumps(const SynthesisDescription& description);
   void choose_fly_aways(const SynthesisDescription& description);
 
-  std::vector<Eigen::Vector3d> gathers_;  // at the start, to where a tip goes; empty: no clumps
-  std::vector<Eigen::Vector3d> sways_;    // as a root sees it, over the strand's reach; empty: no fly-aways
+  std::vector<Eigen::Vector3d> gathers_;  // the target's offset from a tip, at the start; empty: no clumps
+  std::vector<Eigen::Vector3d> sways_;    // in the root's frame, for a strand of reach 1; empty: no fly-aways
 };
 
 }  // namespace hair

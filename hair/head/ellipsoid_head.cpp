@@ -9,7 +9,7 @@ namespace hair {
 
 namespace {
 
-// On the sphere that the ellipsoid is a stretched one of: 40 degrees above the eyes at the forehead, 30 below
+// On the sphere that becomes the ellipsoid by stretching: 40 degrees above the eyes at the forehead, 30 below
 // them at the nape.
 constexpr double kHalfAngle = 85 * M_PI / 180;
 const Vector3d kMiddle(0, std::cos(55 * M_PI / 180), std::sin(55 * M_PI / 180));

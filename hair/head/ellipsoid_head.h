@@ -1,7 +1,7 @@
-// A head that is an ellipsoid, (x / a)^2 + (y / b)^2 + (z / c)^2 = 1 from its centre. Its scalp is what a cap
-// of a sphere becomes; it goes from the forehead to the nape. Hair is combed from the forehead over the crown
-// to the nape, on the ways of a rotation about the axis through the ears: the field has no other singular
-// points than these two, and the cap, of less than half of the sphere, leaves both out.
+// A head that is an ellipsoid, (x / a)^2 + (y / b)^2 + (z / c)^2 = 1 around its centre. Its scalp is the
+// image of a spherical cap, from the forehead to the nape. Hair is combed from the forehead over the crown to
+// the nape, along the circles of a rotation about the axis through the ears. The field is singular only at
+// the ears, and the cap, which is less than half of the sphere, contains neither.
 #pragma once
 
 #include "hair/head/head.h"

@@ -30,7 +30,7 @@ std::vector<std::size_t> farthest_points(const std::vector<Vector3d>& points, st
       distances[k] = std::min(distances[k], (points[looked_at[k]] - points[taken.back()]).squaredNorm());
       if (distances[k] > distances[farthest]) farthest = k;
     }
-    // What is left lies where others are.
+    // All other points coincide with chosen ones.
     if (!(distances[farthest] > 0)) break;
     next = looked_at[farthest];
   }

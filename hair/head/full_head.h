@@ -1,36 +1,34 @@
 // STAFF ONLY. Every strand of a head, simulated: the interface of the fast engine, which reference/engine
-// implements. It does the physics of H1, H2, H4 and H5, many strands at a time, with a direct solve instead
-// of ConjGrad.
+// implements. It does the physics of H1, H2, H4 and H5, many strands at a time, with a direct solve
+// instead of ConjGrad.
 //
 // A strand has n >= 2 points with equal distances l0 at rest, is straight at rest, and has the masses of a
-// uniform strand: lambda l0 of each point (lambda the line density), half of that at the tip. Its root is
-// held by the head. A strand of a groom whose segments differ in length is resampled first
-// (hair/head/resample.h).
+// uniform strand: lambda l0 for each point (lambda the line density), half of that at the tip. The head holds
+// its root. A strand of a groom whose segments differ in length is resampled first (hair/head/resample.h).
 //
 // A step of h seconds, with x, v the state before it, and v0 = (root's new place - x_0) / h:
 //
 //   1. forces at x, v: stretch (H1), bending (H2), gravity, drag f = -drag m (v - wind)
-//   2. (M - h df/dv - h^2 df/dx) dv = h (f + h df/dx v): H4 with the filtered geometric term and the definite bending
-//      product. The root's velocity is v0, before and after. It is solved for y = v + dv - v0, which satisfies
+//   2. (M - h df/dv - h^2 df/dx) dv = h (f + h df/dx v): H4 with the filtered geometric term and the definite
+//      bending product. The root's velocity is v0, before and after. The unknown is y = v + dv - v0:
 //
 //        (M - h df/dv - h^2 df/dx) y = M (v - v0) + h (f - df/dv (v - v0)),   y_0 = 0,
 //
-//      since df/dx does not change where all points move alike (the clamp's tangent is that at the step's end)
+//      since df/dx does not change if all points move alike (the clamp's tangent is that at the step's end)
 //   3. x1 = x + h (v0 + y), x1_0 = the root's new place
 //   4. x~ = x1 with its lengths corrected: H5's Newton method, to kLengthTolerance
 //   5. impulse: v~ = v1 + (x~ - x1) / h, which is (x~ - x) / h
-//   6. points inside of the head are pushed out, as by obstacles.h, in the head's axes; of the head's surface one knows
-//      its distances on a grid, as integers of 16 bits (the largest is the largest distance), and a point rests within
-//      kContactDepth. A point that went through the head in one step
-//      is not found.
+//   6. points inside of the head are pushed out as in obstacles.h, in the head's axes. A grid stores the
+//      head's distances as integers of 16 bits (the largest stands for all larger ones), and a point rests
+//      within kContactDepth. A point that went through the head in one step is not found.
 //
-// Without bending, correction or a head, what belongs to it is left out of the compiled loops.
+// Without bending, correction or a head, the compiled loops leave out their terms.
 //
-// Strands do not touch each other. Those that are neighbours on the head should follow each other: they are
-// then stepped side by side, and meet the head together. The result of a strand depends neither on the other
-// strands nor on the number of threads, to the last bit. It differs in rounding between instruction sets; and
-// of one set between makers of processors, as their approximate reciprocals do (AVX-512 takes these
-// everywhere, AVX2 in contact with the head, scalars nowhere).
+// Strands do not touch each other. Neighbours on the head should follow each other in the list: they are then
+// stepped side by side, and meet the head together. The result of a strand depends neither on the other
+// strands nor on the number of threads, to the last bit. It differs in rounding between instruction sets.
+// With one set it also differs between makers of processors, as their approximate reciprocals do (AVX-512
+// uses these everywhere, AVX2 in contact with the head, scalar code nowhere).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -48,24 +46,25 @@ namespace hair {
 struct FullHeadSettings {
   Material material = {};
   Vector3d gravity = Vector3d(0, 0, -particles::kEarthGravity);  // m/s^2
-  double drag = 0;                                               // 1/s, >= 0: N s/m of each kg of hair
+  double drag = 0;                                               // 1/s, >= 0: N s/m for each kg of hair
   Vector3d wind = Vector3d::Zero();                              // m/s
   bool bending = true;
   bool clamped = true;  // with bending: hair leaves the head along root_tangent
   bool correct_lengths = true;
-  std::shared_ptr<const Solid> head = nullptr;  // at most 1 m wide; null: nothing is in the way
-  double friction = 0;                          // of the head, Coulomb's mu, >= 0
-  double grid_spacing = 5e-3;                   // m, of the head's distances
+  std::shared_ptr<const Solid> head = nullptr;  // at most 1 m wide; null: there is no head
+  double friction = 0;                          // Coulomb's mu between hair and head, >= 0
+  double grid_spacing = 5e-3;                   // m, between the stored distances of the head
   int threads = 1;
 };
 
-// m, a fiftieth of a hair's radius. A last push shorter than ten times this is not checked: where a grid's
-// cells differ in slope by more than a tenth, a point may stay a little deeper for a step.
+// m, a fiftieth of a hair's radius. A last push shorter than ten times this is not checked: if the slopes of
+// a grid's cells differ by more than a tenth, a point may stay a little deeper for a step.
 inline constexpr double kContactDepth = 1e-6;
 
 class FullHead {
  public:
-  // points[k]: of strand k, 2 to kMostStrandPoints. Throws std::invalid_argument for settings out of bounds.
+  // points[k]: the points of strand k, 2 to kMostStrandPoints. Throws std::invalid_argument for settings
+  // out of bounds.
   FullHead(std::span<const int> points, const FullHeadSettings& settings);
   ~FullHead();
   FullHead(const FullHead&) = delete;
@@ -76,25 +75,25 @@ class FullHead {
   int strands() const;
   std::int64_t particles() const;
 
-  // Strand k in the head's axes, which are the world's until the first step: l0 (m, > 0), the direction of
-  // its root (of length 1), x and v (3n, m and m/s). Before the first step this is due for each strand.
-  // Throws std::invalid_argument.
+  // Sets strand k in the head's axes, which are the world's until the first step: l0 (m, > 0), the
+  // direction of its root (length 1), x and v (3n, m and m/s). Each strand needs this call before the first
+  // step. Throws std::invalid_argument.
   void set_strand(int k, double rest_length, const Vector3d& root_tangent, particles::Input x,
                   particles::Input v);
 
-  // One step of h seconds, h > 0, at whose end the head is at `pose`: it turns and moves from where it was to
-  // there. The first step starts at the identity. Allocates nothing.
+  // One step of h seconds, h > 0, in which the head turns and moves from its last pose to `pose`. The first
+  // step starts at the identity. Allocates nothing.
   void step(double h, const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity());
 
   // The state of strand k, 3n numbers each.
   void get_strand(int k, particles::Output x, particles::Output v) const;
 
-  // The step, counted from 1, at whose end strand k had a number that is not finite, or whose matrix was not
-  // positive definite; 0: none. Such a strand stays as it is; others do not notice.
+  // The step, counted from 1, at whose end strand k had a number that is not finite, or a matrix that was not
+  // positive definite; 0 if there is none. Such a strand stays as it is; other strands are not affected.
   std::int64_t broke_at(int k) const;
   int broken() const;  // strands that broke
 
-  // Bytes that the state and the threads' memory take.
+  // The memory of the state and of the threads, in bytes.
   std::size_t bytes() const;
 
  private:

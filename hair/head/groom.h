@@ -14,21 +14,21 @@ namespace hair {
 // The limit for all points of a groom together: 200,000 strands of 100 points.
 inline constexpr long kMostGroomPoints = 20'000'000;
 
-// How a groom looks, as .hair files say it. Other formats have less of it.
+// The look of a groom, as .hair files describe it. Other formats hold less of it.
 struct GroomLook {
-  // Of all points; without a value it is not known.
+  // The same for all points; without a value it is not known.
   std::optional<float> thickness = {};  // the diameter, in the groom's unit
   std::optional<float> transparency = {};
   std::optional<std::array<float, 3>> colour = {};
-  // Of each point, strand after strand; empty: all points have the values above.
+  // One for each point, strand after strand; empty: all points have the values above.
   std::vector<float> thicknesses = {}, transparencies = {};
   std::vector<float> colours = {};  // 3 for each point
   std::array<char, 88> info = {};
-  bool own_segments = false;   // a file lists the segments of each strand, even where all have the same
-  std::uint32_t segments = 0;  // what its header says then; it has no meaning
+  bool own_segments = false;   // a file lists the segments of each strand, even if all have the same number
+  std::uint32_t segments = 0;  // the header's number in such a file; it has no meaning
 };
 
-// A part of a look: `size` numbers for all points, or for each.
+// A part of a look: `size` numbers for all points together, or for each point.
 struct LookPart {
   const char* name;
   std::size_t size;
@@ -67,7 +67,7 @@ inline long points_of(const Groom& groom) {
   return points;
 }
 
-// What a reader does with a number that is not finite, or too large for 32 bits.
+// A reader's treatment of a number that is not finite, or too large for 32 bits.
 enum class Numbers {
   finite,  // refuses it
   any      // keeps it, for a report of what is wrong with a file

@@ -1,5 +1,4 @@
-// The bytes of a groom's file, little-endian: where they are read, and how they are written. A complaint
-// names the file and the byte.
+// The bytes of a groom's file, little-endian: reads and writes them. An error names the file and the byte.
 #pragma once
 
 #include <string>
@@ -12,7 +11,7 @@ namespace hair {
 // The limit for a file.
 inline constexpr std::size_t kMostGroomBytes = std::size_t{1} << 30;
 
-// Whether a number is kept as it is, or nearly so, by 32 bits.
+// True if 32 bits can hold a number, at least nearly.
 bool fits_float(double number);
 
 class GroomBytes {
@@ -27,12 +26,12 @@ class GroomBytes {
   bool begins_with(std::string_view start) const { return bytes_.substr(0, start.size()) == start; }
   std::string_view part(std::size_t at, std::size_t size) const { return bytes_.substr(at, size); }
 
-  // Of `size` bytes, or of 4. The caller knows that they are there.
+  // Reads `size` bytes, or 4. The caller has checked that they are there.
   std::uint32_t number(std::size_t at, int size = 4) const;
-  // Throws BadInput for a number that is not finite, unless such numbers are kept; `what` has it.
+  // Throws BadInput for a number that is not finite, unless such numbers are kept; `what` names the number.
   float real(std::size_t at, const std::string& what) const;
 
-  // The points of a strand, f32 x 3 each. `strand` is its number, for complaints.
+  // The points of a strand, f32 x 3 each. `strand` is its number, for error messages.
   Eigen::VectorXd points(std::size_t at, std::size_t count, std::size_t strand) const;
 
  private:

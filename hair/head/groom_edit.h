@@ -1,14 +1,14 @@
-// What is done to whole grooms.
+// Changes whole grooms.
 #pragma once
 
 #include "hair/head/groom.h"
 
 namespace hair {
 
-// Points and thicknesses in another unit.
+// Converts points and thicknesses to another unit.
 void scale(Groom& groom, double factor);
 
-// Keeps the first of every so many strands.
+// Keeps the first of every `every` strands.
 void keep_every(Groom& groom, long every);
 
 }  // namespace hair

@@ -15,7 +15,7 @@ namespace hair {
 
 namespace {
 
-// ".hair", also of "A.HAIR".
+// ".hair", also for "A.HAIR".
 std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),

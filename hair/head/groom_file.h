@@ -13,14 +13,13 @@
 
 namespace hair {
 
-// Thrown instead by a program that has no readers (the library hair_no_groom_files): it names another
-// program.
+// A program without readers (the library hair_no_groom_files) throws this instead: it names another program.
 struct GroomFilesElsewhere {
   std::string file;
 };
 
-// Throws BadInput for a name with another ending, a file that can't be read, and what its format's reader
-// refuses.
+// Throws BadInput for a name with another ending, a file that can't be read, and content that its format's
+// reader refuses.
 Groom read_groom(const std::filesystem::path& file, Numbers numbers = Numbers::finite);
 
 // Throws BadInput for a name with another ending.
@@ -31,8 +30,8 @@ void check_groom_name(const std::filesystem::path& file);
 std::vector<std::string> lost_in(const std::filesystem::path& file, const Groom& groom);
 std::vector<std::string> unknown_in(const std::filesystem::path& file, const Groom& groom);
 
-// The whole file appears, or nothing. `ascii` makes a .ply file text. Throws BadInput for a name with another
-// ending, a file that can't be written, and what its format can't hold, with the file's name.
+// Writes the whole file, or nothing. `ascii` makes a .ply file text. Throws BadInput for a name with another
+// ending, a file that can't be written, and content that its format can't hold, with the file's name.
 void write_groom(const Groom& groom, const std::filesystem::path& file, bool ascii = false);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// Real grooms, where HAIR_GROOMS says where they are, and names of files.
+// Real grooms from the folder HAIR_GROOMS, and names of files.
 #include "hair/head/groom_file.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST_F(RealGrooms, HaveTheirStrandsAndPoints) {
 TEST_F(RealGrooms, AreWrittenAsTheyWereByteForByte) {
   for (const std::string name : {"straight.hair", "Bangs_100.hair"})
     EXPECT_TRUE(hair_file_of(read_groom((*this)(name))) == bytes(name)) << name;
-  // A header may have other words for the same.
+  // The header may be worded differently.
   const auto body = [](const std::string& ply) { return ply.substr(ply.find("end_header")); };
   EXPECT_TRUE(body(ply_file_of(read_groom((*this)("Curly_100.ply")))) == body(bytes("Curly_100.ply")));
 }

@@ -1,4 +1,4 @@
-// What all formats of grooms that are read have in common: a test is a property, a row is a format.
+// Common properties of all formats of grooms that are read: a test is a property, a row is a format.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Format {
   std::string (*write)(const Groom& groom);
   Groom (*parse)(std::string_view bytes, const std::string& name, Numbers numbers);
   const char* where;  // a number of the second strand's second point
-  int tail = 0;       // bytes at the end that a reader may miss: of a text's last number, and its line's end
+  int tail = 0;       // bytes that may be missing: the end of a text's last number, and its line's end
 };
 
 const Format kFormats[] = {
@@ -81,7 +81,7 @@ TEST_P(GroomFormats, ALookStays) {
   }
 }
 
-// A PLY file has no place for what all points share: each has it.
+// A PLY file can't store a common look of all points: each point has it.
 TEST_P(GroomFormats, ALookOfAllPointsStays) {
   Groom groom = written_groom();
   groom.look = {.thickness = 0.1F, .transparency = 0.2F, .colour = {{0.3F, 0.4F, 0.5F}}};

@@ -1,5 +1,5 @@
-// Hostile bytes as a groom, of each format that is read. What is accepted can be written: as .hair byte for
-// byte as it was, as PLY with points as 32 bits hold them.
+// Hostile bytes as a groom, in each format. An accepted groom can be written: as .hair with the same bytes,
+// as PLY with points rounded to 32 bits.
 #include <numeric>
 
 #include "hair/head/groom_bytes.h"
@@ -13,7 +13,7 @@ namespace {
 
 using hair::Groom;
 
-// What `parse` makes of them; nothing, if it refuses them as it should.
+// The groom that `parse` makes of the bytes; empty if it refuses them with a readable message.
 Groom groom_of(std::string_view bytes, auto parse) {
   Groom groom;
   try {
@@ -60,8 +60,8 @@ void fuzz::try_input(std::string_view bytes) {
   expect_written_as_ply(bytes);
 }
 
-// As text a point is six bytes; here 24 in a list and 24 in its strand, in this groom and in the one that is
-// read again from up to 60 bytes of text and two edges. A .hair file takes a fifth of it.
+// As text a point takes six bytes; in memory 24 in a list and 24 in its strand, for this groom and the one
+// that is read again from up to 60 bytes of text and two edges. A .hair file takes a fifth of it.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 20'000 + 100 * input;
 }

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kScalp = 0.2;        // m
-constexpr std::size_t kFewRoots = 3;  // no more say nothing of a scalp
+constexpr std::size_t kFewRoots = 3;  // so few roots do not show a scalp
 constexpr double kFarRoot = 10;       // times the usual distance to the next root
 constexpr double kLongSegment = 20;   // times the usual segment
 
@@ -35,7 +35,7 @@ GroomBox nothing() {
 bool passes_a_point_twice(const Eigen::VectorXd& x) {
   std::vector<std::array<double, 3>> points;
   for (Eigen::Index k = 0; k < x.size(); k += 3)
-    // Neighbours at one place are counted elsewhere.
+    // Neighbours at the same place are counted elsewhere.
     if (k == 0 || x.segment<3>(k) != x.segment<3>(k - 3)) points.push_back({x[k], x[k + 1], x[k + 2]});
   std::sort(points.begin(), points.end());
   return std::adjacent_find(points.begin(), points.end()) != points.end();
@@ -55,7 +55,7 @@ class Count {
   std::size_t first_ = 0;
 };
 
-// Numbers of all strands, and where they are.
+// Numbers of all strands, and their positions.
 struct Gathered {
   std::vector<double> points, lengths, segments, curvatures, bends;
   std::vector<std::size_t> strand_of_segment;
@@ -64,7 +64,7 @@ struct Gathered {
 
 void gather(const Eigen::VectorXd& x, std::size_t i, Gathered& all) {
   double length = 0;
-  Vector3d before = Vector3d::Zero();  // the segment before
+  Vector3d before = Vector3d::Zero();  // the previous segment
   for (Eigen::Index k = 3; k < x.size(); k += 3) {
     const Vector3d segment = x.segment<3>(k) - x.segment<3>(k - 3);
     const double l = segment.norm();

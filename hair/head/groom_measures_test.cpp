@@ -44,7 +44,7 @@ TEST(GroomMeasures, ACircleHasItsCurvatureAndALineNone) {
   const GroomMeasures measures = measure_groom({{circle}});
   EXPECT_NEAR(measures.curvature.min, 0.25, 1e-13);
   EXPECT_NEAR(measures.curvature.max, 0.25, 1e-13);
-  // Between the middles of arcs of angle 0.02 (2 i + 1).
+  // The angle between the middles of arcs of angle 0.02 (2 i + 1).
   EXPECT_NEAR(measures.bend.max, (0.19 + 0.17) / 1 * 180 / M_PI, 1e-9);
   EXPECT_NEAR(measures.length.max, 4 * 2, 4 * 2 * 0.38 * 0.38 / 24);
   EXPECT_EQ(measure_groom({{Eigen::VectorXd::LinSpaced(9, 0, 8)}}).curvature.max, 0);

@@ -16,7 +16,7 @@ namespace hair {
 
 namespace {
 
-// What a seed is used for, so that one use changes no other.
+// Each use of a seed has its own numbers, so that one use changes no other.
 enum class Use : std::uint64_t { roots, clump_roots, strands, clumps };
 
 std::uint64_t seed_of(std::uint64_t seed, Use use) {
@@ -40,7 +40,7 @@ class Grower {
         clumps_{{}, {}, NearestPoints({})} {
     step_ = std::min(0.004, style.length / 48);
     if (style.radius > 0) step_ = std::min(step_, style.pitch / 16);
-    // A chord of the layer that is this high stays outside a head of the radius 7 cm, wherever the hair
+    // A chord inside a layer of this height stays outside a head of the radius 7 cm, wherever the hair
     // begins.
     const double chord = (style.length + (style.tie ? 0.2 : 0)) / (points - 1);
     clearance_ = std::clamp(0.6 * chord * chord / 0.07, 0.003, 0.02);
@@ -74,7 +74,7 @@ class Grower {
       const auto nearest = static_cast<std::size_t>(clumps_.roots.nearest(root.position).index);
       clump = &clumps_.lines[nearest];
       traits.gathered = style_.gathered * variation.uniform(0.8, 1);
-      // Its curls lie in each other.
+      // Curls of a clump lie inside each other.
       traits.phase = clumps_.traits[nearest].phase + variation.uniform(-0.4, 0.4);
       traits.size = clumps_.traits[nearest].size;
     }
@@ -100,7 +100,7 @@ class Grower {
         varied({root.position, way, side_of(way)}, flies ? 2 * style_.tilt : style_.tilt, 0, variation).axis;
     traits.phase = variation.uniform(0, 2 * std::numbers::pi);
     traits.size = variation.uniform(0.8, 1.2);
-    // Evenly over the tie's cross-section, as seen from behind.
+    // Spreads strands evenly over the tie's cross-section, as seen from behind.
     const double angle = variation.uniform(0, 2 * std::numbers::pi);
     const double far = 0.011 * std::sqrt(variation.uniform(0, 1));
     traits.tie_offset = far * Vector3d(std::cos(angle), 0, std::sin(angle));
@@ -109,7 +109,7 @@ class Grower {
 
   Line middle(const RootFrame& root, StrandTraits traits, double clearance, const Line* clump) const {
     if (style_.radius > 0 && !style_.flat && !style_.tie) {
-      // Enough for curls of the wanted length, the first of which are smaller.
+      // The length is enough for the wanted curls, the first of which are smaller.
       const double turn = std::hypot(2 * std::numbers::pi * style_.radius * traits.size, style_.pitch);
       traits.length = std::min(traits.length, traits.length * style_.pitch / turn + style_.pitch);
     }

@@ -22,8 +22,8 @@ double curl_radius(const HairStyle& style, const StrandTraits& traits, double s)
   return style.radius > 0 ? style.radius * traits.size * smooth_step(s / style.pitch) : 0;
 }
 
-// Where a strand turns to. On a part of the head that looks up it goes on as it is combed, for it rests
-// there, and so on the face, which hair is kept off; elsewhere it falls.
+// The direction to which a strand turns. On an upward part of the head it follows the combed direction,
+// because it rests there. On the face it does, too, because hair is kept off the face. Elsewhere it falls.
 Vector3d way_down(const Head& head, const HairStyle& style, const Vector3d& x, const Surface& here, double s,
                   double clearance) {
   const double begun = std::exp(-(s / style.comb) * (s / style.comb));
@@ -33,8 +33,8 @@ Vector3d way_down(const Head& head, const HairStyle& style, const Vector3d& x, c
   return combed * head.combed(x) - (1 - combed) * Vector3d::UnitZ();
 }
 
-// Across to the line of its clump, by as much as its share grows in this step, and by half a step at most. It
-// is not drawn along the line, for that would make steps shorter or longer, and gather nothing.
+// Moves a strand across to its clump's line, by the growth of its part in this step, and by at most half a
+// step. A move along the line would only make steps shorter or longer.
 Vector3d drawn_to(const Line& clump, std::size_t k, double gathered, const Vector3d& x, double step) {
   if (k >= clump.size()) return Vector3d::Zero();
   const double all = static_cast<double>(clump.size() - 1);
@@ -45,12 +45,13 @@ Vector3d drawn_to(const Line& clump, std::size_t k, double gathered, const Vecto
   return way * std::min(1.0, 0.5 * step / std::max(way.norm(), 1e-12));
 }
 
-// The piece between the point at x[k] and the next. Returns whether it was moved.
+// Moves the piece between the point at x[k] and the next one. Returns true if it had to move.
 bool move_piece_out_of(const Head& head, Eigen::VectorXd& x, Eigen::Index k) {
   constexpr int parts = 4;
-  constexpr double smallest_radius = 0.04;  // m, of a head's curvature
+  constexpr double smallest_radius = 0.04;  // m, of a head's surface
   const double part = (x.segment<3>(k + 3) - x.segment<3>(k)).norm() / parts;
-  // So high a line between two looks does not enter what is round like this, nor one that begins on it.
+  // A line of this height between two checked points does not enter a ball of this radius, not even from its
+  // surface.
   const double kept = part * part / (2 * smallest_radius);
   bool moved = false;
   for (int i = 1; i <= parts; ++i) {
@@ -80,13 +81,13 @@ Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root
   bool tied = !style.tie.has_value();
   Line line = {root.position};
   Vector3d direction = traits.direction;
-  double s = 0, falls = 0;  // lengths: from the root, and of what counts
+  double s = 0, falls = 0;  // lengths: from the root, and the part that counts
   while (falls < traits.length) {
     const Vector3d& x = line.back();
     const Surface here = head.surface_at(x);
     const Vector3d to = tied ? way_down(head, style, x, here, s, settings.clearance) : (tie - x).normalized();
     direction += turn * (to - direction);
-    // What lies on the head goes along it.
+    // A strand on the head turns along its surface.
     if (here.distance < settings.clearance)
       direction -= std::min(0.0, direction.dot(here.normal)) * here.normal;
     if (direction.norm() < 1e-3) direction = head.combed(x);
@@ -97,14 +98,14 @@ Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root
         std::min(settings.clearance, kRise * (s + settings.step)) + curl_radius(style, traits, s);
     if (const Surface there = head.surface_at(next); there.distance < kept)
       next += (kept - there.distance) * there.normal;
-    // A line that is held between the head and where it wants to go ends, too.
+    // A line that is stuck between the head and its target ends, too.
     const double length = std::max((next - x).norm(), 0.1 * settings.step);
     s += length;
     if (tied) falls += length;
     tied = tied || (tie - next).norm() < 2 * settings.step || s > kFarthestTie;
     line.push_back(next);
   }
-  // The last piece is cut where the length ends.
+  // The last piece is cut at the wanted length.
   const Vector3d last = line.back() - line[line.size() - 2];
   line.back() -= std::min(1.0, (falls - traits.length) / last.norm()) * last;
   return line;
@@ -118,7 +119,7 @@ Line with_curls(const Line& middle, const HairStyle& style, const RootFrame& roo
   for (std::size_t k = 1; k < middle.size(); ++k) {
     s += (middle[k] - middle[k - 1]).norm();
     const Vector3d along = (middle[std::min(k + 1, middle.size() - 1)] - middle[k - 1]).normalized();
-    // The frame goes down the line without turning about it.
+    // The frame follows the line without turning about it.
     across -= across.dot(along) * along;
     if (across.norm() < 1e-6) across = side_of(along);
     across.normalize();

@@ -10,14 +10,14 @@ namespace hair {
 
 using Line = std::vector<Vector3d>;
 
-// What one strand has of its own.
+// The properties that differ from strand to strand.
 struct StrandTraits {
-  double length;                           // m; of tied hair, from the tie
+  double length;                           // m; for tied hair, from the tie
   Vector3d direction;                      // at the root, of length 1
-  double phase = 0;                        // of its curls or waves, radians
+  double phase = 0;                        // the start phase of curls or waves, radians
   double size = 1;                         // the factor of their radius
   Vector3d tie_offset = Vector3d::Zero();  // m, from the middle of the tie
-  double gathered = 0;                     // how much of the way to its clump's line its tip is
+  double gathered = 0;                     // the part of the distance to its clump's line that its tip closes
 };
 
 struct LineSettings {
@@ -25,8 +25,8 @@ struct LineSettings {
   double clearance;  // m, of the layer of hair
 };
 
-// Grows until it is traits.length long; tied hair, until it is so long behind the tie. `clump` is the middle
-// line of its clump, grown with the same step; null: it is in none.
+// Grows until it is traits.length long; tied hair, until it is that long behind the tie. `clump` is the
+// middle line of its clump, grown with the same step; null: it is in none.
 Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root, const StrandTraits& traits,
                  const LineSettings& settings, const Line* clump);
 
@@ -34,10 +34,10 @@ Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root
 Line with_curls(const Line& middle, const HairStyle& style, const RootFrame& root,
                 const StrandTraits& traits);
 
-// The first `length` of it; all of it, if it is shorter.
+// The first `length` of the line; all of it, if it is shorter.
 Line cut(Line line, double length);
 
-// Moves points, but the root, until no piece between two of them is inside the head.
+// Moves points, but not the root, until no piece between two of them is inside the head.
 void move_out_of(const Head& head, Eigen::VectorXd& x);
 
 }  // namespace hair

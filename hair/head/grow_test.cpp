@@ -63,12 +63,11 @@ TEST_P(Styles, StrandsStartOnTheScalpAndHaveEqualPiecesAndTheirLength) {
   }
   const GroomMeasures measures = measure_groom(groom);
   for (const Oddity& one : measures.odd) ADD_FAILURE() << one.count << " " << one.what;
-  // Chords of curls with eight or more of them to a turn are shorter than their arcs by up to (pi / 4)^2 /
-  // 24, 2.6 %.
+  // Chords of curls, at least eight to a turn, are shorter than their arcs by up to (pi / 4)^2 / 24, 2.6 %.
   const double shortest = style_.length * (1 - style_.varies), longest = style_.length * (1 + style_.varies);
   EXPECT_GE(measures.length.min, 0.97 * shortest);
-  // Tied hair has its way to the tie before that: at most the half of the head's largest circle, and the
-  // layer of hair.
+  // Tied hair also has its way to the tie: at most the half of the head's largest circle, and the layer of
+  // hair.
   EXPECT_LE(measures.length.max, 1.01 * longest + (style_.tie ? 0.36 : 0));
   if (!style_.tie) {
     EXPECT_NEAR(measures.length.mean, style_.length, 0.03 * style_.length);
@@ -89,7 +88,7 @@ TEST_P(Styles, AHeadElsewhereHasTheSameHair) {
   const Groom here = grow_groom(head_, style_, {.strands = 50}),
               moved = grow_groom(head, style_, {.strands = 50});
   for (std::size_t i = 0; i < 50; ++i)
-    // Rounding of 4e-16, some hundred steps that may double it a few times.
+    // The rounding error is 4e-16, and some hundred steps may double it a few times.
     for (Eigen::Index k = 0; k < here.strands[i].size(); k += 3)
       ASSERT_NEAR((moved.strands[i].segment<3>(k) - there - here.strands[i].segment<3>(k)).norm(), 0, 1e-10);
 }
@@ -122,11 +121,11 @@ TEST_P(Styles, TipsGatherAtTheirClumpsLine) {
     const Line alone = line(other, 0.27, 0, &clump), drawn = line(other, 0.27, 0.8, &clump);
     const double loose = distance_from(clump, alone.back());
     if (loose > 0.002) left.push_back(distance_from(clump, drawn.back()) / loose);
-    // Drawn across, and not along: a gap of 2 cm makes 27 cm longer by 0.7 mm, less than a step.
+    // Strands move across and not along: a gap of 2 cm makes 27 cm longer by 0.7 mm, less than a step.
     longer.push_back(std::abs(static_cast<double>(drawn.size()) - static_cast<double>(alone.size())));
   }
-  // At nine tenths of the clump's length 0.972 of the 0.8 is done, and 0.22 of the gap is left; behind a tie,
-  // where much is done before hair falls, more of it.
+  // At nine tenths of the clump's length 0.972 of the 0.8 is done, and 0.22 of the gap remains; behind a tie
+  // more remains, because much is done before hair falls.
   EXPECT_GT(left.size(), 20U);
   EXPECT_LE(spread_of(longer).median, 1);
   EXPECT_LT(spread_of(left).median, style_.tie ? 0.5 : 0.3);
@@ -167,7 +166,7 @@ TEST(Grow, TiedHairPassesTheTie) {
   for (const Eigen::VectorXd& x : groom.strands) {
     double least = 1;
     for (Eigen::Index k = 0; k < x.size(); k += 3) least = std::min(least, (x.segment<3>(k) - tie).norm());
-    // The tie's radius, two steps, and half of a piece of the strand.
+    // The sum of the tie's radius, two steps, and half of a piece of the strand.
     if (least < 0.011 + 0.008 + 0.006) ++passing;
   }
   EXPECT_GE(passing, 990);

@@ -20,7 +20,7 @@ struct Header {
   std::uint32_t strands, points, arrays, segments;
 };
 
-// The header, of a file that is as long as it says.
+// The header of a file whose length agrees with it.
 Header read_header(const GroomBytes& file) {
   if (file.size() < kHeader || !file.begins_with("HAIR"))
     file.fail("is not a .hair file, which begins with \"HAIR\" and a header of 128 bytes");
@@ -46,10 +46,10 @@ Header read_header(const GroomBytes& file) {
   return header;
 }
 
-// How many points each strand has: together all that there are.
+// The number of points of each strand; their sum is the header's.
 std::vector<std::uint32_t> read_counts(const GroomBytes& file, const Header& header) {
   const bool own = (header.arrays & Array::segments) != 0;
-  // A strand has a point at the least, so that this bounds what there is to allocate.
+  // A strand has at least one point, so this bounds the memory to allocate.
   if (header.strands > header.points)
     file.fail_at(4, "says that there are " + std::to_string(header.strands) + " strands and " +
                         std::to_string(header.points) + " points; a strand has one at least");

@@ -9,11 +9,10 @@
 //   4, 8, 16    f32 thickness, f32 transparency, f32 x 3 colour of each point
 //
 // A strand without segments is a bald root, a single point. A thickness of 0 in the header means that it is
-// not known, as hair without thickness is not seen.
+// unknown, because hair without thickness is invisible.
 //
-// Nothing is lost: a file that is read and written is the same, byte for byte. A groom from elsewhere loses
-// what 32 bits can't hold of its points. Where its look is not known, the header says thickness 0,
-// transparency 0 and white.
+// A file that is read and written again is the same, byte for byte. A groom from elsewhere is rounded to 32
+// bits. If its look is unknown, the header has thickness 0, transparency 0 and white.
 #pragma once
 
 #include <string>
@@ -24,8 +23,8 @@
 namespace hair {
 
 // Throws BadInput with a message that begins with `name`, if the file has another format, a length that its
-// header contradicts, or a number that is not finite. No memory is taken
-// for what the header says before the file's length agrees.
+// header contradicts, or a number that is not finite. It takes no memory for the header's numbers before the
+// file's length agrees with them.
 Groom parse_hair_file(std::string_view bytes, const std::string& name, Numbers numbers = Numbers::finite);
 
 // Throws BadInput for a groom that can't be written (groom_bytes.h); a strand has 65,535 segments at most,

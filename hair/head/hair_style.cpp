@@ -75,7 +75,7 @@ const HairStyle* find_hair_style(std::string_view name) {
 int fewest_points(const HairStyle& style) {
   if (style.radius == 0) return 8;
   const double around = 2 * std::numbers::pi * style.radius;
-  // Of a curl; a wave is shorter.
+  // The length of a curl's turn; a wave's is shorter.
   const double turn = style.flat ? style.pitch : std::hypot(around, style.pitch);
   const double turns = (1 + style.varies) * style.length / turn;
   return std::max(8, static_cast<int>(std::ceil(8 * turns)) + 1);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr KeptKind kKind{"hairlab: a surface net, format 2", ".net"};
 
-// The solid at random places of its box.
+// Digests the solid's values at random places of its box.
 std::string key_of(const Solid& solid, int cells) {
   constexpr int kLooks = 2000;
   const Eigen::AlignedBox3d box = solid.box();
@@ -31,7 +31,7 @@ std::string key_of(const Solid& solid, int cells) {
   return digest.text();
 }
 
-// Numbers as this machine has them.
+// Appends numbers in this machine's format.
 template <class T>
 void put(const std::vector<T>& values, std::string& bytes) {
   const std::uint64_t count = values.size();
@@ -76,7 +76,7 @@ SurfaceMesh kept_surface_net(const Solid& solid, int cells,
   try {
     keep(*folder, kKind, key, bytes);
   } catch (const BadInput&) {
-    // The next run makes it again.
+    // The next run makes the mesh again.
   }
   return mesh;
 }

@@ -10,8 +10,8 @@
 
 namespace hair {
 
-// surface_net(solid, cells), from a file of this folder or made and kept there. Without a folder, or where
-// nothing can be kept, it is made.
+// surface_net(solid, cells), from a file of this folder. Otherwise it is made, and kept there if there is a
+// folder that can be written.
 SurfaceMesh kept_surface_net(const Solid& solid, int cells,
                              const std::optional<std::filesystem::path>& folder);
 

@@ -1,5 +1,4 @@
-// STAFF ONLY. Surface nets that are kept: what comes from a file is what was made, and a file that is not
-// whole is not taken.
+// STAFF ONLY. Kept surface nets: a net from a file equals the made one, and an incomplete file is ignored.
 #include "hair/head/kept_net.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Which of many points is nearest: a k-d tree. Source: J. Bentley, "Multidimensional Binary Search Trees Used
-// for Associative Searching", Communications of the ACM 18 (1975).
+// Finds the nearest of many points: a k-d tree. Source: J. Bentley, "Multidimensional Binary Search Trees
+// Used for Associative Searching", Communications of the ACM 18 (1975).
 #pragma once
 
 #include <Eigen/Core>
@@ -9,11 +9,11 @@ namespace hair {
 
 class NearestPoints {
  public:
-  // Points are finite; any of them may be at the same place.
+  // Points are finite; several may be at the same place.
   explicit NearestPoints(std::vector<Eigen::Vector3d> points);
 
   struct Found {
-    long index = -1;  // -1: there is no point, or none but `except`
+    long index = -1;  // -1: there is no point, or only `except`
     double distance = 0;
   };
   Found nearest(const Eigen::Vector3d& to, long except = -1) const;
@@ -25,7 +25,7 @@ class NearestPoints {
 
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::size_t> order_;
-  std::vector<unsigned char> axis_;  // of each node: where its range is split, the longest side of its box
+  std::vector<unsigned char> axis_;  // for each node: the axis of its box's longest side
 };
 
 }  // namespace hair

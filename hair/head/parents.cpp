@@ -11,7 +11,7 @@
 namespace hair {
 namespace {
 
-// Guides whose roots lie on a line, as the map has them: each next to the one before it.
+// Sorts guides whose roots lie on a line of the map along this line.
 std::vector<int> sorted_along(const std::vector<Vector2d>& points) {
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& point : points) middle += point / static_cast<double>(points.size());
@@ -40,7 +40,7 @@ Parents weighted(const std::array<int, 3>& corners, const std::vector<RootFrame>
   return parents;
 }
 
-// Of all neighbours on the line, the two whose middle is nearest.
+// Among all neighbours on the line, the two whose middle is nearest.
 std::array<int, 3> nearest_on_line(const std::vector<int>& line, const std::vector<RootFrame>& guides,
                                    const RootFrame& child) {
   if (line.size() == 1) return {line[0], line[0], line[0]};
@@ -57,7 +57,7 @@ std::array<int, 3> nearest_on_line(const std::vector<int>& line, const std::vect
   return {line[best], line[best + 1], line[best + 1]};
 }
 
-// The guide that is nearest to `place` of those that are `wanted`; -1: there is none.
+// The guide nearest to `place` among those that are `wanted`; -1 if there is none.
 template <class Wanted>
 int nearest_where(const std::vector<RootFrame>& guides, const Vector3d& place, const Wanted& wanted) {
   int nearest = -1;

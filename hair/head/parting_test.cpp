@@ -73,7 +73,7 @@ TEST(Parting, WeightsAreOfItsOwnSideAndTheirSumIs1) {
   EXPECT_GT(alone, 0) << "some triangles have one corner on a strand's side";
 }
 
-// A strand whose triangle lies on the other side altogether takes the nearest guide of its own.
+// A strand whose whole triangle is on the other side takes the nearest guide of its own side.
 TEST(Parting, AStrandThatIsAloneTakesTheNearestGuideOfItsSide) {
   SynthesisDescription description = parted_disc(SynthesisMode::interpolate);
   description.children = {{Vector3d(0.05, 0, 0), description.children.front().axis, Vector3d(-1, 0, 0)}};

@@ -14,7 +14,7 @@ namespace hair {
 
 namespace {
 
-// What a file says, before it is put together.
+// The content of a file, before it is put together.
 struct Parts {
   std::vector<double> points;  // 3 for each vertex
   GroomLook look;
@@ -22,7 +22,7 @@ struct Parts {
   std::vector<std::string> not_read;
 };
 
-// What is 1 in the properties of a colour; 0: this type has no colours.
+// The number that means 1 in a colour's properties; 0 if this type can't store colours.
 float whole_colour(PlyType type) {
   return type == PlyType::u8                            ? 255
          : type == PlyType::u16                         ? 65535
@@ -33,11 +33,11 @@ float whole_colour(PlyType type) {
 // Properties of each vertex that go to one array, one after the other.
 struct Column {
   std::vector<float>* to;
-  float whole;  // what is 1
+  float whole;  // the number that means 1
   std::vector<std::size_t> from;
 };
 
-// Those of the look that the element has.
+// The columns of the look's properties that the element has.
 std::vector<Column> look_columns(const PlyElement& element, GroomLook& look) {
   std::vector<Column> columns;
   const auto add = [&](std::vector<float>& to, std::initializer_list<const char*> names, bool colour) {
@@ -166,7 +166,7 @@ std::vector<Look> looks_of(const GroomLook& look) {
     if (part.is_known()) looks.push_back({part, std::move(names), is_u8});
   };
   add(colour, {"red", "green", "blue"}, true);
-  // Some programs take an alpha of 0 for hair that is not seen: opaque hair has none.
+  // Some programs do not show hair with an alpha of 0: opaque hair gets no alpha.
   if (look.transparency != 0.0F || !look.transparencies.empty()) add(transparency, {"alpha"}, true);
   add(thickness, {"thickness"}, false);
   return looks;

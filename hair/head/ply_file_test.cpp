@@ -54,8 +54,8 @@ TEST(PlyFile, AStrandWithoutSegmentsIsABaldRoot) {
   EXPECT_EQ(groom.strands[1].size(), 12);
 }
 
-// What hairutil writes has u8, and other programs other types. Each row: the properties, a vertex, and
-// colour, transparency and thickness that it has.
+// hairutil writes u8, and other programs write other types. Each row: the properties, a vertex, and its
+// colour, transparency and thickness.
 TEST(PlyFile, ALookOfEachVertexIsRead) {
   struct Row {
     std::string properties, vertex;

@@ -19,7 +19,7 @@ namespace hair {
 
 namespace {
 
-// Both sets of names are in use.
+// Files use both sets of names.
 constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{{"char", PlyType::i8},
                                                                           {"uchar", PlyType::u8},
                                                                           {"short", PlyType::i16},
@@ -52,7 +52,7 @@ bool is_whole(PlyType type) {
   return type != PlyType::f32 && type != PlyType::f64;
 }
 
-// Whether a number that a text has is one of the type's.
+// True if the type can store this number of a text.
 bool can_be(double value, PlyType type) {
   if (!is_whole(type)) return true;
   const bool has_sign = type == PlyType::i8 || type == PlyType::i16 || type == PlyType::i32;
@@ -61,7 +61,7 @@ bool can_be(double value, PlyType type) {
   return value == std::floor(value) && value >= low && value < low + values;
 }
 
-// The number that the word is, and nothing else; none for one that double can't hold. Not every standard
+// The word as a number; none if it contains anything else, or if a double can't hold it. Not every standard
 // library has std::from_chars for double.
 std::optional<double> number_in(std::string_view word) {
   // strtod also takes a plus and hexadecimal digits.
@@ -135,7 +135,7 @@ std::string_view PlyRows::next_line() {
   return line;
 }
 
-// Without the spaces before it; empty at the line's end.
+// The next word without the spaces before it; empty at the line's end.
 std::string_view PlyRows::next_word(std::string_view& line) const {
   const auto* const begin = std::find_if_not(line.begin(), line.end(), is_space);
   const auto* const end = std::find_if(begin, line.end(), is_space);
@@ -217,7 +217,7 @@ void PlyRows::check_size() const {
   for (const PlyElement& element : elements_) {
     std::size_t row = 0;
     for (const PlyProperty& property : element.properties)
-      // In text a digit and a space.
+      // A text has at least a digit and a space.
       row += format_ == PlyFormat::ascii ? 2 : size_of(property.list ? property.count_type : property.type);
     if (row == 0) fail("the element " + in_quotes(element.name) + " has no properties; leave it out");
     // The last line may end without a line's end.

@@ -14,7 +14,7 @@ enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
 struct PlyProperty {
   std::string name;
   PlyType type;
-  bool list = false;  // a number of values, and then these
+  bool list = false;  // a count, and then so many values
   PlyType count_type = PlyType::u8;
 };
 
@@ -23,17 +23,17 @@ struct PlyElement {
   std::size_t count;
   std::vector<PlyProperty> properties;
 
-  int find(std::string_view property) const;  // its place; -1: there is none, or it is a list
+  int find(std::string_view property) const;  // its index; -1: there is none, or it is a list
 };
 
 enum class PlyFormat { ascii, little_endian, big_endian };
 
-// Reads the header when it is made, then the rows of all elements in the file's order. All complaints are
+// Reads the header in its constructor, then the rows of all elements in the file's order. All errors are
 // BadInput, with the file's name and the line, or in a binary file's body the byte.
 class PlyRows {
  public:
-  // Throws also for an element without properties, and for elements that are longer than the file: there is
-  // no memory to take for rows that are not there.
+  // Also throws for an element without properties, and for elements that are longer than the file, so that it
+  // takes no memory for missing rows.
   PlyRows(std::string_view bytes, const std::string& name);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
@@ -42,11 +42,11 @@ class PlyRows {
   // The next row, of this element: a value for each property, 0 for a list.
   void read(const PlyElement& element, std::vector<double>& row);
 
-  // After the last row: the file ends here but for white space.
+  // After the last row: the file ends here, except for white space.
   void expect_end() const;
 
-  [[noreturn]] void fail(const std::string& what) const;       // of the whole file
-  [[noreturn]] void fail_here(const std::string& what) const;  // of the row that was read last
+  [[noreturn]] void fail(const std::string& what) const;       // concerns the whole file
+  [[noreturn]] void fail_here(const std::string& what) const;  // concerns the row that was read last
 
  private:
   std::string_view next_line();
@@ -64,7 +64,7 @@ class PlyRows {
   std::vector<PlyElement> elements_;
   bool in_header_ = true, has_comments_ = false;
   std::size_t at_ = 0;      // the next byte
-  std::size_t row_at_ = 0;  // where the last row, or line, begins
+  std::size_t row_at_ = 0;  // the start of the last row, or line
   long line_ = 0;           // the last line that was read, from 1
 };
 

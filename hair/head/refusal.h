@@ -1,4 +1,4 @@
-// For tests: what a function says as it refuses its input.
+// For tests: the message with which a function refuses its input.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace hair {
 
-// The message of the BadInput that it throws; empty if it throws none.
+// The message of the BadInput that the function throws; empty if it throws none.
 std::string refusal(const auto& function) {
   try {
     function();

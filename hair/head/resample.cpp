@@ -54,7 +54,7 @@ Eigen::VectorXd resampled(const Eigen::VectorXd& x, int points) {
 void resample(Groom& groom, int points) {
   GroomLook& look = groom.look;
   std::vector<float> thicknesses, transparencies, colours;
-  std::size_t first = 0;  // of this strand's points, in all
+  std::size_t first = 0;  // this strand's first point among all points
   for (Eigen::VectorXd& x : groom.strands) {
     const auto before = static_cast<std::size_t>(points_of(x));
     const std::vector<Place> places = before < 2 ? std::vector<Place>{{0, 0}} : equal_places(x, points);

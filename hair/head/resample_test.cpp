@@ -46,8 +46,8 @@ TEST(Resample, EndsStayAndPointsLieOnTheLineAtEqualDistancesAlongIt) {
 }
 
 TEST(Resample, ACurveOfManyPointsLosesAChordsShareOfItsLength) {
-  // Of a turn by the angle a, a chord across loses a^2 / 24 - a^4 / 1920; the rise loses nothing, and makes
-  // the line longer by sqrt(1 + 0.01). The line of 1001 points has lost its own share.
+  // A chord of a turn by the angle a is shorter by a^2 / 24 - a^4 / 1920; the rise is not shorter, and makes
+  // the line longer by sqrt(1 + 0.01). The line of 1001 points has its own error.
   const Eigen::VectorXd x = helix(1001, 2);
   const double a = 4 * M_PI / 40, own = 4 * M_PI / 1000;
   EXPECT_NEAR(1 - length_of(resampled(x, 41)) / length_of(x), a * a / 24 / 1.01,

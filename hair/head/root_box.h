@@ -1,5 +1,4 @@
-// A box that holds a strand, as its root's frame sees it: along axis, side and axis x side, with the root at
-// 0.
+// A box that holds a strand, in its root's frame: along axis, side and axis x side, with the root at 0.
 #pragma once
 
 #include "hair/strand/rest_shape.h"
@@ -9,10 +8,10 @@ namespace hair {
 struct RootBox {
   Vector3d middle, half;  // m
 
-  // From the root.
+  // The largest possible distance from the root.
   double farthest() const { return middle.norm() + half.norm(); }
 
-  // How far it goes along `direction`, as the frame sees it.
+  // Its extent along `direction`, in the root's frame.
   double reach(const Vector3d& direction) const {
     return direction.dot(middle) + direction.cwiseAbs().dot(half);
   }

@@ -9,10 +9,10 @@ namespace hair {
 
 namespace {
 
-constexpr double kThinnest = 0.01;   // over the width: of points that are on no plane
-constexpr double kNarrowest = 1e-6;  // of points that are on no line
+constexpr double kThinnest = 0.01;   // over the width: the thickness of points that are on no plane
+constexpr double kNarrowest = 1e-6;  // over the width, for points that are on no line
 
-// How far points are spread: their middle, and the standard deviations along three axes, the smallest first.
+// The extent of points: their middle, and the standard deviations along three axes, the smallest first.
 struct Extent {
   Vector3d middle = Vector3d::Zero(), sizes;
   Eigen::Matrix3d axes;
@@ -33,7 +33,7 @@ Extent extent_of(const std::vector<Vector3d>& points) {
 
 std::optional<RootSphere> sphere_through(const std::vector<Vector3d>& points, const Extent& extent) {
   if (points.size() < 4 || !(extent.sizes[0] > kThinnest * extent.sizes[2])) return {};
-  // About the middle, and in units of the width, so that all sums are of one size.
+  // Coordinates are relative to the middle, in units of the width, so that all sums have similar sizes.
   const double unit = extent.sizes[2];
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();

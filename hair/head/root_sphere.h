@@ -1,4 +1,4 @@
-// The sphere that fits roots best: what is known of a head that only its hair tells of.
+// The sphere that fits roots best: an estimate of the head if only its hair is known.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ struct RootSphere {
 
 // The least squares of |x|^2 - 2 c . x - (r^2 - |c|^2), which is linear in its unknowns: I. Kasa, "A circle
 // fitting procedure and its error analysis" (IEEE Transactions on Instrumentation and Measurement 25, 1976).
-// None for fewer than four points, and for points that are on a plane but for a hundredth of their width.
+// None for fewer than four points, or for points that lie on a plane up to a hundredth of their width.
 std::optional<RootSphere> sphere_through(const std::vector<Vector3d>& points);
 
-// The roots with the scalp's normals for axes. axis of what is given: how hair leaves its root. The normals
-// are those of the sphere that fits; of roots on a plane the plane's, on the side that hair is on; of roots
-// on a line they stay what they are.
+// The roots, with the scalp's normals as axes. On entry `axis` is the direction in which hair leaves its
+// root. The normals are those of the fitted sphere. For roots on a plane they are the plane's, on the side of
+// the hair; for roots on a line they do not change.
 std::vector<RootFrame> scalp_of_roots(std::vector<RootFrame> roots);
 
 }  // namespace hair

@@ -15,7 +15,7 @@ namespace {
 constexpr double kBall = 0.1;
 const Vector3d kMiddle(1, -2, 0.5);
 
-// On the upper part of a ball; hair leaves it between outwards and down.
+// Roots on the upper part of a ball; hair leaves it between outwards and down.
 std::vector<RootFrame> cap(int count) {
   Variation variation(1);
   std::vector<RootFrame> roots;
@@ -34,8 +34,8 @@ std::vector<Vector3d> places(const std::vector<RootFrame>& roots) {
   return points;
 }
 
-// The middle of the ball is 20 radii away from the origin: positions are rounded to 4e-16, and the part that
-// is seen gives the centre with a condition number of some tens.
+// The middle of the ball is 20 radii away from the origin: positions are rounded to 4e-16, and the visible
+// part gives the centre with a condition number of some tens.
 TEST(RootSphere, IsTheBallThatRootsAreOn) {
   const auto sphere = sphere_through(places(cap(50)));
   ASSERT_TRUE(sphere);
@@ -80,8 +80,8 @@ TEST(ScalpOfRoots, OnALineStaysWhatItIs) {
   EXPECT_TRUE(scalp_of_roots({}).empty());
 }
 
-// Each one that is taken is at least as far from the others as any point is from the nearest that is taken:
-// which is what makes it at most twice as far as it could be (Gonzalez).
+// Each chosen point is at least as far from the others as any point is from the nearest chosen one. So no
+// point is more than twice as far as necessary (Gonzalez).
 TEST(FarthestPoints, AreAsFarFromEachOtherAsAnyPointIsFromThem) {
   const std::vector<Vector3d> points = places(cap(500));
   const std::vector<std::size_t> taken = farthest_points(points, 40);

@@ -52,7 +52,7 @@ std::vector<Corners> triangles_of(const std::vector<RootFrame>& scalp) {
 }
 
 RootFrame root_in(const Corners& triangle, Variation& variation) {
-  // Evenly over a triangle: the root of an even number is how far a point is from the first corner.
+  // Evenly over a triangle: the root of a uniform number is the distance from the first corner.
   const double far = std::sqrt(variation.uniform(0, 1)), along = variation.uniform(0, 1);
   const std::array<double, 3> weights = {1 - far, far * (1 - along), far * along};
   RootFrame root{Vector3d::Zero(), Vector3d::Zero(), {}};
@@ -87,7 +87,7 @@ std::vector<RootFrame> roots_between(const std::vector<RootFrame>& scalp, int co
       roots.push_back(root_in(triangle, own));
     }
   }
-  // What rounding of the areas' sum left out.
+  // Roots that are missing because the areas' sum is rounded.
   while (static_cast<int>(roots.size()) < count) {
     Variation own(seed, roots.size());
     roots.push_back(root_in(triangles.back(), own));

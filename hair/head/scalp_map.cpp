@@ -11,7 +11,7 @@ ScalpMap::ScalpMap(const std::vector<RootFrame>& roots) {
     middle += root.position;
   }
   middle /= static_cast<double>(roots.size());
-  // What normals that agree to rounding differ by decides nothing.
+  // Normals that agree up to rounding count as equal.
   constexpr double kAlike = 1e-9;
   double best = -std::numeric_limits<double>::infinity(), distance = 0;
   for (const RootFrame& root : roots) {

@@ -13,7 +13,7 @@ namespace hair {
 
 namespace {
 
-constexpr double kJitter = 0.2;  // of the usual distance between roots
+constexpr double kJitter = 0.2;  // times the usual distance between roots
 constexpr int kBands = 64, kCells = 128;
 
 Vector3d direction_at(double height, double turn) {
@@ -21,8 +21,9 @@ Vector3d direction_at(double height, double turn) {
   return {across * std::cos(turn), across * std::sin(turn), height};
 }
 
-// The areas of a head's surface, by the direction from its centre: bands of equal height of the sphere of
-// directions, which have cells of equal width. All cells have the same solid angle (Archimedes).
+// The areas of a head's surface, by the direction from its centre: the sphere of directions is divided into
+// bands of equal height, and these into cells of equal width. All cells have the same solid angle
+// (Archimedes).
 class SurfaceAreas {
  public:
   explicit SurfaceAreas(const Head& head) {
@@ -33,8 +34,8 @@ class SurfaceAreas {
         const Vector3d way = direction_at(-1 + 2 * (static_cast<double>(band) + 0.5) / kBands,
                                           2 * std::numbers::pi * (static_cast<double>(cell) + 0.5) / kCells);
         const Vector3d point = head.surface_towards(way);
-        // The surface is farther than a unit sphere's, and not at a right angle to the ray. Away from the
-        // scalp a ray may touch it, and there no area is needed.
+        // The surface is farther away than a unit sphere, and not perpendicular to the ray. Away from the
+        // scalp a ray may touch it, and no area is needed there.
         const double area = solid_angle * (point - head.centre()).squaredNorm() /
                             std::max(0.1, head.surface_at(point).normal.dot(way));
         along[cell + 1] = along[cell] + area;
@@ -47,8 +48,8 @@ class SurfaceAreas {
     }
   }
 
-  // Whether there is hair in the cell of a direction or beside it: quicker to know than where the head's
-  // surface is.
+  // True if there is hair in the cell of a direction or next to it: this is faster than finding the head's
+  // surface.
   bool may_have_hair(const Vector3d& direction) const {
     const double turn = std::atan2(direction.y(), direction.x()) / (2 * std::numbers::pi);
     const auto band =
@@ -61,10 +62,10 @@ class SurfaceAreas {
   double whole() const { return until_.back(); }
   double scalp() const { return scalp_; }
 
-  // The direction that has the part u of the area below it, and the part v of its band's before it.
+  // The direction with the part u of the area below it, and the part v of its band's area before it.
   Vector3d direction(double u, double v) const {
     const double band = place(until_, u * until_.back());
-    // Between the middles of two bands, so that neighbours stay neighbours.
+    // Interpolates between the middles of two bands, so that neighbours stay neighbours.
     const double lower = std::clamp(std::floor(band - 0.5), 0.0, kBands - 1.0);
     const double upper = std::min(lower + 1, kBands - 1.0);
     const double part = std::clamp(band - 0.5 - lower, 0.0, 1.0);
@@ -79,7 +80,7 @@ class SurfaceAreas {
       for (const std::size_t c : {cell + kCells - 1, cell, cell + 1}) near_scalp_[b][c % kCells] = true;
   }
 
-  // Where rising numbers have this value, counted in their steps.
+  // The place of this value among ascending numbers, as an index with a fraction.
   template <std::size_t n>
   static double place(const std::array<double, n>& rising, double value) {
     const auto after = std::upper_bound(rising.begin() + 1, rising.end() - 1, value);
@@ -94,7 +95,7 @@ class SurfaceAreas {
   double scalp_ = 0;
 };
 
-// Those of `tried` points of the lattice that are on the scalp.
+// The points on the scalp among `tried` points of the lattice.
 std::vector<Vector3d> points_of_lattice(const Head& head, const SurfaceAreas& areas, double tried,
                                         double spacing, std::uint64_t seed) {
   const double start = Variation(seed).uniform(0, 1);
@@ -135,14 +136,15 @@ std::vector<RootFrame> Scalp::roots(int count, std::uint64_t seed) const {
   if (!(areas.scalp() > 0))
     throw std::invalid_argument("a head has no scalp; give it a place where hair grows");
   const double spacing = std::sqrt(areas.scalp() / count);
-  // A few more than are expected; as often as it takes, for the table knows the scalp's edge roughly.
+  // Tries a few more than expected, and repeats if necessary, because the table has only a rough edge of the
+  // scalp.
   double tried = std::ceil(1.01 * count * areas.whole() / areas.scalp()) + 5;
   std::vector<Vector3d> points = points_of_lattice(head_, areas, tried, spacing, seed);
   while (points.size() < static_cast<std::size_t>(count))
     points = points_of_lattice(head_, areas, tried = std::ceil(1.05 * tried), spacing, seed);
   std::vector<RootFrame> roots;
   roots.reserve(static_cast<std::size_t>(count));
-  // Those that are too many are spread over all.
+  // Surplus points are removed evenly.
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto kept = static_cast<std::size_t>(count);
     if ((i + 1) * kept / points.size() == i * kept / points.size()) continue;

@@ -50,8 +50,8 @@ TEST_P(Roots, AreFramesOnTheScalp) {
   }
 }
 
-// Of random points, the next one is at 0.5 of the spacing on average, and some are at nearly 0. A lattice's
-// are at 0.8 to 1.05; a move of 0.2 at each end takes at most 0.4.
+// Random points have the next one at 0.5 of the spacing on average, and some at nearly 0. Points of a lattice
+// have it at 0.8 to 1.05; a move of 0.2 at each end takes at most 0.4.
 TEST_P(Roots, AreEvenlyApart) {
   const double spacing = std::sqrt(Scalp(head_).area() / GetParam());
   std::vector<Vector3d> points;
@@ -91,8 +91,8 @@ TEST_P(Roots, EqualAreasHaveEqualNumbers) {
   for (const RootFrame& root : roots_) ++count[box_of(root.position)];
   for (std::size_t i = 0; i < area.size(); ++i) {
     const double expected = area[i] / all * GetParam();
-    // A lattice's number differs by what its box's edge has: some of the points along it. Random points would
-    // differ by the root of their number, several times as much in large boxes.
+    // A lattice's number differs by some of the points along its box's edge. Random points would differ by
+    // the root of their number, several times as much in large boxes.
     EXPECT_NEAR(count[i], expected, 2 + 1.2 * std::pow(expected, 0.25) + 0.01 * expected) << i;
   }
 }
@@ -107,7 +107,7 @@ TEST(ScalpRoots, ASideChangesSmoothlyAlongTheScalp) {
   const NearestPoints tree(points);
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const auto found = tree.nearest(points[i], static_cast<long>(i));
-    // Near the ears, 5 degrees away from the scalp, it turns by 1 / sin(5 degrees) of the angle.
+    // Near the ears, 5 degrees away from the scalp, the side turns by 1 / sin(5 degrees) of the angle.
     EXPECT_LT((roots[i].side - roots[static_cast<std::size_t>(found.index)].side).norm(),
               found.distance / 0.076 / std::sin(5 * M_PI / 180) * 2);
   }

@@ -19,7 +19,7 @@ class CornerGrid {
     const Eigen::AlignedBox3d box = solid.box();
     width_ = box.sizes().maxCoeff() / cells;
     corners_ = (box.sizes() / width_).array().ceil().cast<int>() + 3;
-    // Not on round numbers, so that no corner of a symmetrical solid is on its surface by chance.
+    // The grid avoids round numbers, so that no corner of a symmetrical solid is on its surface by chance.
     first_ = box.center() -
              0.5 * width_ * ((corners_.array() - 1).cast<double>().matrix() + Vector3d(0.017, 0.029, 0.041));
     distances_.assign(static_cast<std::size_t>(corners_.cast<long>().prod()), 0);
@@ -44,7 +44,7 @@ class CornerGrid {
   }
 
  private:
-  // Blocks that are wholly inside or outside take one look at their middle.
+  // A block that is wholly inside or outside needs only the distance at its middle.
   void fill() {
     constexpr int block = 4;
     for_each(corners_, block, [&](const Lattice& low) {
@@ -66,14 +66,14 @@ class CornerGrid {
   std::vector<double> distances_;
 };
 
-// An edge of a cube goes along an axis. Around the axis, the cube's four edges are at 0 or 1 of the two other
-// axes.
+// An edge of a cube goes along an axis. Around this axis, the cube's four edges are at 0 or 1 of the two
+// other axes.
 constexpr int edge_number(int axis, int u, int v) {
   return 4 * axis + u + 2 * v;
 }
 
-// The sheets of the surface in one cube: crossings of edges are of one sheet if faces join them. Where a face
-// has four, each pair around an inner corner is joined, which both cubes of a face see alike.
+// The sheets of the surface in one cube: crossings of edges belong to one sheet if faces join them. If a face
+// has four, each pair around an inner corner is joined, and both cubes of the face decide alike.
 class Sheets {
  public:
   Sheets(const CornerGrid& grid, const Lattice& cube) : grid_(grid), cube_(cube) {
@@ -88,7 +88,7 @@ class Sheets {
 
   bool crossed() const { return crossed_; }
 
-  // The first edge of its sheet, for each edge that the surface goes through; -1 for others.
+  // The first edge of an edge's sheet, for each edge that crosses the surface; -1 for others.
   int sheet_of(int edge) const {
     const auto [from, to] = ends(edge);
     return is_inside(from) == is_inside(to) ? -1 : sheet_[static_cast<std::size_t>(edge)];
@@ -101,7 +101,7 @@ class Sheets {
   }
 
  private:
-  // Corners are numbered by the bits of their places along the axes.
+  // The bits of a corner's number are its places along the axes.
   Lattice place(int corner) const { return cube_ + Lattice(corner & 1, corner >> 1 & 1, corner >> 2 & 1); }
   double distance(int corner) const { return grid_.distance(place(corner)); }
   bool is_inside(int corner) const { return distance(corner) < 0; }
@@ -121,7 +121,7 @@ class Sheets {
   // The face at `side` of the axis n; its edges go along u and v.
   void join_face(int n, int side) {
     const int u = (n + 1) % 3, v = (n + 2) % 3;
-    // Of the axis u the others are v and n, and of v they are n and u.
+    // edge_number expects the other axes in cyclic order: v, n after u, and n, u after v.
     const auto along_u = [&](int at_v) { return edge_number(u, at_v, side); };
     const auto along_v = [&](int at_u) { return edge_number(v, side, at_u); };
     const std::array<int, 4> edges = {along_u(0), along_u(1), along_v(0), along_v(1)};
@@ -158,7 +158,7 @@ SurfaceMesh surface_net(const Solid& solid, int cells) {
     throw std::invalid_argument("a surface net of " + std::to_string(cells) + " cells; 4 to 1000 are right");
   const CornerGrid grid(solid, cells);
   SurfaceMesh mesh;
-  // Of each cube that the surface goes through, in order: the vertex at each of its edges.
+  // For each cube that the surface crosses, in order: the vertex at each of its edges.
   constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> number(static_cast<std::size_t>(grid.corners().cast<long>().prod()), none);
   std::vector<std::array<std::uint32_t, 12>> vertices;
@@ -190,14 +190,14 @@ SurfaceMesh surface_net(const Solid& solid, int cells) {
       const auto vertex = [&](const Lattice& cube, int at_u, int at_v) {
         return vertices[number[grid.index(cube)]][static_cast<std::size_t>(edge_number(axis, at_u, at_v))];
       };
-      // Around the edge, anticlockwise for who looks against the axis.
+      // Around the edge, anticlockwise when one looks against the axis.
       std::array<std::uint32_t, 4> around = {vertex(from - u - v, 1, 1), vertex(from - v, 0, 1),
                                              vertex(from, 0, 0), vertex(from - u, 1, 0)};
       if (enters) std::swap(around[1], around[3]);
       const auto apart = [&](std::size_t i, std::size_t k) {
         return (mesh.points[around[i]] - mesh.points[around[k]]).squaredNorm();
       };
-      // Along the shorter diagonal.
+      // The quadrilateral is split along its shorter diagonal.
       const std::size_t first = apart(0, 2) <= apart(1, 3) ? 0 : 1;
       for (const std::size_t k : {first, first + 2})
         mesh.triangles.push_back({around[k], around[(k + 1) % 4], around[(k + 2) % 4]});

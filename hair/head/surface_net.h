@@ -17,8 +17,8 @@ struct SurfaceMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // anticlockwise, as seen from outside
 };
 
-// The box is divided into cubes, `cells` of them along its longest side. The mesh is closed; it is a manifold
-// where the solid is thicker than two cubes. The same for the same solid and cells. Throws
+// The box is divided into cubes, `cells` of them along its longest side. The mesh is closed, and it is a
+// manifold if the solid is thicker than two cubes. The same solid and cells give the same mesh. Throws
 // std::invalid_argument for fewer than 4 and more than 1000 cells.
 SurfaceMesh surface_net(const Solid& solid, int cells);
 

@@ -12,7 +12,7 @@
 namespace hair {
 namespace {
 
-// Each edge, from its lower to its higher point, and how often triangles go along it either way.
+// Each edge, from its lower to its higher point, with the number of triangles along it in either direction.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<int, 2>> edges_of(const SurfaceMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<int, 2>> edges;
   for (const auto& triangle : mesh.triangles)
@@ -32,7 +32,7 @@ TEST_P(Nets, AreClosedOrientedAndOnTheSurface) {
     const SurfaceMesh mesh = surface_net(*solid, GetParam());
     const auto edges = edges_of(mesh);
     for (const auto& [edge, ways] : edges) ASSERT_EQ(ways, (std::array<int, 2>{1, 1})) << edge.first;
-    // Like a ball.
+    // Euler's number is a ball's.
     EXPECT_EQ(static_cast<long>(mesh.points.size()) - static_cast<long>(edges.size()) +
                   static_cast<long>(mesh.triangles.size()),
               2);
@@ -44,7 +44,7 @@ TEST_P(Nets, AreClosedOrientedAndOnTheSurface) {
     const double width = solid->box().sizes().maxCoeff() / GetParam();
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vector3d area = 0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
-      // Not degenerate, and seen from outside anticlockwise.
+      // Triangles are not degenerate, and anticlockwise as seen from outside.
       EXPECT_GT(area.norm(), 1e-4 * width * width) << mesh.points[a].transpose();
       EXPECT_GT(area.dot(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]), 0)
           << mesh.points[a].transpose();
@@ -61,7 +61,7 @@ double volume_of(const SurfaceMesh& mesh) {
   return volume;
 }
 
-// Chords are inside by the square of their length: with twice the cells, a quarter is missing.
+// Chords are inside by the square of their length: with twice the cells, the error is a quarter.
 TEST(SurfaceNet, TheVolumeIsRightToSecondOrder) {
   const double volume = 4 * M_PI / 3 * 0.076 * 0.096 * 0.112;
   const EllipsoidHead head;

@@ -102,12 +102,12 @@ class Synthesis::Parts {
   }
 
  private:
-  static constexpr char kShape = 1, kWisp = 2;  // bits: what a guide is used for
+  static constexpr char kShape = 1, kWisp = 2;  // bits: the uses of a guide
 
   bool shapes() const { return given_.mode != SynthesisMode::extrapolate; }
   bool wisps() const { return given_.mode != SynthesisMode::interpolate; }
 
-  // Calls task(thread, i) for each i. A function that holds no more than a pointer allocates nothing.
+  // Calls task(thread, i) for each i. A function object no larger than a pointer needs no allocation.
   template <class Task>
   void run(int count, const Task& task) {
     struct Batches {
@@ -127,7 +127,7 @@ class Synthesis::Parts {
     return {roots_[i], {points_ + static_cast<std::size_t>(3 * n_) * static_cast<std::size_t>(i), 3 * n_}};
   }
 
-  // Where guides' roots are now, and, for the view, the boxes that hold the guides.
+  // Sets the guides' present roots, and, for the view, the boxes that hold the guides.
   void place_guides(bool with_boxes) {
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       const RootFrame& start = given_.guides[i];
@@ -138,7 +138,7 @@ class Synthesis::Parts {
     }
   }
 
-  // Goes with the nearest guide's root.
+  // The root moves with the nearest guide's root.
   RootFrame child_root(int child) const {
     const RootFrame& start = given_.children[static_cast<std::size_t>(child)];
     const int nearest = parents_[child].guides[0];
@@ -146,8 +146,8 @@ class Synthesis::Parts {
             turn_ * start.axis, turn_ * start.side};
   }
 
-  // How far a child goes from its root along `direction`, at most. What is a mean of guides, as roots see
-  // them, goes as far as the mean of their boxes does; a wisp's strand is beside its guide.
+  // The largest distance of a child from its root along `direction`. A mean of guides, in their roots'
+  // frames, reaches as far as the mean of their boxes; a wisp's strand is near its guide.
   double reach_of(int child, const RootFrame& root, const Vector3d& direction) const {
     const Parents& parents = parents_[child];
     double reach = -std::numeric_limits<double>::infinity();
@@ -165,7 +165,7 @@ class Synthesis::Parts {
     return sizes_[child] * (reach + disorder_.reach(child, farthest(parents, root)));
   }
 
-  // A bound for a child's points, of their distance from its root.
+  // A bound for the distance of a child's points from its root.
   double farthest(const Parents& parents, const RootFrame& root) const {
     double far = 0;
     for (const int guide : parents.guides) far = std::max(far, boxes_[guide].farthest());
@@ -223,12 +223,12 @@ class Synthesis::Parts {
   StrandThreads threads_;
   int n_ = 0;
   std::vector<Parents> parents_;
-  std::vector<double> spreads_, sizes_;  // of children
+  std::vector<double> spreads_, sizes_;  // for each child
   Disorder disorder_{{}};
 
   const double* points_ = nullptr;
   ScalpTurn turn_;
-  std::vector<RootFrame> roots_;  // of guides, now
+  std::vector<RootFrame> roots_;  // the guides' present ones
   std::vector<RootBox> boxes_;
   std::vector<char> in_use_, outside_;
   std::vector<int> in_view_;

@@ -14,7 +14,7 @@ namespace reference_tests {
 using Eigen::VectorXd;
 using hair::RootFrame, hair::Vector3d;
 
-// On the spiral of a sunflower's seeds, on the plane z = 0.
+// Roots on the spiral of a sunflower's seeds, on the plane z = 0.
 inline std::vector<RootFrame> roots_on_disc(int count, double radius) {
   std::vector<RootFrame> roots;
   for (int i = 0; i < count; ++i) {

@@ -10,7 +10,7 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
-constexpr double kMoved = 1e-6, kFarCorner = 1000;  // of the width of all points
+constexpr double kMoved = 1e-6, kFarCorner = 1000;  // times the width of all points
 
 double twice_area(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -41,7 +41,7 @@ class DelaunayBuilder {
     fill_hole(point);
   }
 
-  // Without the large triangle, and all that it is a part of.
+  // The result without the large triangle, and all triangles at its corners.
   Triangulation take(int points) {
     std::vector<int> index(all_.triangles.size(), -1);
     Triangulation kept;
@@ -84,13 +84,13 @@ class DelaunayBuilder {
           rim_.push_back({triangle.corners[(k + 1) % 3], triangle.corners[(k + 2) % 3], next});
       }
     }
-    // An edge between two triangles of the hole may have been met before the second was found to be one.
+    // An edge between two triangles of the hole may have been added before the second one was found.
     std::erase_if(rim_, [this](const Edge& edge) {
       return std::find(hole_.begin(), hole_.end(), edge.outside) != hole_.end();
     });
   }
 
-  // A triangle from each edge of the rim to the point, in the place of the hole's triangles.
+  // Makes a triangle from each edge of the rim to the point, and replaces the hole's triangles.
   void fill_hole(int point) {
     std::vector<int>& made = hole_;
     while (made.size() < rim_.size()) {
@@ -124,7 +124,7 @@ class DelaunayBuilder {
 }  // namespace
 
 int Triangulation::triangle_at(const Vector2d& at, int from) const {
-  // It comes nearer with each triangle; the count is for rounding, which may send it to and fro.
+  // The search comes nearer with each triangle; the count ends it if rounding makes it alternate.
   for (std::size_t steps = 0; steps <= triangles.size(); ++steps) {
     const Triangle& triangle = triangles[from];
     int next = -1;
@@ -157,7 +157,7 @@ Triangulation triangulate(const std::vector<Vector2d>& points) {
   for (int i = 0; i < count; ++i) builder.add(i);
   Triangulation found = builder.take(count);
   found.points = points;
-  // What chance alone gave a width: points on a line.
+  // A triangulation whose width comes only from the random moves: its points are on a line.
   const auto flat = [&](const Triangle& triangle) {
     return twice_area(moved[triangle.corners[0]], moved[triangle.corners[1]], moved[triangle.corners[2]]) <
            4 * kMoved * width * width;
