@@ -14,7 +14,7 @@ namespace hair {
 
 namespace {
 
-// As Linux says it: a line "model name : ...".
+// The name that Linux gives in a line "model name : ...".
 std::string processor() {
   std::ifstream lines("/proc/cpuinfo");
   for (std::string line; std::getline(lines, line);) {

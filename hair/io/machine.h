@@ -1,4 +1,4 @@
-// The machine and the build that measured: times mean nothing without them.
+// The machine and the build of a measurement: times mean nothing without them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace hair {
 
 struct Machine {
   std::string processor;  // "AMD EPYC 9654 96-Core Processor"
-  int cores = 0;          // of the machine
+  int cores = 0;          // the machine's cores
   std::string compiler;   // "GCC 12.2.0"
   std::string build;      // "Release, -O3 -DNDEBUG; ... -O3"
   std::string eigen;      // "3.4.0"

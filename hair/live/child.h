@@ -1,4 +1,4 @@
-// A process that plays (player.h), as its parent sees it. It may crash, or not come back.
+// The process that runs a scene (player.h), as its parent sees it. It may crash, or hang.
 #pragma once
 
 #include <sys/types.h>
@@ -20,19 +20,20 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  void tell(const std::string& command);  // no effect on one that has ended
+  void tell(const std::string& command);  // has no effect on a process that has ended
 
   // The next message; nothing if there is none within the time.
   std::optional<std::string> next(int milliseconds);
 
-  // How it ended, in a sentence, once it has; for one whose trouble is told already, an empty one.
+  // A sentence about its end, once it has ended; empty if its trouble is reported already.
   std::optional<std::string> ended();
 
-  // Whoever asks was stopped meanwhile: the silence before does not count.
+  // The caller itself was stopped meanwhile, so the silence before does not count.
   void forgive_silence() { heard_ = std::chrono::steady_clock::now(); }
 
-  // Ends it if it was silent for `longest`, and for ten times as long as between two messages so far: its
-  // steps may take long. Before its first message it has three times `longest`. A sentence about that, once.
+  // Ends it if it was silent for `longest`, and for ten times its longest silence so far, because its steps
+  // may take long. Before its first message it has three times `longest`. Returns a sentence about that,
+  // once.
   std::optional<std::string> stop_if_silent(std::chrono::seconds longest);
 
  private:
@@ -46,7 +47,7 @@ class Child {
   std::string where_;  // " in H6 (hair::correct)"
   bool has_begun_ = false, has_trouble_ = false, stopped_ = false;
   std::chrono::steady_clock::time_point heard_;
-  std::chrono::steady_clock::duration slowest_{};  // between two messages
+  std::chrono::steady_clock::duration slowest_{};  // the longest time between two messages
 };
 
 }  // namespace hair

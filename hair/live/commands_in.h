@@ -1,4 +1,4 @@
-// Lines that come in while something else is done.
+// Lines of input that arrive while the program does other work.
 #pragma once
 
 #include <optional>

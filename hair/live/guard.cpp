@@ -7,7 +7,7 @@ namespace hair {
 
 namespace {
 
-// Takes as long for any text of the same length.
+// Takes equal time for all texts of the same length.
 bool same(const std::string& a, const std::string& b) {
   if (a.size() != b.size()) return false;
   unsigned different = 0;

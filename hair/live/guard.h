@@ -1,6 +1,6 @@
-// Requests that the live server answers. It listens on this machine alone, but any page in a browser and any
-// user of the machine can send something there: a page of another site names itself in Origin, a name that
-// was made to point here stands in Host, and nobody else has the token.
+// Checks the requests to the live server. It listens on this machine alone, but any page in a browser and any
+// user of the machine can send requests to it. Origin names the page's own site, Host shows a foreign name
+// that was made to point here, and only the real page has the token.
 #pragma once
 
 #include <optional>

@@ -63,7 +63,7 @@ class Supervisor {
 
   void obey(const std::string& command) {
     if (command == kPageOpened) {
-      if (!started_) start("");  // nobody should miss how it begins
+      if (!started_) start("");  // so that a page shows the start
     } else if (command.starts_with(kRestart)) {
       settings_ = command.substr(kRestart.size());
       start("");
@@ -73,7 +73,7 @@ class Supervisor {
     }
   }
 
-  // For some milliseconds.
+  // Listens for some milliseconds.
   void listen() {
     if (!child_) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kTurn));
@@ -81,7 +81,7 @@ class Supervisor {
     }
     const auto now = std::chrono::steady_clock::now();
     if (now - listened_ > std::chrono::seconds(2))
-      child_->forgive_silence();  // stopped by Ctrl-Z, and now going on
+      child_->forgive_silence();  // Ctrl-Z had stopped this program
     listened_ = now;
     if (auto message = child_->next(kTurn)) log_.add(std::move(*message));
     if (const auto stopped = child_->stop_if_silent(kLongestSilence)) say(*stopped);

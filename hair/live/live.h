@@ -1,5 +1,5 @@
-// `hairlab live`: a server for a page, and a process that plays for it (player.h). Whatever happens to that
-// process, page and server stay.
+// `hairlab live`: a server for a page, and a process that runs a scene for it (player.h). If that process
+// fails in any way, page and server stay.
 #pragma once
 
 #include <atomic>
@@ -11,12 +11,13 @@
 namespace hair {
 
 struct LiveOptions {
-  std::string name, shows;         // of the scene
-  int port = 0;                    // 0: one that is free
-  std::vector<std::string> words;  // of the process that plays
+  std::string name, shows;         // the scene's name and its one line
+  int port = 0;                    // 0: any free port
+  std::vector<std::string> words;  // the command of the process that runs the scene
 };
 
-// Until `interrupted`. Prints the page's address when it can be opened. Throws BadInput if the port is taken.
+// Serves until `interrupted`. Prints the page's address when it can be opened. Throws BadInput if the port is
+// taken.
 void serve_live(const LiveOptions& options, ProgramFile program, const std::atomic<bool>& interrupted);
 
 }  // namespace hair

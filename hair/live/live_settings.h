@@ -1,4 +1,4 @@
-// A scene that is played while somebody changes it: other steps, another stiffness, another method.
+// A scene that somebody changes while it runs: other steps, another stiffness, another method.
 #pragma once
 
 #include <string>
@@ -21,10 +21,10 @@ struct LiveSettings {
 // out of bounds.
 LiveSettings read_settings(const std::string& text);
 
-// The methods that move what is in the scene, and whose exercises the course has.
+// The methods that can move the contents of the scene, and whose exercises are in the course.
 std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& course);
 
-// The method that moves it; null if its toys have several.
+// The scene's method; null if its toys have several.
 const MethodRow* method_of(const Scene& scene);
 
 // Afterwards each frame of the scene is one step. Throws BadInput for a method that is not one of

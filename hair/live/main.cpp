@@ -1,4 +1,4 @@
-// hairlab-live: plays a scene while somebody looks at it and changes it. `hairlab live` starts it.
+// hairlab-live: runs a scene while somebody watches and changes it. `hairlab live` starts it.
 #include <filesystem>
 #include <memory>
 

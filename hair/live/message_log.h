@@ -1,5 +1,5 @@
-// The messages of a run, in their order, for any number of readers. Each reader gets all of them, from the
-// run's first one on; when a new run begins, readers go on with that.
+// The messages of a run, in their order, for any number of readers. Each reader gets all of them from the
+// run's start; when a new run begins, readers continue with that one.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Stands for hairlab-live in a build without the library that serves pages.
+// Replaces hairlab-live in a build without the library that serves pages.
 #include <iostream>
 
 int main() {

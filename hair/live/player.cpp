@@ -124,7 +124,7 @@ class Player {
       // A step may be longer than a frame.
       due_ += std::chrono::duration_cast<Clock::duration>(
           std::chrono::duration<double>((playback_.time() - before) / rate_));
-      if (due_ + std::chrono::milliseconds(200) < Clock::now()) start_again();  // slower than the clock
+      if (due_ + std::chrono::milliseconds(200) < Clock::now()) start_again();  // it is slow
     }
   }
 

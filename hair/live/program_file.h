@@ -1,4 +1,4 @@
-// A program's file that may be built anew while it is used.
+// A program's file that may be rebuilt while it is used.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ class ProgramFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // True once for each other file that lies there. A file that is still being written does not count: call it
-  // some times a second.
+  // True once for each other file with this name. A file that is still being written does not count: call
+  // this function some times a second.
   bool is_new();
 
  private:
@@ -20,7 +20,7 @@ class ProgramFile {
 
   std::filesystem::path path_;
   std::filesystem::file_time_type known_, seen_;
-  int same_ = 0;  // how often it was seen like this
+  int same_ = 0;  // the number of times it was seen unchanged
 };
 
 }  // namespace hair

@@ -13,12 +13,12 @@ namespace hair {
 
 namespace {
 
-constexpr auto kHeartbeat = std::chrono::seconds(2);  // a page that went away is noticed by the next one
-// Each connection has a thread and this much memory, which bounds a request's head. A browser has six.
+constexpr auto kHeartbeat = std::chrono::seconds(2);  // the next heartbeat notices a page that is closed
+// Each connection has a thread and this much memory, which bounds a request's head. A browser uses six.
 constexpr unsigned kMostStreams = 5, kMostConnections = 64, kMostSilence = 5;  // seconds
 constexpr std::size_t kMemory = 16 << 10, kMostCommandBytes = 200;
 
-// Letters, digits, and what numbers have.
+// Letters, digits, and characters of numbers.
 bool is_command(const std::string& text) {
   return !text.empty() && text.size() <= kMostCommandBytes &&
          text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.+- ") == std::string::npos;
@@ -51,7 +51,7 @@ class LiveServer::Parts {
   const LiveAddress& address() const { return address_; }
 
  private:
-  // A page that listens, and what is left of the last message to it.
+  // A listening page, and the rest of the last message to it.
   struct Listener {
     Parts& parts;
     MessageLog::Place place = {};
@@ -65,7 +65,7 @@ class LiveServer::Parts {
     MHD_add_response_header(response, "X-Content-Type-Options", "nosniff");
     MHD_add_response_header(response, "Cross-Origin-Resource-Policy", "same-origin");
     const MHD_Result result = MHD_queue_response(to, status, response);
-    MHD_destroy_response(response);  // the connection has its own hold of it
+    MHD_destroy_response(response);  // the connection keeps its own reference
     return result;
   }
 
@@ -75,7 +75,7 @@ class LiveServer::Parts {
                 type);
   }
 
-  // The library calls it with a request's head, then with each piece of its body, and at the body's end.
+  // The library calls this with a request's head, then with each piece of its body, and at the body's end.
   static MHD_Result answer(void* self, MHD_Connection* from, const char* path, const char* method,
                            const char*, const char* piece, std::size_t* size, void** request) {
     Parts& parts = *static_cast<Parts*>(self);

@@ -1,4 +1,4 @@
-// The live server: the page, one stream of events to each page that is open, and the page's commands.
+// The live server: the page, one stream of events to each open page, and the page's commands.
 #pragma once
 
 #include <functional>
@@ -14,12 +14,12 @@ inline constexpr const char* kPageOpened = "opened";
 
 class LiveServer {
  public:
-  // Listens on 127.0.0.1; port 0: one that is free. Messages of the log go to pages as they come. `command`
-  // gets a page's commands, in threads of the server: "pause"; and kPageOpened for each page that listens.
-  // Throws BadInput if the port is taken. The log must outlive the server.
+  // Listens on 127.0.0.1; port 0 means any free port. Sends the log's messages to pages as they come. Calls
+  // `command` in threads of the server with a page's commands, such as "pause", and with kPageOpened for each
+  // page that listens. Throws BadInput if the port is taken. The log must outlive the server.
   LiveServer(std::string page, int port, const MessageLog& log,
              std::function<void(const std::string&)> command);
-  ~LiveServer();  // close the log before
+  ~LiveServer();  // close the log first
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
 

@@ -19,7 +19,7 @@ void write_text(const char* text, std::size_t size) {
   [[maybe_unused]] const ssize_t written = ::write(lines_go_to, text, size);
 }
 
-// A process that crashes has nothing to lose: neither function is promised to be safe here.
+// The process crashes anyway, so it may call these two functions, which are unsafe in signal handlers.
 void say() {
   std::array<void*, 64> calls;
   const int count = backtrace(calls.data(), static_cast<int>(calls.size()));
@@ -40,7 +40,7 @@ void say() {
 
 void on_crash(int signal) {
   say();
-  raise(signal);  // as it would have ended
+  raise(signal);  // ends like the original signal
 }
 
 void on_question(int) {
@@ -52,8 +52,8 @@ void on_question(int) {
 void say_whereabouts(int descriptor) {
   lines_go_to = descriptor;
   std::array<void*, 1> first;
-  backtrace(first.data(), 1);  // the first call loads a library
-  // A recursion without an end has used up the stack.
+  backtrace(first.data(), 1);  // its first call loads a library
+  // After endless recursion the stack is full.
   static std::array<char, 1 << 16> stack;
   stack_t other{};
   other.ss_sp = stack.data();

@@ -11,7 +11,7 @@ namespace hair {
 
 namespace {
 
-// What is smaller than the one is taken to be as large as the other.
+// A box smaller than the first size counts as one of the second size.
 constexpr double kNoSize = 1e-9, kSmallest = 1e-3;  // m
 
 }  // namespace
@@ -47,8 +47,8 @@ Camera frame_points(std::span<const Vector3d> points, double aspect, const Vecto
   if (back.head<2>().norm() < 1e-3) camera.up = Vector3d(0, 1, 0);
   const Eigen::Matrix3d axes = view_axes(back, camera.up);
 
-  // In the camera's axes a point (x, y, z) is left of the picture's right side if
-  // x - eye_x <= (eye_z - z) tangent_x, and so on: each side asks for the most that a point asks for.
+  // In the camera's axes a point (x, y, z) is left of the picture's right side if x - eye_x <= (eye_z - z)
+  // tangent_x, and so on. Each side takes the largest value of a point.
   const Vector3d middle = (box.low + box.high) / 2;
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
   for (const Vector3d& at : points) {

@@ -32,11 +32,11 @@ std::array<Vector3d, 8> corners_of(const Bounds& bounds);
 inline constexpr double kFramed = 0.9;
 
 // Looks at the box from `direction` (from the box to the eye; any length but 0), from as near as `aspect`
-// (width / height) allows. A box that is empty or a point is seen from a few millimetres. Throws
+// (width / height) allows. For an empty box or a point the distance is a few millimetres. Throws
 // std::invalid_argument for values that are not finite, and for an aspect that is not positive.
 Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction = Vector3d(0.35, -1, 0.2));
 
-// The same for points: nearer than for a box around them, whose corners are empty.
+// The same for points: nearer than for a box around them, because the box's corners are empty.
 Camera frame_points(std::span<const Vector3d> points, double aspect,
                     const Vector3d& direction = Vector3d(0.35, -1, 0.2));
 

@@ -11,8 +11,8 @@
 namespace hair {
 namespace {
 
-// The largest |x| and |y| of the box's corners in the picture, whose edge is 1: by the eye's own axes, made
-// here anew.
+// The largest |x| and |y| of the box's corners in the picture, whose edge is 1, calculated here
+// independently.
 Eigen::Vector2d extent(const Camera& camera, const Bounds& box, double aspect) {
   const Vector3d forward = (camera.target - camera.eye).normalized();
   const Vector3d right = forward.cross(camera.up).normalized(), up = right.cross(forward);
@@ -40,8 +40,8 @@ TEST(Camera, HasTheWholeBoxInThePictureAndNoNearerEyeWould) {
     box.add(size * vector());
     box.add(size * vector());
     const Camera camera = frame_camera(box, aspect, i % 10 == 0 ? Vector3d(0, 0, 1) : vector());
-    // Of one direction both sides touch the frame, of the other neither may be outside. Coordinates as large
-    // as the box carry rounding of 1e-16 of it.
+    // In one direction both sides touch the frame, in the other neither may be outside. Coordinates as large
+    // as the box have rounding errors of 1e-16 of it.
     EXPECT_NEAR(extent(camera, box, aspect).maxCoeff(), kFramed, 1e-9)
         << "case " << i << ", aspect " << aspect;
   }

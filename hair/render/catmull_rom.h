@@ -17,8 +17,8 @@ struct CurveSegment {
   Eigen::Vector3f slope(float u) const { return c1 + u * (2 * c2 + u * 3 * c3); }
 };
 
-// Segment i of a strand's points; with a single point, that point. Beyond both ends the curve goes straight
-// on.
+// Segment i of a strand's points; with a single point, that point. The curve continues straight beyond both
+// ends.
 inline CurveSegment curve_segment(std::span<const Eigen::Vector3f> at, int i) {
   const int size = static_cast<int>(at.size());
   const Eigen::Vector3f &a = at[i], &b = at[std::min(i + 1, size - 1)];

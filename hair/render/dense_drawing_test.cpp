@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kGuides = 30, kChildren = 200;
 
-// A tuft that a motion turns, in which each strand has four points, and a strand of three points that nobody
-// makes dense. The camera sees a part of the tuft, from -y; z is up.
+// A tuft that a motion turns, in which each strand has four points, and a simulated strand of three points.
+// The camera sees a part of the tuft, from -y; z is up.
 Scene tuft(bool shadows) {
   return parse_scene(R"({"shows": "a tuft", "frames": 10,
     "motions": [{"name": "hand", "keys": [{"time": 0}, {"time": 1, "axis": [0, 1, 0], "degrees": 90}]}],
@@ -82,8 +82,8 @@ TEST(DenseDrawing, TurnsWithItsMotion) {
   }
 }
 
-// What is left out on the picture's left and below throws no shadow into it from there; light comes from the
-// left and from above, so with shadows those sides are no limits.
+// Without shadows, the sides of the picture limit the drawn hair. Light comes from the left and from above,
+// so with shadows those two sides are no limits.
 TEST(DenseDrawing, LeavesOutWhatNobodySees) {
   const Scene plain = tuft(false), shaded = tuft(true);
   const SceneDrawing without(plain, kSizes), with(shaded, kSizes);
@@ -107,7 +107,7 @@ TEST(DenseDrawing, SaysInWhichSceneItIs) {
   EXPECT_EQ(std::count(others.begin(), others.end(), "H10"), 0);
 }
 
-// A cap of hair that starts straight down, through the ball that it grows on.
+// A cap of hair that starts straight down, through the ball on which it grows.
 double deepest_in_ball(const char* hair, bool moved) {
   const Scene scene = parse_scene(R"({"shows": "hair in a ball", "frames": 1,
     "hair": [{"segments": 8, "length": 0.2, "start": {"direction": [0.1, 0, -1]},
@@ -132,8 +132,8 @@ TEST(DenseDrawing, KeepsFineHairOutOfObstaclesAndLeavesRibbonsAsH10MakesThem) {
   EXPECT_GT(deepest_in_ball("ribbons", false), 0.05);
 }
 
-// Hair that only is drawn goes with its head, and each strand keeps its number, whatever else the camera
-// sees.
+// Hair that does not move on its own follows its head, and each strand keeps its number, whatever else the
+// camera sees.
 TEST(DenseDrawing, StillHairGoesWithItsHead) {
   const Scene scene = parse_scene(R"({"shows": "a tail", "frames": 1,
     "motions": [{"name": "walk", "keys": [{"time": 0}, {"time": 1, "position": [0, 1, 0], "axis": [0, 0, 1], "degrees": 90}]}],
@@ -195,7 +195,7 @@ void expect_no_picture_shows_idle_guides(const Scene& scene) {
             all.work().strand_steps / count * (count - static_cast<long>(idle.size())));
 }
 
-// Nothing that is drawn changes when the idle guides stand still, in any frame.
+// The pictures are the same, in any frame, when the idle guides stand still.
 TEST(IdleGuides, NoPictureShowsThem) {
   for (const char* const mode : {R"(, "mode": "interpolate")", R"(, "mode": "extrapolate")", ""}) {
     SCOPED_TRACE(mode);

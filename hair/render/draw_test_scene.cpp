@@ -1,5 +1,5 @@
-// A picture of the test scene in a process of its own, whose environment a test sets.
-// Usage: draw_test_scene LIBRARY FILE.png    LIBRARY: that brings OpenGL; empty: any
+// Draws the test scene in a separate process, whose environment a test sets.
+// Usage: draw_test_scene LIBRARY FILE.png    LIBRARY: with OpenGL; empty: any
 #include <exception>
 #include <iostream>
 

@@ -18,11 +18,10 @@ struct StrandsDrawing {
   std::vector<Vector3d> points;  // m, strand after strand
   double width = 1e-4;           // m, of a strand
   Colour root = {0.10f, 0.05f, 0.02f}, tip = {0.22f, 0.12f, 0.05f};
-  // As fine hair: as thin as it is, with tapered tips and colours that differ (hair_layer.h); else as
+  // Draws fine hair: as thin as it is, with tapered tips and varied colours (hair_layer.h). Otherwise draws
   // ribbons, which are never thinner than half a pixel.
   bool fine = false;
-  // Of fine hair: a number for each strand that it keeps from picture to picture; empty: its place among the
-  // strands.
+  // For fine hair: a number for each strand, the same in all pictures; empty: its index among the strands.
   std::vector<std::uint32_t> ids = {};
 };
 
@@ -52,7 +51,7 @@ struct Sheet {
   Colour colour;
 };
 
-// A solid's surface, turned about its origin and brought to `at`.
+// A solid's surface, turned about its origin and moved to `at`.
 struct PlacedMesh {
   std::shared_ptr<const SurfaceMesh> mesh;
   Vector3d at;  // m

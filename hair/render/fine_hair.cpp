@@ -6,8 +6,8 @@
 namespace hair {
 namespace {
 
-// The part of the light that comes past solids, as the mesh's shader has it: the mean over the square of two
-// texels around a point.
+// The part of the light that passes solids, as in the mesh's shader: the mean over the square of two texels
+// around a point.
 float past_solids(const FineHair::Solids& solids, int size, const Eigen::Vector3f& at) {
   const Eigen::Vector3f clip = solids.light.to.block<3, 3>(0, 0) * at + solids.light.to.block<3, 1>(0, 3);
   const Eigen::Vector3f map = (0.5F + 0.5F * clip.array()).matrix();

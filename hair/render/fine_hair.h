@@ -1,5 +1,5 @@
-// Fine hair in a picture, step by step: strands, then how they throw shadows, then the layer that is seen.
-// The processor draws it, in all of its threads; OpenGL draws the rest.
+// Fine hair in a picture, step by step: the strands, then their shadows, then the visible layer. The
+// processor draws it with all of its threads; OpenGL draws the rest.
 #pragma once
 
 #include <memory>
@@ -13,26 +13,26 @@ namespace hair {
 
 class FineHair {
  public:
-  // threads: 0: as many as the machine has. The picture is the same with any number.
+  // threads: 0: as many as the machine has. Any number gives the same picture.
   explicit FineHair(int threads = 0);
 
-  // Forgets the opacity of the strands before.
+  // Forgets the opacity of earlier strands.
   void send(const StrandsDrawing& strands, const View& view, int pixels);
 
   bool empty() const { return !strands_ || strands_->points().empty(); }
   std::span<const Eigen::Vector3f> points() const { return strands_->points(); }
 
-  // Without it hair is drawn without its own shadows.
+  // Without this call hair has no shadows of its own.
   void make_opacity(const LightMap& light, int size) { opacity_.emplace(light, size, *strands_, *threads_); }
   const OpacityMap& opacity() const { return *opacity_; }
 
-  // What OpenGL has drawn.
+  // The results of OpenGL.
   struct Solids {
-    std::vector<float> distances = {};  // as HairSurroundings has them; empty: there are none
+    std::vector<float> distances = {};  // see HairSurroundings; empty: there are no solids
     int samples = 1;
-    std::vector<float> light_depths = {};  // the light's map of them, a square; empty: they throw no shadows
+    std::vector<float> light_depths = {};  // the light's map of solids, a square; empty: no shadows
     LightMap light = {};
-    float bias = 0;  // what is behind a solid by less, in depth, is lit
+    float bias = 0;  // a point is lit if its depth is behind a solid by less
   };
   HairLayer draw(const StrandsDrawing& strands, const View& view, int width, int height,
                  const Solids& solids);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Fine hair: what it covers, what light it lets through, how it is lit.
+// STAFF ONLY. Fine hair: its coverage, its opacity, its light.
 #include "hair/render/fine_hair.h"
 
 #include <gtest/gtest.h>
@@ -40,17 +40,17 @@ double covered(const HairLayer& layer, int x, int y) {
   return 1 - layer.pixels[4 * static_cast<std::size_t>(y * layer.width + x) + 3];
 }
 
-// A long strand through the picture's middle, `shift` pixels beside it, at `angle` from upright. Its tip is
-// far outside, so that it is not tapered where it is seen.
+// A long strand through the picture's middle, `shift` pixels away from it, at `angle` from upright. Its tip
+// is far outside, so that the visible part is not tapered.
 StrandsDrawing slanted(double width, double shift, double angle) {
   const Vector3d along(std::sin(angle), 0, std::cos(angle)), across(std::cos(angle), 0, -std::sin(angle));
   const Vector3d middle = shift * kFinePixel * across;
   return fine({{middle + 0.4 * along, middle - 4 * along}}, width * kFinePixel);
 }
 
-// Each row (or column) that a strand crosses is covered by the length of its cut, w / cos(angle), in all: the
-// tents of a row's pixels add up to 1 everywhere. Rounding: positions have errors of 2^-24 of some hundred
-// pixels, as floats have, and a tent's slope is at most 1.
+// Each row (or column) that a strand crosses is covered by the length of its cut, w / cos(angle), in total:
+// the tents of a row's pixels add up to 1 everywhere. Rounding: positions have errors of 2^-24 of some
+// hundred pixels, as floats have, and a tent's slope is at most 1.
 TEST(FineHair, CoversItsWidthWhereverItLies) {
   for (const double width : {0.02, 0.2, 0.9, 1.0, 3.7})
     for (const double angle : {0.0, 0.2, 0.7})
@@ -65,8 +65,8 @@ TEST(FineHair, CoversItsWidthWhereverItLies) {
       }
 }
 
-// As above, of a strand whose pieces meet in the picture: a joint is neither gap nor bead. The bend is
-// slight, so that all pieces are more upright than level, and a cut's length is between those of both ends'
+// The same for a strand whose pieces meet in the picture: a joint is neither gap nor bead. The bend is
+// slight, so that all pieces are more upright than level, and a cut's length is between those for both ends'
 // angles.
 TEST(FineHair, HasNoBeadsWherePiecesMeet) {
   std::vector<Vector3d> arc;
@@ -84,14 +84,14 @@ TEST(FineHair, HasNoBeadsWherePiecesMeet) {
   }
 }
 
-// What strands let through, one behind the other, is the product of what each lets through.
+// Strands behind one another let through the product of their transparencies.
 TEST(FineHair, LiesOverWhatIsBehind) {
   std::vector<std::vector<Vector3d>> lines;
   for (int i = 0; i < 5; ++i) lines.push_back({Vector3d(0, 1e-3 * i, 0.4), Vector3d(0, 1e-3 * i, -4)});
   const HairLayer one = layer_of(fine({lines[0]}, 0.4 * kFinePixel)),
                   all = layer_of(fine(lines, 0.4 * kFinePixel));
   for (int x = kSide / 2 - 2; x < kSide / 2 + 2; ++x)
-    // Distances differ by up to 4e-3, and with them widths.
+    // Distances differ by up to 4e-3, and so do widths.
     EXPECT_NEAR(1 - covered(all, x, 64), std::pow(1 - covered(one, x, 64), 5), 0.01) << "column " << x;
 }
 
@@ -103,8 +103,8 @@ TEST(FineHair, TapersToItsTip) {
     return covered(layer, 63, y) + covered(layer, 64, y);
   };
   EXPECT_NEAR(at(0.5), 0.8, 0.01);
-  // Half of the width is left in the middle of the taper. A row's middle is up to one and a half pixels from
-  // where it is asked for.
+  // In the middle of the taper the strand has half of its width. A row's middle is up to one and a half
+  // pixels from the requested point.
   const double pixel = 0.8 / (FineStrands::kTaper * 120);
   EXPECT_NEAR(at(1 - FineStrands::kTaper / 2), 0.4, 1.5 * pixel);
   EXPECT_LT(at(0.99), (0.01 * 120 + 1.5) * pixel);
@@ -139,9 +139,9 @@ TEST(FineHair, HasTheSameBitsWithAnyThreads) {
 }
 
 // Sheets of parallel strands across the light, one behind the other. Strands of width w, s apart, cover the
-// part w / s of the light: the opacity behind k sheets is k w / s, and exp(-k w / s) comes through. A sheet
-// is rounded to 1/16384 of a texel for each strand in a texel, and 20 strands to a texel's width make the map
-// even to about one in 20.
+// part w / s of the light: the opacity behind k sheets is k w / s, and exp(-k w / s) of the light passes. A
+// sheet is rounded to 1/16384 of a texel for each strand in a texel, and 20 strands to a texel's width make
+// the map even to about one in 20.
 TEST(OpacityMap, OfAStackOfSheetsIsTheSum) {
   const Eigen::Vector3d light = kKeyLight.cast<double>();
   // The camera's axes: x, z up, -y back; the view's light (x, y, z) is (x, -z, y) in space.
@@ -153,7 +153,7 @@ TEST(OpacityMap, OfAStackOfSheetsIsTheSum) {
   for (int sheet = 0; sheet < kSheets; ++sheet)
     for (double x = -kHalf; x <= kHalf; x += kApart) {
       const Vector3d middle = x * across - 0.004 * sheet * to_light;
-      // Long tips, so that the taper is outside of where the sheet is measured.
+      // Long tips, so that the taper is outside of the measured part of the sheet.
       lines.push_back({middle + kHalf * over, middle - 2 * kHalf * over});
     }
   const StrandsDrawing strands = fine(lines, kWidth);
@@ -166,13 +166,13 @@ TEST(OpacityMap, OfAStackOfSheetsIsTheSum) {
     const auto opacity_at = [&](double depth) { return map.before(view.at(x * across - depth * to_light)); };
     EXPECT_EQ(opacity_at(-0.01), 0) << "before all hair";
     EXPECT_NEAR(opacity_at(0.3), kSheets * kWidth / kApart, 0.05 * kSheets * kWidth / kApart);
-    // In between: more the deeper, as there are ever more sheets.
+    // Between the sheets the opacity grows with the depth.
     for (int sheet = 0; sheet < kSheets; ++sheet)
       EXPECT_LE(opacity_at(0.004 * sheet + 0.002), opacity_at(0.004 * sheet + 0.006) + 1e-6);
   }
 }
 
-// A strand that the camera doesn't see throws its shadow all the same.
+// A strand that the camera doesn't see has a shadow, too.
 TEST(OpacityMap, HasHairThatNoCameraSees) {
   const View view(kAhead, 1);
   const Vector3d to_light(kKeyLight[0], -kKeyLight[2], kKeyLight[1]);
@@ -198,14 +198,14 @@ TEST(KajiyaKay, DiffuseLightIsTheSine) {
     const double angle = std::numbers::pi * (i + 0.5) / kSteps;
     const Eigen::Vector3f light(static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle)));
     sum += kajiya_diffuse(t, light) * std::sin(angle) / 2 * std::numbers::pi / kSteps;
-    // Where the sine is small, 1 - cos^2 has lost half of a float's digits.
+    // At small sines, 1 - cos^2 has lost half of a float's digits.
     EXPECT_NEAR(kajiya_diffuse(t, light), std::sin(angle), 4e-4);
   }
   EXPECT_NEAR(sum, std::numbers::pi / 4, 1e-5);
 }
 
-// A highlight is brightest where light leaves in the mirrored direction; shifting the tangent by s moves this
-// by atan(s); and at an angle a from there it is cos(a)^p.
+// A highlight is brightest if light leaves in the mirrored direction. Shifting the tangent by s moves this
+// direction by atan(s), and at an angle a from it the highlight is cos(a)^p.
 TEST(KajiyaKay, HighlightsAreOnTheCone) {
   const Eigen::Vector3f t(0, 0, 1), across(1, 0, 0);
   for (const double shift : {-0.12, 0.0, 0.16})
@@ -228,7 +228,7 @@ TEST(FineHair, KeepsAStrandsColour) {
   EXPECT_NE(one.root, other.root);
 }
 
-// The whole picture: twice the same bytes, with solids in it, and after other drawings.
+// The whole picture has the same bytes when drawn twice, with solids in it, and after other drawings.
 TEST(FineHair, IsDrawnWithTheSameBytesAgain) {
   Drawing drawing;
   drawing.strands = fine(tuft(300), 1e-3);
@@ -244,8 +244,8 @@ TEST(FineHair, IsDrawnWithTheSameBytesAgain) {
   EXPECT_TRUE(Renderer({.width = 160, .height = 120}).draw(drawing, kAhead) == first);
 }
 
-// A red ball before a wall of black hair: at its edge pixels are between red and black, and never as bright
-// as the background.
+// A red ball in front of a wall of black hair: at its edge pixels are between red and black, and never as
+// bright as the background.
 TEST(FineHair, LeavesNoFringeAtASolidsEdge) {
   Drawing drawing;
   drawing.balls.push_back({Vector3d(0, 0, 0), 0.1, Colour(0.3F, 0, 0)});

@@ -1,5 +1,4 @@
-// What OpenGL needs of fine hair, as textures: its shadow on what OpenGL draws, and the layer that comes over
-// the picture.
+// Textures of fine hair for OpenGL: its shadow on solids, and the layer that covers the picture.
 #pragma once
 
 #include <optional>
@@ -23,7 +22,7 @@ class FineHairTextures {
     send(empty_, layer.width, layer.height, 1, layer.empty.data());
   }
 
-  // For a program that is in use, what was sent before.
+  // Gives the textures of the last call of `send` to a program that is in use.
   void set_opacity(const gl::Program& program) const {
     program.set("hair_depth", 0, first_->name());
     program.set("hair_count", 1, opacity_->name());

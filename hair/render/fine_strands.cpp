@@ -6,8 +6,8 @@
 namespace hair {
 namespace {
 
-// A piece turns by at most this (radians), so that highlights are round, and is at most so many pixels long,
-// so that shadows along it are seen.
+// The largest turn of a piece (radians), so that highlights are round, and its largest length in pixels, so
+// that shadows along it are visible.
 constexpr float kPieceTurn = 0.12F, kPieceLength = 24;
 
 }  // namespace
@@ -29,7 +29,7 @@ FineStrands::FineStrands(const StrandsDrawing& drawing, const View& view, int pi
 
 int FineStrands::pieces(const CurveSegment& segment) const {
   const Eigen::Vector3f begin = segment.slope(0), middle = segment.slope(0.5F), end = segment.slope(1);
-  // |a x b| / (a . b) is the tangent of the angle between them; a right angle is the most that counts.
+  // |a x b| / (a . b) is the tangent of the angle between them; larger angles count as a right angle.
   const auto turn = [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     const float sine = a.cross(b).norm(), cosine = a.dot(b);
     return sine < cosine ? sine / cosine : sine > 0 ? 1.6F : 0.0F;
@@ -37,7 +37,7 @@ int FineStrands::pieces(const CurveSegment& segment) const {
   const float bends = (turn(begin, middle) + turn(middle, end)) / kPieceTurn;
   const float nearest = std::max(-segment.a[2], 0.01F);
   const float length = middle.norm() * pixels_ / nearest / kPieceLength;
-  // What is bent by less than a pixel needs no pieces for that.
+  // A bend of less than a pixel needs no pieces.
   const float most = 1 + middle.norm() * pixels_ / nearest;
   return static_cast<int>(
       std::ceil(std::clamp(std::max(std::min(bends, most), length), 1.0F, static_cast<float>(kMostPieces))));

@@ -9,7 +9,7 @@
 namespace hair::gl {
 
 using Enum = unsigned int;
-using Name = unsigned int;  // of a buffer, a texture, a program ...
+using Name = unsigned int;  // names a buffer, a texture, a program ...
 
 inline constexpr Enum kTriangles = 0x0004, kTriangleStrip = 0x0005;
 inline constexpr Enum kDepthBufferBit = 0x0100, kColourBufferBit = 0x4000;

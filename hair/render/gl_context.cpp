@@ -120,7 +120,7 @@ bool GlContext::open_egl(const std::string& library) {
 
 bool GlContext::find_functions(Function (*find)(const char*)) {
   bool all = true;
-  // Looked up while the context is current: only then does each library promise an answer.
+  // The functions are found while the context is current, because libraries promise an answer only then.
   if (!make_current(true)) return false;
 #define HAIR_GL_FIND(name, type)                                                              \
   functions_.name = as<decltype(functions_.name)>(reinterpret_cast<void*>(find("gl" #name))); \

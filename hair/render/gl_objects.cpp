@@ -119,7 +119,7 @@ std::vector<float> depths_of(const Functions& gl, const Target& target) {
   return depths;
 }
 
-// OpenGL's rows go from the bottom up.
+// OpenGL's lowest row comes first.
 Image image_of(const Functions& gl, const Target& target) {
   const auto width = static_cast<std::size_t>(target.width), height = static_cast<std::size_t>(target.height);
   std::vector<std::uint8_t> rgba(4 * width * height);

@@ -21,7 +21,7 @@ class Program {
 
   void use() const { gl_.UseProgram(name_); }
 
-  // Uniforms of the program that is in use; a name that its shaders do without is left out.
+  // Sets uniforms of the program that is in use; ignores a name that its shaders do not use.
   void set(const char* name, float value) const;
   void set(const char* name, float x, float y) const;
   void set(const char* name, const Eigen::Vector3f& value) const;
@@ -51,12 +51,12 @@ void draw_into(const Functions& gl, const Target& target);
 std::vector<float> depths_of(const Functions& gl, const Target& target);  // the lowest row first
 Image image_of(const Functions& gl, const Target& target);
 
-// Numbers that a program makes, one or four for each texel.
+// Numbers calculated by a program, one or four for each texel.
 class FloatTexture {
  public:
   explicit FloatTexture(const Functions& functions);
 
-  // values: row after row from the bottom up.
+  // values: row after row, the lowest first.
   void send(int width, int height, int channels, const float* values);
   Name name() const { return name_; }
 

@@ -11,12 +11,12 @@ namespace {
 constexpr int kTile = 64;  // pixels along a side
 constexpr int kBatches = 64;
 constexpr float kNearestHair = 0.01F;   // in the view's unit
-constexpr float kNoSolid = 99;          // the view's far end is at 100: no solid is there
-constexpr float kHidden = 1.0F / 1024;  // less than this of what is behind is not seen
+constexpr float kNoSolid = 99;          // the view's far end is at 100: there is no solid
+constexpr float kHidden = 1.0F / 1024;  // a smaller part of the colours behind is invisible
 constexpr float kOnSolids = 3;          // half widths: hair that lies on a solid is not in it
-constexpr float kThinnest = 1e-4F;      // pixels; thinner hair is not seen
+constexpr float kThinnest = 1e-4F;      // pixels; thinner hair is invisible
 
-// A pixel while it is drawn: as HairLayer has them.
+// A pixel during drawing, with the parts of HairLayer.
 struct Pixel {
   Colour colour = Colour::Zero();
   float of_solid = 1, of_empty = 1;
@@ -24,8 +24,8 @@ struct Pixel {
 
 // A piece of a strand on the picture.
 struct Piece {
-  std::array<float, 2> x, y, half;  // of both ends, pixels; half: half its width
-  float distance;                   // of its middle
+  std::array<float, 2> x, y, half;  // for both ends, pixels; half: half its width
+  float distance;                   // its middle's
 };
 
 struct PieceOf {
@@ -58,7 +58,7 @@ class HairPainter {
  private:
   using Key = std::uint64_t;  // the distance's bits, then point and piece
 
-  // Whether any of it is seen.
+  // Returns true if a part of the piece is visible.
   bool project(const CurveSegment& segment, const PieceOf& of, Piece& piece) const {
     piece.distance = 0;
     for (std::size_t end = 0; end < 2; ++end) {
@@ -79,8 +79,8 @@ class HairPainter {
   // Calls visit(tile) for each tile that the piece may touch.
   template <class Visit>
   void for_tiles(const Piece& piece, const Visit& visit) const {
-    // An upright or level strand reaches half a width and a pixel aside, a slanted one up to sqrt(2) of the
-    // half.
+    // An upright or level strand extends half a width and a pixel to the side, a slanted one up to sqrt(2)
+    // times the half.
     const float reach = 1 + 1.5F * std::max(piece.half[0], piece.half[1]);
     const auto range = [&](const std::array<float, 2>& ends, int size) {
       const float low = std::min(ends[0], ends[1]) - reach, high = std::max(ends[0], ends[1]) + reach;
@@ -115,7 +115,7 @@ class HairPainter {
       }
   }
 
-  // Counts first, so that each tile's keys lie in one place of the right size.
+  // Counts first, so that each tile's keys are in one place of the right size.
   void sort_into_tiles(StrandThreads& threads) {
     std::vector<std::size_t> places(kBatches * tiles_, 0);
     const StrandThreads::Task count = [&](int, int batch) {
@@ -142,7 +142,7 @@ class HairPainter {
     threads.run(kBatches, fill);
   }
 
-  // Parts of a pixel: without a solid, with one, and with one that is behind the hair.
+  // Parts of a pixel: without a solid, with one, and with one behind the hair.
   struct Parts {
     float empty = 1, solid = 0, before = 0;
   };
@@ -195,15 +195,15 @@ class HairPainter {
     Piece piece{};
     if (!project(segment, of, piece)) return;
 
-    // Columns of a strand that is more level than upright, and rows of one that is more upright: `major` goes
-    // along it.
+    // Goes through columns of a strand that is more level than upright, and through rows of one that is more
+    // upright: `major` is that axis.
     const float dx = piece.x[1] - piece.x[0], dy = piece.y[1] - piece.y[0];
     const int major = std::abs(dx) >= std::abs(dy) ? 0 : 1, minor = 1 - major;
     const std::array<float, 2>&a = major == 0 ? piece.x : piece.y, &b = major == 0 ? piece.y : piece.x;
     const float along = a[1] - a[0];
     if (along == 0) return;
     const float slope = (b[1] - b[0]) / along, slanted = std::sqrt(1 + slope * slope);
-    // Pixels whose middle is at or beyond the one end, and before the other: what is next begins where this
+    // Pixels whose middle is at or beyond one end, and before the other: the next piece begins where this one
     // ends.
     const auto first_middle = [&](float end) {
       return static_cast<int>(std::clamp(std::ceil(end - 0.5F), static_cast<float>(box.min()[major]),
@@ -261,7 +261,7 @@ class HairPainter {
   const int across_;   // tiles in a row
   const std::size_t tiles_;
   std::vector<Key> keys_;
-  std::vector<std::size_t> begin_;  // of each tile's keys, and their number
+  std::vector<std::size_t> begin_;  // for each tile's keys, and their number
 };
 
 }  // namespace

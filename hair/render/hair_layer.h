@@ -1,13 +1,13 @@
-// Fine hair as a layer of a picture: strands that are thinner than a pixel, drawn by how much of each pixel
-// they cover.
+// Fine hair as a layer of a picture: strands thinner than a pixel, drawn by the part of each pixel that they
+// cover.
 //
-// A strand that is w pixels wide, seen through a tent of two pixels, covers its pixels by w in all, wherever
-// between pixels it lies, and whatever its slope (a line of X. Wu, "An Efficient Antialiasing Technique",
-// SIGGRAPH 1991, is the limit w -> 0). Pieces of strands are sorted from near to far in each tile of the
-// picture, and laid under what is nearer: T. Porter and T. Duff, "Compositing Digital Images", SIGGRAPH 1984.
-// This has no noise, as random samples would have, and needs no samples beside pixels. Where nothing shines
-// through any more, hair is neither drawn nor shaded. Equal distances are in the order of strands; so the
-// bytes are always the same, with any number of threads.
+// A strand that is w pixels wide, seen through a tent of two pixels, covers its pixels by w in total, for any
+// position between pixels and any slope (a line of X. Wu, "An Efficient Antialiasing Technique", SIGGRAPH
+// 1991, is the limit w -> 0). Pieces of strands are sorted from near to far in each tile of the picture, and
+// composited under nearer ones: T. Porter and T. Duff, "Compositing Digital Images", SIGGRAPH 1984. Random
+// samples would add noise, and more samples than pixels; this method needs neither. Hair behind opaque hair
+// is neither drawn nor shaded. Equal distances are in the order of strands, so the bytes are the same with
+// any number of threads.
 #pragma once
 
 #include <functional>
@@ -20,19 +20,19 @@
 
 namespace hair {
 
-// Pictures of floats, row after row from the bottom up. A pixel has two parts, with a solid in it and
-// without: at a solid's edge hair behind it covers the one and not the other.
+// Pictures of floats, row after row, the lowest first. A pixel has two parts, one in front of a solid and one
+// in front of the background: at a solid's edge, hair behind it covers only the second part.
 struct HairLayer {
   int width, height;
   std::vector<float>
-      pixels;  // red, green and blue, times how much hair covers; and the part that it leaves of a solid
-  std::vector<float> empty;  // the part that it leaves of the background
+      pixels;  // red, green and blue, times the covered part; and the part of a solid that stays visible
+  std::vector<float> empty;  // the part of the background that stays visible
 };
 
-// What hair meets in a picture.
+// The solids and the light around hair in a picture.
 struct HairSurroundings {
   // The solids' distances (along the view, in its unit) at samples x samples places in each pixel, row after
-  // row from the bottom up; empty: there are none.
+  // row, the lowest first; empty: there are none.
   std::vector<float> distances = {};
   int samples = 1;
   // Hair between the light and a point, and the part of the light that solids let through; empty: no shadows.

@@ -40,7 +40,7 @@ Colour shaded_hair(const HairPoint& point, const StrandTint& tint, const Eigen::
   across /= std::max(across.norm(), 1e-6F);
   const Colour own = tint.root + point.along * (tint.tip - tint.root);
 
-  // Light hair lets more light through than dark hair.
+  // Light hair lets more light pass than dark hair.
   const Eigen::Array3f thick = 1.15F - 0.75F * own.array().min(1.0F).sqrt();
   const Eigen::Array3f key = point.lit * (-point.opacity * thick).exp();
   const float open = 0.12F + 0.88F * std::exp(-0.35F * point.opacity);

@@ -18,7 +18,7 @@ double length_of(const Description& hair, int strand) {
                                      : hair.modelled[index - hair.strands.size()].spec.length;
 }
 
-// Where a motion carries things: at its keys, and often between them.
+// The poses of a motion: at its keys, and at many times between them.
 std::vector<Way> poses_of(const std::optional<Motion>& motion) {
   if (!motion) return {{Eigen::Quaterniond::Identity(), Vector3d::Zero(), Vector3d::Zero()}};
   const std::vector<Key>& keys = motion->keys;
@@ -35,12 +35,12 @@ class Seen {
   Seen(const std::vector<Plane>& view, const std::optional<Motion>& motion)
       : view_(view), poses_(poses_of(motion)) {}
 
-  // Whether a ball about what is at `point` at the start comes into view.
+  // True if a ball around a point that starts at `point` comes into view.
   bool comes_into_view(const Vector3d& point, double radius) const {
     Vector3d before = poses_.front()(point);
     return std::any_of(poses_.begin(), poses_.end(), [&](const Way& pose) {
       const Vector3d here = pose(point);
-      // Between two poses it is near one of them.
+      // Between two poses the ball is near one of them.
       const double reach = radius + (here - before).norm();
       before = here;
       return std::all_of(view_.begin(), view_.end(),
@@ -53,7 +53,7 @@ class Seen {
   std::vector<Way> poses_;
 };
 
-// Whether a strand that may be seen is made of it, for each guide.
+// For each guide, 1 if it makes a strand that may be visible.
 std::vector<char> guides_in_use(const Scene& scene, const DenseHair& dense, const Synthesis& synthesis,
                                 const std::vector<Plane>& view) {
   const SynthesisDescription& made = dense.description;
@@ -71,7 +71,7 @@ std::vector<char> guides_in_use(const Scene& scene, const DenseHair& dense, cons
     const double far = kStretch * longest + wisp;
     if (!seen.comes_into_view(root, (1 + made.length) * (far + synthesis.disorder(child, far)) + beside))
       continue;
-    // The nearest carries its root.
+    // The nearest guide carries the strand's root.
     for (int k = 0; k < 3; ++k)
       if (k == 0 || parents.weights[k] > 0) in_use[parents.guides[k]] = 1;
   }

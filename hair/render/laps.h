@@ -8,10 +8,10 @@ namespace hair {
 
 class Laps {
  public:
-  // Off, it costs nothing.
+  // Costs nothing if `on` is false.
   explicit Laps(bool on) : on_(on) {}
 
-  // Adds the time since the last lap, when OpenGL is done with what it was told.
+  // Adds the time since the last lap, when OpenGL has finished its commands.
   void lap(const gl::Functions& gl, double& sum) {
     if (!on_) return;
     gl.Finish();

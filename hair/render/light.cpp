@@ -7,7 +7,7 @@ namespace hair {
 namespace {
 
 const Eigen::Vector3f kTarget(0, 0, -1);
-constexpr float kLargest = 2;  // of the distance to the target: shadows of what is farther are not drawn
+constexpr float kLargest = 2;  // times the distance to the target: no shadows of objects farther away
 
 }  // namespace
 

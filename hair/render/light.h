@@ -22,7 +22,7 @@ struct LightMap {
 
 // The smallest of a few map sizes that contains all nearby shadow casters. The sizes are discrete so that a
 // small motion of the hair, or one strand less, changes no other shadow.
-// `points`: of fine strands, in the view's axes.
+// `points`: fine strands, in the view's axes.
 LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh,
                    std::span<const Eigen::Vector3f> points = {});
 

@@ -9,13 +9,13 @@ namespace {
 
 const Colour kSkin(0.50F, 0.40F, 0.34F);
 const Colour kGround(0.62F, 0.63F, 0.65F);
-constexpr float kGroundRadius = 6;  // of the distance to the target
+constexpr float kGroundRadius = 6;  // times the distance to the target
 
 class MeshBuilder {
  public:
   MeshBuilder(const View& view, int samples) : view_(view), samples_(samples) {}
 
-  // Of a grid of corners, two triangles between each four. `at` and `normal` are in the view's axes.
+  // Adds a grid of corners, with two triangles between each four. `at` and `normal` are in the view's axes.
   template <class Vertex>
   void grid(int rows, int columns, Vertex vertex) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -32,7 +32,7 @@ class MeshBuilder {
     }
   }
 
-  // All that is `radius` from the line from a to b; a ball if a is b.
+  // All points within `radius` of the line from a to b; a ball if a is b.
   void capsule(const Vector3d& a, const Vector3d& b, double radius, const Colour& colour) {
     const int corners = corners_of(a, b, radius), rings = corners / 2 + 2;
     const Vector3d axis = b == a ? Vector3d(0, 0, 1) : Vector3d((b - a).normalized());
@@ -87,7 +87,7 @@ class MeshBuilder {
       for (const std::uint32_t corner : triangle) mesh.indices.push_back(first + corner);
   }
 
-  // Seen from above only, around where the camera looks.
+  // Visible only from above, around the camera's target.
   void ground(const Plane& plane) {
     const Eigen::Vector3f normal = view_.direction(plane.normal);
     const float height = -normal.dot(view_.at(plane.point));

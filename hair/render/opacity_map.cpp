@@ -12,10 +12,10 @@ namespace {
 constexpr float kUnit = 16384;  // a texel that is covered once
 constexpr int kStrandsOfATask = 256;
 
-// The four texels around a place, and how near it is to each.
+// The four texels around a place, with weights.
 struct Footprint {
   int x, y;
-  std::array<float, 4> weights;  // of (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)
+  std::array<float, 4> weights;  // for (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)
 };
 
 Footprint footprint(float x, float y) {
@@ -25,8 +25,7 @@ Footprint footprint(float x, float y) {
       static_cast<int>(left), static_cast<int>(below), {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}};
 }
 
-// Calls visit(texel, depth, share) for each texel that a piece of hair is in, with the area of its shadow
-// there.
+// Calls visit(texel, depth, share) for each texel of a piece of hair, with the area of its shadow there.
 template <class Visit>
 void splat(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float width, int size,
            const Visit& visit) {
@@ -48,7 +47,7 @@ void splat(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float width, 
   }
 }
 
-// Positive floats are in the order of their bits.
+// The bits of positive floats have the same order as their values.
 void lower(std::atomic<std::uint32_t>& place, float depth) {
   const auto bits = std::bit_cast<std::uint32_t>(depth);
   std::uint32_t now = place.load(std::memory_order_relaxed);

@@ -1,4 +1,4 @@
-// What another machine may draw: another library, vectors of another width, another driver. Each draws in a
+// Simulates another machine: another library, vectors of another width, another driver. Each draws in a
 // process of its own.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -12,7 +12,7 @@ class Programs {
  public:
   explicit Programs(const gl::Functions& functions) : gl_(functions) {}
 
-  // The program of these shaders with this header, which then is in use.
+  // Compiles, if needed, and uses the program of these shaders with this header.
   const gl::Program& use(const std::string& name, ShaderPair (*shaders)(), const std::string& header = "") {
     auto place = programs_.find(name + header);
     if (place == programs_.end()) place = programs_.try_emplace(name + header, gl_, shaders(), header).first;

@@ -19,7 +19,7 @@
 namespace hair {
 namespace {
 
-constexpr int kSamples = 2;  // in a pixel's width, and as many in its height: shaders.cpp counts on it
+constexpr int kSamples = 2;  // per pixel's width, and as many per height: shaders.cpp relies on it
 
 RenderSettings checked(const RenderSettings& settings) {
   for (const int side : {settings.width, settings.height}) {
@@ -28,8 +28,8 @@ RenderSettings checked(const RenderSettings& settings) {
   return settings;
 }
 
-// As fine as samples are, for a map as wide as the picture is high; a multiple of the tiles that software
-// draws in.
+// As fine as the samples, for a map as wide as the picture is high; a multiple of the tiles of software
+// renderers.
 int map_size(const RenderSettings& settings) {
   return std::clamp(settings.height * 3 / 2 / 64 * 64, 256, 2048);
 }
@@ -70,10 +70,10 @@ class Renderer::Parts {
   RenderTimes times;
 
  private:
-  // What a drawing has, for what it needs.
+  // The contents of a drawing, and the passes that they need.
   struct Content {
-    bool hair = false, solids = false;                 // to see
-    bool fine = false;                                 // hair as a layer; then none of it is OpenGL's
+    bool hair = false, solids = false;                 // to show
+    bool fine = false;                                 // hair as a layer, and none of it by OpenGL
     bool hair_shadows = false, solid_shadows = false;  // to throw shadows
     std::size_t casting = 0;
     float half_width = 0;
@@ -114,7 +114,7 @@ class Renderer::Parts {
     return content;
   }
 
-  // The light's view: how far what is not hair is, how far hair is, and how many strands are in its layers.
+  // The light's view: the depths of solids and of hair, and the number of strands in each layer.
   void draw_maps(const Content& content) {
     const int size = map_size(settings_);
     if (content.solid_shadows) {
@@ -150,7 +150,7 @@ class Renderer::Parts {
     }
   }
 
-  // Behind solids, and in their shadows.
+  // The layer behind solids, and in their shadows.
   void draw_layer(const Drawing& drawing, const View& view, const Content& content) {
     FineHair::Solids solids;
     if (content.solids) {

@@ -13,7 +13,7 @@
 
 namespace hair {
 
-// This machine has no OpenGL: one line with what was tried, and the package to install.
+// The error that this machine has no OpenGL: one line with the tried libraries, and the package to install.
 class NoOpenGl : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -32,7 +32,7 @@ double brightness(const Image& image, int x, int y) {
   return linear(p[0]) + linear(p[1]) + linear(p[2]);
 }
 
-// How much of each pixel black things cover: 0 to 1.
+// The part of each pixel that black objects cover: 0 to 1.
 struct Coverage {
   Image with, without;
   double at(int x, int y) const { return 1 - brightness(with, x, y) / brightness(without, x, y); }
@@ -73,7 +73,7 @@ TEST(Renderer, TwoRenderersTakeTurns) {
   EXPECT_TRUE(one.draw(scene.drawing, scene.camera) == first);
 }
 
-// All coordinates are halved or doubled exactly, so every number that OpenGL sees is the same.
+// All coordinates are halved or doubled exactly, so OpenGL gets the same numbers.
 TEST(Renderer, AMillimetreAndAKilometreLookLikeAMetre) {
   const TestScene metre = test_scene(kAspect);
   Renderer renderer(kSmall);
@@ -84,7 +84,7 @@ TEST(Renderer, AMillimetreAndAKilometreLookLikeAMetre) {
   }
 }
 
-// A ball's outline is where the lines from the eye touch it: at the angle to its centre, plus and minus
+// A ball's outline is the cone of tangents from the eye: at the angle to its centre, plus and minus
 // asin(radius / distance).
 TEST(Renderer, ABallIsWhereTheCameraSays) {
   for (const double x : {0.0, 0.2, -0.25}) {
@@ -99,16 +99,16 @@ TEST(Renderer, ABallIsWhereTheCameraSays) {
       right = column;
     }
     const auto column_of = [](double tangent) { return kWidth / 2.0 + tangent / kTangent * kHeight / 2; };
-    // A pixel is a pixel wide, and its filter reaches half a pixel farther; a polygon's corners are within a
+    // A pixel is a pixel wide, and its filter extends half a pixel farther; a polygon's corners are within a
     // twentieth.
     EXPECT_NEAR(left, column_of(std::tan(angle - half)), 1.1) << "x " << x;
     EXPECT_NEAR(right + 1, column_of(std::tan(angle + half)), 1.1) << "x " << x;
   }
 }
 
-// Black strands that run aslant, so that no highlight is seen on them. An edge is off by half a sample at
-// most, which is a quarter of a pixel; the ends by a sample. Eight bits of colour are off by 1/510, of which
-// a dark pixel's neighbours make 1 %.
+// Black strands at a slant, so that no highlight is visible on them. An edge is off by half a sample at most,
+// which is a quarter of a pixel; the ends by a sample. Eight bits of colour are off by 1/510, and the dark
+// pixel's neighbours add 1 %.
 TEST(Renderer, AStrandCoversItsWidthTimesItsLength) {
   const Vector3d from(20 * kPixel, 0, -60 * kPixel), to(-10 * kPixel, 0, 60 * kPixel);
   const double length = (to - from).norm() / kPixel;
@@ -129,8 +129,7 @@ TEST(Renderer, ThinHairDoesNotBreakUp) {
   for (int y = kHeight / 2 - 58; y < kHeight / 2 + 58; ++y) {
     double sum = 0;
     for (int x = 0; x < kWidth; ++x) sum += covered.at(x, y);
-    // Of the samples' four rows around a pixel's middle, each is met by one sample, which is half a pixel
-    // wide.
+    // One sample of each of the four rows around a pixel's middle is covered; it is half a pixel wide.
     EXPECT_NEAR(sum, 0.5, 0.2) << "row " << y;
   }
 }
@@ -188,7 +187,7 @@ TEST(Renderer, HairThrowsShadowsWhereTheLightMeetsItAndNowhereElse) {
   ASSERT_TRUE(hair.intersection(shade).isEmpty()) << "the test needs them apart";
   const int x = static_cast<int>(shade.center()[0]), y = static_cast<int>(shade.center()[1]);
   EXPECT_LT(brightness(with, x, y), 0.8 * brightness(without, x, y));
-  // Beyond the shade by two pixels, for the picture's filter and a texel of the map.
+  // Two pixels beyond the shade, for the picture's filter and a texel of the map.
   for (int py = 0; py < kHeight; ++py) {
     for (int px = 0; px < kWidth; ++px) {
       const Eigen::Vector2d middle(px + 0.5, py + 0.5);
@@ -207,8 +206,8 @@ TEST(Renderer, NothingIsAPictureToo) {
       << "a strand whose points are all in one place";
 }
 
-// A tip that flew away draws its strand's last piece across the picture, and changes nothing else; how far it
-// flew is all the same.
+// A tip that flew away draws its strand's last piece across the picture, and changes nothing else, at any
+// distance.
 TEST(Renderer, WhatIsAsFarAsNumbersGoDoesNoHarm) {
   TestScene scene = test_scene(kAspect);
   Renderer renderer(kSmall);

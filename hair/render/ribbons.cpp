@@ -7,10 +7,10 @@
 namespace hair {
 namespace {
 
-// A strand is drawn in at least as many pieces, so that its bends are round.
+// A strand has at least this many pieces, so that its bends are round.
 constexpr int kPieces = 60;
 
-// In how many pieces a segment is drawn. Two points are a straight line.
+// The number of pieces of a segment. Two points are a straight line.
 int pieces_of(int points) {
   return points <= 2 ? 1 : std::clamp((kPieces + points - 2) / (points - 1), 1, 12);
 }

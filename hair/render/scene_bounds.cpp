@@ -11,23 +11,23 @@
 namespace hair {
 namespace {
 
-constexpr double kTorn = 1.2;    // hair's start, of its length
-constexpr int kBetweenKeys = 8;  // poses that are looked at from one key to the next
+constexpr double kTorn = 1.2;    // relative to the hair's length
+constexpr int kBetweenKeys = 8;  // poses between two keys
 
 void add_ball(Bounds& bounds, const Vector3d& centre, double radius) {
   bounds.add(centre.array() - radius);
   bounds.add(centre.array() + radius);
 }
 
-// What is at most `reach` from a circle. Along each axis the circle goes as far as the axis leaves its
-// normal.
+// Adds the points at most `reach` from a circle. Along each axis the circle's extent depends on the axis'
+// angle to the normal.
 void add_circle(Bounds& bounds, const Vector3d& centre, const Vector3d& normal, double radius, double reach) {
   const Vector3d half = radius * (1 - normal.array().square()).max(0).sqrt() + reach;
   bounds.add(centre - half);
   bounds.add(centre + half);
 }
 
-// Above all planes.
+// Moves a point above all planes.
 Vector3d above(const std::vector<Obstacle>& obstacles, Vector3d point) {
   for (const Obstacle& obstacle : obstacles) {
     if (const auto* const plane = std::get_if<Plane>(&obstacle.shape)) {
@@ -37,13 +37,13 @@ Vector3d above(const std::vector<Obstacle>& obstacles, Vector3d point) {
   return point;
 }
 
-// The other side of what swings from `pivot` under gravity.
+// The mirrored point of a swing around `pivot` under gravity.
 Vector3d mirrored(const Vector3d& point, const Vector3d& pivot, const Vector3d& gravity) {
   const Vector3d arm = point - pivot, down = gravity.stableNormalized();
   return pivot + 2 * arm.dot(down) * down - arm;
 }
 
-// What starts at `point` and hangs or swings from `pivot`, on a line that is `reach` long.
+// Adds the swing of an object that starts at `point`, and hangs from `pivot` on a line of the length `reach`.
 void add_swing(Bounds& bounds, const Vector3d& point, const Vector3d& pivot, double reach,
                const Vector3d& gravity) {
   bounds.add(point);
@@ -52,7 +52,7 @@ void add_swing(Bounds& bounds, const Vector3d& point, const Vector3d& pivot, dou
   bounds.add(mirrored(point, pivot, gravity));
 }
 
-// How far from its root a strand gets: all its length, unless it rests in curls.
+// The largest distance of a strand from its root: its whole length, unless it rests in curls.
 double reach_of(const StrandStart& start) {
   if (start.rest_curvature.size() == 0) return start.strand.rest_length.sum();
   double reach = 0;
@@ -62,7 +62,7 @@ double reach_of(const StrandStart& start) {
   return reach;
 }
 
-// A particle that starts so fast that its weight does not turn it back goes round on its arm.
+// A particle that is too fast for its weight circles on its arm.
 void add_orbit(Bounds& bounds, const Vector3d& arm, const Vector3d& velocity, const Vector3d& pivot,
                const Vector3d& gravity) {
   const Vector3d normal = arm.cross(velocity);
@@ -70,7 +70,7 @@ void add_orbit(Bounds& bounds, const Vector3d& arm, const Vector3d& velocity, co
   add_circle(bounds, pivot, normal.normalized(), arm.norm(), 0);
 }
 
-// A strand whose root is carried by `carry`.
+// A strand whose root is moved by `carry`.
 template <class Carry>
 void add_strand(Bounds& bounds, const Description& hair, const StrandStart& start, const Carry& carry) {
   const Vector3d root = carry(Vector3d(start.state.x.head<3>()));
@@ -79,7 +79,7 @@ void add_strand(Bounds& bounds, const Description& hair, const StrandStart& star
   for (int i = 0; i < start.strand.count(); ++i) {
     const Vector3d at = carry(Vector3d(start.state.x.segment<3>(3 * i)));
     add_swing(swing, at, root, reach, hair.gravity);
-    // Hair that starts torn flies up on the other side of its root.
+    // Hair that starts torn flies to the other side of its root.
     if ((at - root).norm() > kTorn * reach) swing.add(root - reach * (at - root).normalized());
     add_orbit(swing, at - root, start.state.v.segment<3>(3 * i) - start.state.v.head<3>(), root,
               hair.gravity);
@@ -89,7 +89,7 @@ void add_strand(Bounds& bounds, const Description& hair, const StrandStart& star
   bounds.add(above(hair.obstacles, swing.high));
 }
 
-// Calls f(start). Any model's strand starts where one of masses and springs does.
+// Calls f(start). A strand of any model starts like one of masses and springs.
 template <class F>
 void with_start(const Description& hair, std::size_t index, const F& f) {
   if (index < hair.strands.size())
@@ -131,7 +131,7 @@ void add_rider(Bounds& bounds, const Description& hair, const Rider& rider) {
   }
 }
 
-// What holds a particle: the nearest one, along springs and rods, that is pinned or on a wire.
+// The hold of a particle: the nearest one, along springs and rods, that is pinned or on a wire.
 struct Hold {
   int by = -1;  // none
   double reach = std::numeric_limits<double>::infinity();
@@ -168,7 +168,7 @@ std::vector<Hold> holds_of(const Toy& toy) {
   return holds;
 }
 
-// What nothing holds, falls.
+// Free particles fall.
 void add_fall(Bounds& bounds, const Toy& toy, const std::vector<int>& free, double seconds) {
   double mass = 0;
   Vector3d momentum = Vector3d::Zero();
@@ -186,7 +186,7 @@ void add_fall(Bounds& bounds, const Toy& toy, const std::vector<int>& free, doub
 void add_toy(Bounds& bounds, const Toy& toy, double seconds) {
   const int n = toy.particles.count();
   const std::vector<Hold> holds = holds_of(toy);
-  std::vector<double> from_wires(n, 0);  // the reach of all that hangs on a particle
+  std::vector<double> from_wires(n, 0);  // the length of everything that hangs on a particle
   std::vector<int> free;
   for (int i = 0; i < n; ++i) {
     const Vector3d point = toy.start.x.segment<3>(3 * i);
@@ -203,7 +203,7 @@ void add_toy(Bounds& bounds, const Toy& toy, double seconds) {
   add_fall(bounds, toy, free, seconds);
 }
 
-// Where an outline's points go.
+// Collects the points of an outline.
 using Outline = std::vector<Vector3d>;
 
 constexpr int kOutlineCells = 60;  // along a solid's longest side
@@ -225,7 +225,7 @@ void outline_strand(Outline& outline, const Description& hair, std::size_t index
   with_start(hair, index, [&](const StrandStart& start) { outline_strand(outline, hair, start, carry); });
 }
 
-// Points of its surface, or the corners of its box; where it starts.
+// Points of the obstacle's surface, or the corners of its box, at the start.
 Outline outline_of(const Obstacle& obstacle) {
   Outline outline;
   if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
@@ -247,7 +247,7 @@ Outline scene_outline(const Scene& scene) {
   const auto stay = [](const Vector3d& x) { return x; };
   for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
     outline_strand(outline, scene.hair, i, stay);
-  std::vector<Outline> obstacles;  // a surface is looked for once, not for each key
+  std::vector<Outline> obstacles;  // a surface is calculated once, not for each key
   for (const Obstacle& obstacle : scene.hair.obstacles) {
     obstacles.push_back(outline_of(obstacle));
     outline.insert(outline.end(), obstacles.back().begin(), obstacles.back().end());

@@ -14,20 +14,20 @@
 namespace hair {
 namespace {
 
-// Toys are told apart by their colour, and what is pinned is dark.
+// Toys have different colours, and pinned particles are dark.
 const std::array<Colour, 5> kToyColours = {Colour(0.60F, 0.09F, 0.06F), Colour(0.05F, 0.22F, 0.50F),
                                            Colour(0.10F, 0.35F, 0.12F), Colour(0.60F, 0.36F, 0.03F),
                                            Colour(0.32F, 0.10F, 0.38F)};
 const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45F, 0.36F, 0.12F),
     kLink(0.05F, 0.22F, 0.50F);
 
-// Parts of the picture's height.
+// Relative to the picture's height.
 constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035, kThread = 0.0006;
 
-constexpr std::uint32_t kFirstStillId = 1U << 30;  // beyond the numbers of what moves
+constexpr std::uint32_t kFirstStillId = 1U << 30;  // above the numbers of moving strands
 
-// The four sides of what the camera sees. With shadows those through which light falls into the picture are
-// no limits: what is beyond them may throw a shadow on what is seen.
+// The four sides of the camera's view. With shadows, the sides from which light comes are no limits: hair
+// beyond them may have a shadow in the picture.
 std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows) {
   const Eigen::Matrix3d axes = view_axes((camera.eye - camera.target).normalized(), camera.up);
   const double y = std::tan(camera.field_of_view / 2), x = aspect * y;

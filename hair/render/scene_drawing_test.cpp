@@ -94,7 +94,7 @@ TEST(SceneBounds, WhatHangsOnABeadIsInside) {
   expect_inside(scene_bounds(scene), Vector3d(0.75, 0, 0.25));
 }
 
-// Two rods that start folded hang as long as both are.
+// Two rods that start folded hang with the length of both.
 TEST(SceneBounds, WhatStartsFoldedIsInsideStretchedOut) {
   Scene scene;
   Toy toy = pendulum();

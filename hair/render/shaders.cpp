@@ -3,8 +3,8 @@
 namespace hair {
 namespace {
 
-// Rasterisers round corners to their own grid, of 1/256 of a sample where they have one. Corners that are
-// already on it are met alike by all of them.
+// Rasterisers round corners to their own grid, of 1/256 of a sample if they have one. All of them treat
+// corners on this grid alike.
 const std::string kOnGrid = R"(
 uniform vec2 grid;  // steps in half the picture's width and height
 vec4 on_grid(vec4 clip) {
@@ -13,8 +13,9 @@ vec4 on_grid(vec4 clip) {
 }
 )";
 
-// A strand's point goes half a width to either side, across what it is seen along; never less than half a
-// sample, so that thin hair does not break up. seen_from is the eye, or the direction to the light with a 0.
+// A strand's point becomes two vertices, half a width to either side, across the direction of view; never
+// less than half a sample, so that thin hair does not break up. seen_from is the eye, or the direction to the
+// light with a 0.
 const std::string kRibbonVertex = kOnGrid + R"(
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec3 tangent;
@@ -38,10 +39,10 @@ void main() {
 }
 )";
 
-// How much of the key light comes through. Hair: deep opacity maps, C. Yuksel and J. Keyser, "Deep Opacity
+// The part of the key light that passes. Hair: deep opacity maps, C. Yuksel and J. Keyser, "Deep Opacity
 // Maps", Computer Graphics Forum 27(2), 2008: strands are counted in layers that begin where the light first
 // meets hair, so that layers follow the hair's shape. Between layers, and between a map's texels, the count
-// is interpolated. All else: a depth map.
+// is interpolated. All other objects: a depth map.
 const std::string kShadow = R"(
 uniform mat4 to_light;
 uniform float opacity;    // of a strand in a texel that it meets
@@ -96,10 +97,10 @@ float past_solids(vec3 at) {
 }
 )";
 
-// J. T. Kajiya and T. L. Kay, "Rendering Fur with Three Dimensional Textures", SIGGRAPH 1989: what a strand
-// throws back depends on its direction alone. Two highlights, one shifted to the root and white, one to the
-// tip and of the hair's colour, as S. R. Marschner et al., "Light Scattering from Human Hair Fibers"
-// (SIGGRAPH 2003) found them.
+// J. T. Kajiya and T. L. Kay, "Rendering Fur with Three Dimensional Textures", SIGGRAPH 1989: a strand's
+// reflection depends only on its direction. Two highlights, one shifted to the root and white, one to the tip
+// and of the hair's colour, as found by S. R. Marschner et al., "Light Scattering from Human Hair Fibers"
+// (SIGGRAPH 2003).
 const std::string kRibbonFragment = R"(
 in vec3 place, direction;
 in vec3 along_tone_side;
@@ -146,7 +147,7 @@ void main() {
 }
 )";
 
-// Both sides are seen. Ground fades away from where the camera looks.
+// Both sides are visible. Ground fades away from the camera's target.
 const std::string kMeshFragment = R"(
 in vec3 place, facing;
 in vec4 own;
@@ -169,8 +170,8 @@ void main() {
 
 const std::string kNothing = "void main() {}\n";
 
-// Each strand that a texel meets adds 1 to its layer and to those behind. Sums of small whole numbers are
-// exact, in whatever order they are added.
+// Each strand in a texel adds 1 to its layer and to those behind. Sums of small whole numbers are exact, in
+// any order.
 const std::string kCount = R"(
 uniform sampler2D hair_depth;
 uniform vec4 layers;

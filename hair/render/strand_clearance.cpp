@@ -9,17 +9,17 @@ namespace {
 
 constexpr double kCell = 0.008;          // m, of the grid
 constexpr double kRiseOfHair = 0.25;     // strands rise from their roots at this slope
-constexpr int kRounds = 3, kPasses = 3;  // of moving out, and of smoothing in each
+constexpr int kRounds = 3, kPasses = 3;  // rounds of moving out, and passes of smoothing in each
 constexpr int kMostPushes = 40;          // deep inside, a distance is not exact
 constexpr int kStrandsOfAMove = 64;
 
-// Evenly spread over 0 to 1, for numbers that follow each other: multiples of the golden ratio.
+// Spreads consecutive numbers evenly over 0 to 1: multiples of the golden ratio.
 double place_in_layer(std::uint32_t id) {
   const double place = 0.6180339887498949 * id;
   return place - std::floor(place);
 }
 
-// Each but the root's becomes the mean of itself and of its neighbours' mean.
+// Each move except the root's becomes the mean of itself and of its neighbours' mean.
 void smooth(std::vector<Vector3d>& moves) {
   Vector3d before = moves.front();
   for (std::size_t i = 1; i < moves.size(); ++i) {
@@ -76,13 +76,13 @@ StrandClearance::StrandClearance(const std::vector<Obstacle>& obstacles, int thr
   }
 }
 
-// Whether a point is nearer to an obstacle than that, or inside.
+// True if a point is inside an obstacle, or nearer to it than `clearance`.
 bool StrandClearance::touches(const std::vector<Obstacle>& now, const Vector3d& point,
                               double clearance) const {
   return !way_out(now, point, clearance).isZero(0);
 }
 
-// From a point to where it is clear of the obstacle in which it is deepest; 0: it is clear of all.
+// The vector that moves a point out of the obstacle in which it is deepest; 0 if it is clear of all.
 Vector3d StrandClearance::way_out(const std::vector<Obstacle>& now, const Vector3d& point,
                                   double clearance) const {
   double deepest = 0;
@@ -101,7 +101,7 @@ Vector3d StrandClearance::way_out(const std::vector<Obstacle>& now, const Vector
   return way;
 }
 
-// Whether it moved.
+// Returns true if the strand moved.
 bool StrandClearance::move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count,
                                       std::uint32_t id, Scratch& scratch) const {
   scratch.resize(count);
@@ -141,7 +141,7 @@ bool StrandClearance::move_strand_out(const std::vector<Obstacle>& now, Vector3d
 long StrandClearance::move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
                                std::size_t first_point) {
   if (cells_.empty()) return 0;
-  // Where each task's points begin.
+  // The index of each task's first point.
   const auto strand_count = static_cast<int>(strands.sizes.size() - first);
   std::vector<std::size_t> begins;
   std::size_t next = first_point;

@@ -1,10 +1,10 @@
-// Keeps drawn strands out of solids. Guides stay outside of a head, but what is interpolated between them
-// cuts corners, and so do clumps and fly-aways. What is inside moves along the distance's gradient to the
-// surface, and a little beyond it; its neighbours go along, so that there is no kink, and lengths are
-// restored as far as there is room. Roots stay, for they are on the scalp.
+// Keeps drawn strands out of solids. Guides stay outside of a head, but strands between them cut corners, and
+// so do clumps and fly-aways. A point inside moves along the distance's gradient to the surface, and a little
+// beyond it; its neighbours move along, so that there is no kink, and lengths are restored if there is space.
+// Roots stay, because they are on the scalp.
 //
-// It has no effect on the motion, and costs only strands that are near a solid: a coarse grid, made once,
-// says where that is. Without obstacles nothing is looked at.
+// It has no effect on the motion, and costs time only for strands near a solid, which a coarse grid finds.
+// The grid is made once. Without obstacles it does nothing.
 #pragma once
 
 #include <array>
@@ -19,23 +19,23 @@ namespace hair {
 
 class StrandClearance {
  public:
-  // How far from a surface strands are kept, m: each has a place of its own in this layer. Up to the first,
-  // nearer to their roots.
+  // The layer above a surface in which strands are kept, m: each strand has its own height in it. Nearer to
+  // the root, strands are kept out only up to the lower bound.
   static constexpr double kLow = 0.0008, kHigh = 0.0025;
 
-  // obstacles: those of which `move_out` is told where they are now. threads >= 1; the result is the same
+  // obstacles: those that `move_out` gets with their present positions. threads >= 1; the result is the same
   // with any number.
   explicit StrandClearance(const std::vector<Obstacle>& obstacles, int threads = 1);
 
-  // Of the drawing's strands from `first` on, whose points begin at `first_point`. Afterwards no point but a
-  // root is inside of an obstacle by more than kTolerance, if obstacles leave room between them. Returns how
-  // many strands moved.
+  // Moves the drawing's strands from `first` on, whose points begin at `first_point`. Afterwards no point but
+  // a root is inside of an obstacle by more than kTolerance, if obstacles leave space between them. Returns
+  // the number of moved strands.
   long move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
                 std::size_t first_point);
   static constexpr double kTolerance = 1e-5;  // m
 
  private:
-  // The cells of a solid's box: 1 where something may be nearer than kHigh to its surface, or inside.
+  // The cells of a solid's box: 1 if a point of the cell may be inside, or nearer than kHigh to the surface.
   struct NearCells {
     NearCells(const Solid& solid, double cell);
     bool may_touch(const Vector3d& point) const;  // in the solid's axes
@@ -52,7 +52,7 @@ class StrandClearance {
   bool move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count, std::uint32_t id,
                        Scratch& scratch) const;
 
-  std::vector<std::optional<NearCells>> cells_;  // of each obstacle; none: its distance costs nothing
+  std::vector<std::optional<NearCells>> cells_;  // for each obstacle; none: its distance is cheap
   StrandThreads threads_;
 };
 

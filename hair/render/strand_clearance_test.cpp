@@ -36,7 +36,7 @@ StrandsDrawing carried(StrandsDrawing strands, const PlacedSolid& by) {
   return strands;
 }
 
-// The deepest of all points but roots, m; below 0: all are outside.
+// The largest depth of all points except roots, m; below 0 if all are outside.
 double deepest(const std::vector<Obstacle>& obstacles, const StrandsDrawing& strands) {
   double depth = -1;
   for (std::size_t i = 0; i < strands.points.size(); ++i)
@@ -47,7 +47,7 @@ double deepest(const std::vector<Obstacle>& obstacles, const StrandsDrawing& str
 
 TEST(StrandClearance, LeavesNoPointInsideOfABust) {
   const PlacedSolid bust = turned_bust();
-  // The grid is made where the solid was at the start.
+  // The grid is made for the solid's position at the start.
   StrandClearance clearance({{PlacedSolid{bust.solid}}});
   const std::vector<Obstacle> now = {{bust}};
   StrandsDrawing strands = carried(through_the_bust(2000), bust);
@@ -80,7 +80,7 @@ TEST(StrandClearance, LeavesAloneWhatIsClear) {
   StrandsDrawing strands;
   for (const RootFrame& root : scalp_roots(Bust(), 200, 1)) {
     strands.sizes.push_back(kPoints);
-    // Hair that stands up. Nearer than kLow it must not be, nor is it as near as a slope of a quarter allows.
+    // Upright hair. It must not be nearer than kLow, nor nearer than a slope of a quarter allows.
     for (int i = 0; i < kPoints; ++i) strands.points.push_back(root.position + 0.01 * i * root.axis);
   }
   const std::vector<Vector3d> before = strands.points;
@@ -89,8 +89,8 @@ TEST(StrandClearance, LeavesAloneWhatIsClear) {
 }
 
 // A strand that dips into a ball by a few millimetres slides over it: it keeps its length to the square of
-// the angle that it turns by, and bends by no more at one joint than its points would turn along the ball,
-// and once as much again for how it comes and goes.
+// the angle that it turns by. At one joint it bends by no more than its points would turn along the ball, and
+// as much again for its two ends.
 TEST(StrandClearance, KeepsLengthsAndMakesNoKink) {
   constexpr double radius = 0.1, depth = 0.004, piece = 0.01;
   const std::vector<Obstacle> ball = {{Sphere{{0, 0, 0}, radius}}};
@@ -116,10 +116,10 @@ TEST(StrandClearance, KeepsLengthsAndMakesNoKink) {
   EXPECT_GT(bend, 0);
 }
 
-// Hair that would go into the ground at 45 degrees lies on it. Where it only moved up, a piece would have cos
-// 45 degrees of its length. Moves are smoothed over nine points either way, so from the tenth on after the
-// corner, and up to the tenth before the tip, nothing bends: lengths are exact but for the rounding of
-// coordinates below 1 m.
+// Hair that would go into the ground at 45 degrees lies on it. If it only moved up, a piece would have cos 45
+// degrees of its length. Moves are smoothed over nine points either way, so from the tenth point after the
+// corner to the tenth before the tip, nothing bends: lengths are exact up to the rounding of coordinates
+// below 1 m.
 TEST(StrandClearance, RestoresTheLengthsOfWhatLiesOnTheGround) {
   constexpr double piece = 0.01;
   constexpr int count = 61, corner = 10, smoothed = 10;

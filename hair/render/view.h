@@ -1,5 +1,5 @@
 // The view of a camera in its own axes: x to the right, y up, z towards the eye, which is the origin. The
-// unit is the distance from eye to target, so that scenes of a millimetre and of a kilometre have the same
+// unit is the distance from eye to target, so scenes of a millimetre and of a kilometre have the same
 // numbers.
 #pragma once
 
@@ -20,10 +20,10 @@ class View {
   Eigen::Vector3f direction(const Vector3d& direction) const { return (axes_ * direction).cast<float>(); }
   float length(double metres) const;
 
-  float tangent_x() const { return static_cast<float>(tangent_x_); }  // of half the angle of view
+  float tangent_x() const { return static_cast<float>(tangent_x_); }  // the tangent of half the angle of view
   float tangent_y() const { return static_cast<float>(tangent_y_); }
 
-  // The distance along the view, in its unit, of what has this depth (0 to 1) in a picture.
+  // The distance along the view, in its unit, for a depth (0 to 1) in a picture.
   float distance(float depth) const;
 
   // From the view's axes to clip space, column by column.

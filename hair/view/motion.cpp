@@ -71,12 +71,12 @@ std::string vector_text(const Vector3d& v) {
   return json_list({few_digits(v.x()), few_digits(v.y()), few_digits(v.z())});
 }
 
-// As exact as the numbers that it bounds.
+// As exact as the bounded numbers.
 std::string corner_text(const Eigen::Vector3f& corner) {
   return list_of(corner, [](float x) { return printed("%.9g", static_cast<double>(x)); });
 }
 
-// Screens take linear light to the power of 1 / 2.2.
+// Screens expect linear light to the power of 1 / 2.2.
 std::string colour_text(const Colour& linear) {
   return vector_text(linear.cast<double>().array().max(0.0).min(1.0).pow(1 / 2.2).matrix());
 }

@@ -8,7 +8,7 @@ namespace hair {
 
 namespace {
 
-// JSON inside of a page: in it `<` stands in texts alone, and none may end the element that holds it.
+// JSON inside of a page: `<` occurs only in its texts, and none may end the element that holds it.
 Html inside_a_page(const std::string& json) {
   std::string text;
   text.reserve(json.size());

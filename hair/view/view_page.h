@@ -1,5 +1,5 @@
-// The page that plays motions (motion.h): one file, which opens from disk, without a network. Its scripts are
-// in page/, and come along.
+// The page that runs motions (motion.h): one file, which opens from disk, without a network. Its scripts are
+// in page/ and become part of it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace hair {
 
 struct NamedMotion {
-  std::string name;  // "swing", as readers tell it from the other one
+  std::string name;  // "swing": readers tell it from the other one by this
   std::string json;  // motion.json
 };
 

@@ -1,4 +1,4 @@
-// The folder in which programs keep what takes long to make.
+// The folder in which programs keep results that take long to make.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace hair {
 
-// $XDG_CACHE_HOME/hairlab, or ~/.cache/hairlab. Nothing if neither variable is an absolute path. It may not
-// be there yet.
+// $XDG_CACHE_HOME/hairlab, or ~/.cache/hairlab. Nothing if neither variable is an absolute path. The folder
+// may not exist yet.
 std::optional<std::filesystem::path> cache_folder();
 
 }  // namespace hair

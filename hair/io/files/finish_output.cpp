@@ -11,14 +11,14 @@ namespace hair {
 
 void begin_output() {
   for (int number = 0; number < 3; ++number)
-    if (fcntl(number, F_GETFD) < 0) open("/dev/null", O_RDONLY);  // gets the lowest number that is free
+    if (fcntl(number, F_GETFD) < 0) open("/dev/null", O_RDONLY);  // gets the lowest free number
 }
 
 int finish_output(const std::string& program, int code) {
   errno = 0;
   const bool flushed = std::cout.flush().good(), written = std::fflush(stdout) == 0;
   if (flushed && written && std::ferror(stdout) == 0) return code;
-  if (errno == 0) {  // what failed before left no reason: it is asked for once more
+  if (errno == 0) {  // the earlier error left no reason: another write asks for it
     std::clearerr(stdout);
     std::fputc('\n', stdout);
     std::fflush(stdout);

@@ -5,13 +5,13 @@
 
 namespace hair {
 
-// Before anything else. The next file that is opened gets the number of a standard descriptor that is closed
-// (>&-), and would be written what is printed. Here such a number is taken, and nothing can be printed there.
+// Call this first in a program. If a standard descriptor is closed (>&-), the next opened file gets its
+// number, and printed text would go into that file. This function occupies such numbers, so that printing to
+// them fails.
 void begin_output();
 
-// Writes what std::cout still holds. Returns `code`; if anything that was printed got lost (a full disk, a
-// reader that is gone), complains in a line that begins with the program's name, and returns 2 in the place
-// of 0.
+// Writes the rest of std::cout. Returns `code`; if any printed text got lost (a full disk, a reader that is
+// gone), reports it in a line that begins with the program's name, and returns 2 instead of 0.
 int finish_output(const std::string& program, int code);
 
 }  // namespace hair

@@ -1,6 +1,6 @@
-// What costs much to compute and is kept for later runs: a folder with one file for each. A file contains its
-// full key and ends with a digest of itself. A file with another key, or one that is cut short or changed, is
-// ignored.
+// Keeps results that cost much to compute for later runs: a folder with one file for each. A file contains
+// its full key and ends with a digest of itself. A file with another key, or one that is cut short or
+// changed, is ignored.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,10 @@ namespace hair {
 
 struct KeptKind {
   std::string_view says;    // the first line of a file: "hairlab: an accurate motion, format 1"
-  std::string_view ending;  // of its name
+  std::string_view ending;  // the file's extension
 };
 
-// The content that was kept under this key, which is one line; nothing if there is none, or if the file is
-// not valid.
+// The content kept under this key, which is one line; nothing if there is none, or if the file is not valid.
 std::optional<std::string> find_kept(const std::filesystem::path& folder, const KeptKind& kind,
                                      std::string_view key);
 

@@ -19,7 +19,7 @@ std::string read_file(const std::filesystem::path& file, std::size_t most, const
   const auto fail_with = [&](int error) { fail(std::generic_category().message(error)); };
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) fail_with(EISDIR);
-  // A pipe may never say anything, and a device never end.
+  // A pipe may stay silent, and a device may never end.
   if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
     fail("it is no regular file");
   errno = 0;

@@ -40,7 +40,7 @@ TEST_F(ReadFile, GivesWhatIsThereUpToTheLimit) {
             file.string() + ": can't be read (it has more than 99 bytes); give the path of a scene");
 }
 
-// A test that hangs, fails by its time limit.
+// A test that hangs fails by its time limit.
 TEST_F(ReadFile, WaitsForNoPipeAndReadsNoDevice) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

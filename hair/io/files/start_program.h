@@ -1,4 +1,4 @@
-// Starts another program, and waits for its end or for something that it does.
+// Starts another program, and waits for its end or for an event.
 #pragma once
 
 #include <sys/types.h>
@@ -12,14 +12,14 @@
 
 namespace hair {
 
-// What one of a program's three streams is: ours (the default), a descriptor of ours, or a file, which is
-// read or written anew.
+// One of a program's three streams: inherited from this program (the default), a descriptor of ours, or a
+// file, which is read or written anew.
 using Stream = std::variant<std::monostate, int, std::filesystem::path>;
 
 struct Program {
   std::vector<std::string> words;  // its path, then its arguments
   Stream input = {}, output = {}, errors = {};
-  std::filesystem::path folder = {};  // where it runs; empty: here
+  std::filesystem::path folder = {};  // its working directory; empty: ours
   std::vector<std::string> environment =
       {};                    // "NAME=value", in addition to ours and instead of one of that name
   bool leads_group = false;  // it is the first of a new process group
@@ -28,7 +28,8 @@ struct Program {
 // Returns its process id. Throws std::system_error, with the program's path, if it can't be started.
 pid_t start_program(const Program& program);
 
-// Waits until something has happened. False: the program has ended before; exit_code_of still tells how.
+// Waits until something has happened. Returns false if the program ended before; exit_code_of still tells
+// how.
 bool wait_until(const std::function<bool()>& happened, pid_t process);
 
 // Waits until it has ended. Returns its exit code, or nothing if a signal ended it.

@@ -28,7 +28,7 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-// Where in the text the parser gives up: what it says of a number beyond all bounds does not tell.
+// The byte at which the parser gives up. Its message for a number out of range lacks this position.
 class PlaceOfError : public json::json_sax_t {
  public:
   std::size_t byte = 0;
@@ -52,7 +52,7 @@ class PlaceOfError : public json::json_sax_t {
 };
 
 // The library's reason, without its own prefix and position: "syntax error while parsing ...". It quotes the
-// text, as it is and as long as it is.
+// text, unshortened and with all of its characters.
 std::string reason_of(const json::exception& error) {
   const std::string_view what = error.what();
   const std::size_t syntax = what.find("syntax error");
@@ -93,8 +93,7 @@ json read_json(const std::filesystem::path& file) {
 
 json parse_json(const std::string& text, const std::string& file) {
   const std::string name = printable(file, 4096);
-  if (const std::size_t zero = text.find('\0');
-      zero != std::string::npos)  // the library takes it for the end
+  if (const std::size_t zero = text.find('\0'); zero != std::string::npos)  // the library would stop there
     throw BadInput(name + ": " + line_and_column(text, zero + 1) + ": not JSON: a byte 0; remove it");
   std::vector<std::set<std::string>> keys;
   const auto no_key_twice = [&](int depth, json::parse_event_t event, json& parsed) {
@@ -198,7 +197,7 @@ std::vector<JsonValue> JsonValue::items() const {
 std::string JsonValue::text() const {
   const std::string text = any_text();
   if (text.empty()) fail("is empty; write some text");
-  // As a file's name it would end there.
+  // A file's name would end there.
   if (text.find('\0') != std::string::npos) fail(shown() + " has a character U+0000; leave it out");
   return text;
 }
@@ -221,7 +220,7 @@ std::vector<std::string> JsonValue::texts() const {
 
 long JsonValue::whole_number(long lowest, long highest) const {
   std::optional<long> number;
-  if (value_->is_number_float()) {  // 3e2; digits that a double does not hold are lost before
+  if (value_->is_number_float()) {  // 3e2; the parser has already lost digits that a double does not hold
     const auto real = value_->get<double>();
     if (std::floor(real) == real && std::abs(real) < 0x1p53) number = static_cast<long>(real);
   } else if (value_->is_number_integer()) {

@@ -34,8 +34,8 @@ std::string number_range(double lowest, double highest);
 std::string whole_range(long lowest, long highest);
 std::string listed(std::span<const std::string_view> words);
 
-// A value and its position. Every failed check throws BadInput: "FILE: exercises[0].points: what is wrong;
-// what would be right". The document must outlive the JsonValue.
+// A value and its position. Every failed check throws BadInput: "FILE: exercises[0].points: what is
+// wrong; what would be right". The document must outlive the JsonValue.
 class JsonValue {
  public:
   JsonValue(const nlohmann::json& document, std::filesystem::path file);
@@ -46,16 +46,16 @@ class JsonValue {
   void check_keys(std::span<const std::string_view> required,
                   std::span<const std::string_view> optional) const;
   bool has(const std::string& key) const;
-  JsonValue operator[](const std::string& key) const;  // of an object that has this key
+  JsonValue operator[](const std::string& key) const;  // the value of an object's key, which must be there
   bool is_null() const;
 
-  std::vector<std::string> keys() const;   // of an object
-  std::vector<JsonValue> items() const;    // of an array
+  std::vector<std::string> keys() const;   // the keys of an object
+  std::vector<JsonValue> items() const;    // the items of an array
   std::string text() const;                // a non-empty string without U+0000
   std::string any_text() const;            // a string
   std::vector<std::string> texts() const;  // an array of such strings, all different
   double number(double lowest, double highest) const;
-  // Also written as 3.0 or 3e2, below 2^53: above, such a number may be another one than was written.
+  // Also accepts 3.0 or 3e2, below 2^53: a larger number in this form may differ from the written one.
   long whole_number(long lowest, long highest) const;
   std::array<double, 3> three_numbers(double lowest, double highest) const;  // an array of three
   bool boolean() const;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
                  "); give a folder that can be written, with room in it");
 }
 
-// 0, or why not.
+// 0, or the error's number.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = write(descriptor, bytes.data(), bytes.size());
@@ -47,7 +47,7 @@ void write_file(const fs::path& file, std::string_view bytes) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), folder_error);
   if (folder_error) fail(file, folder_error.value());
 
-  // Dots in front: no submission and no report has such a name. Process and thread keep two apart that write
+  // The dot distinguishes it from all submissions and reports. Process and thread distinguish two writers of
   // the same file.
   const std::size_t thread = std::hash<std::thread::id>{}(std::this_thread::get_id());
   const fs::path temporary =

@@ -11,8 +11,8 @@ namespace hair {
 // Several processes may write the same file: the last one wins.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-// Before there is work, for a file that a user named: throws BadInput if the file's folder is not there. A
-// slip in a name would make another folder.
+// For a file that a user named, before the work starts: throws BadInput if the file's folder does not exist.
+// Otherwise a slip in the name would make another folder.
 void check_folder_of(const std::filesystem::path& file);
 
 }  // namespace hair

@@ -12,7 +12,7 @@
 namespace fuzz {
 namespace {
 
-// Of the input that is tried, in bytes. The sanitiser calls functions without arguments of ours.
+// Bytes that the present input uses. The sanitiser calls functions that can't take arguments from us.
 std::ptrdiff_t in_use = 0, most_in_use = 0;
 
 void on_allocation(const volatile void*, std::size_t size) {

@@ -1,5 +1,5 @@
-// Hostile bytes as a PNG file, as they come and with the right checksums. What is accepted can be written,
-// and is the same when it is read again.
+// Hostile bytes as a PNG file, unchanged and with repaired checksums. An accepted picture can be written, and
+// reading it again gives the same picture.
 #include <cstdint>
 
 #include "hair/io/files/bad_input.h"
@@ -11,7 +11,7 @@ namespace {
 
 using hair::Image, hair::made::Header;
 
-// Larger pictures are left out: their pixels take time, and are no different.
+// Larger pictures are left out: they take time, and test nothing else.
 constexpr std::uint64_t kMostPixelsTried = 4096;
 
 std::uint64_t big_endian(std::string_view bytes) {
@@ -20,7 +20,7 @@ std::uint64_t big_endian(std::string_view bytes) {
   return number;
 }
 
-// Of the header, which comes first; 0 without one.
+// The size in the header, which is the first chunk; 0 without a header.
 struct Size {
   std::uint64_t width = 0, height = 0;
 };
@@ -30,7 +30,7 @@ Size size_of(std::string_view bytes) {
   return {big_endian(bytes.substr(16, 4)), big_endian(bytes.substr(20, 4))};
 }
 
-// The same chunks, each with its checksum: no change of one byte hits upon it.
+// The same chunks with right checksums, which a change of one byte never makes.
 std::string repaired(std::string_view bytes) {
   std::string all(bytes);
   for (std::size_t at = 8; all.size() >= at + 12;) {
@@ -43,7 +43,7 @@ std::string repaired(std::string_view bytes) {
   return all;
 }
 
-// Leaves its numbers on the stack, where a decoder finds them that reads what it has not written.
+// Leaves its numbers on the stack, so that a decoder that reads uninitialised memory finds them.
 [[gnu::noinline]] void scribble(char number) {
   volatile char left[100'000];
   for (volatile char& byte : left) byte = number;
@@ -92,8 +92,8 @@ void fuzz::try_input(std::string_view bytes) {
   try_png(repaired(bytes));
 }
 
-// Pictures of 3 and 4 bytes a pixel, what libpng and zlib keep, and chunks. Writing takes a
-// table of 16384 pointers, each to a short list.
+// Pictures of 3 and 4 bytes a pixel, the memory of libpng and zlib, and chunks. Writing takes a table of
+// 16384 pointers, each to a short list.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 1'500'000 + 10 * input;
 }

@@ -32,7 +32,7 @@ std::string bytes(const std::vector<int>& numbers) {
 
 using Pixels = std::vector<std::uint8_t>;
 
-// What decode_png throws, or nothing.
+// The message that decode_png throws, or "".
 std::string refusal(const std::string& file) {
   try {
     decode_png(file, "a.png");
@@ -63,7 +63,7 @@ TEST(Png, KindsThatOthersWrite) {
             (Pixels{40, 50, 60, 1, 2, 3}));
 }
 
-// Leaves numbers on the stack, for a decoder that reads what it has not written.
+// Leaves numbers on the stack, for a decoder that reads uninitialised memory.
 [[gnu::noinline]] void scribble() {
   volatile char left[100'000];
   for (volatile char& byte : left) byte = 0x66;
@@ -78,7 +78,7 @@ TEST(Png, AColourThatThePaletteLacksIsBlack) {
   EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", std::string(771, '\1')))), "");
 }
 
-// The data of an iPhone's PNG have no header, so that they are more than those that were counted.
+// An iPhone's PNG has data without a header, which make more bytes than the header's size allows.
 TEST(Png, ACriticalChunkThatNoPngHasIsRefused) {
   const std::string raw = stored(bytes({0, 9}));
   EXPECT_EQ(
@@ -94,7 +94,7 @@ TEST(Png, WhatIsTransparentIsPutOnBlack) {
   EXPECT_EQ(decode_png(png({1, 1, 8, 4}, stored(bytes({0, 200, 128}))), "").pixels, (Pixels{100, 100, 100}));
 }
 
-// Of the seven passes of a 2 x 2 picture the first, the sixth and the last have pixels.
+// A 2 x 2 picture has pixels in the first, the sixth and the last of the seven passes.
 TEST(Png, InterlacedPicturesAreReadToo) {
   const std::string passes = bytes({0, 11, 0, 22, 0, 33, 44});
   EXPECT_EQ(decode_png(png({2, 2, 8, 0, 1}, stored(passes)), "").pixels,
@@ -109,7 +109,7 @@ TEST(Png, CutOffAnywhereIsRefused) {
   EXPECT_EQ(refusal(file), "");
 }
 
-// A byte that changed is found by a checksum, or is in one.
+// A checksum detects each changed byte, also in the checksum itself.
 TEST(Png, DamagedAnywhereIsRefused) {
   const std::string file = encode_png(speckled(9, 5));
   for (std::size_t i = 0; i < file.size(); ++i) {
@@ -133,7 +133,7 @@ TEST(Png, AHeaderThatLiesIsRefusedBeforeItsMemoryIsTaken) {
   EXPECT_NE(refusal(png({4000, 4000, 8, 2}, some)), "") << "too few data for its size";
 }
 
-// Data that inflate to more than the header says are refused, however much more it would be.
+// Data that inflate to more than the header's size are refused, whatever their size.
 TEST(Png, DataThatAreTooManyAreRefused) {
   const std::string many = stored(std::string(5000, '\0'));
   EXPECT_NE(refusal(png({2, 1, 8, 0}, many)).find("Too much image data"), std::string::npos);

@@ -16,16 +16,16 @@
 namespace hair {
 namespace {
 
-// No picture of kMostPixels is larger, whatever its kind.
+// No picture of kMostPixels is larger in memory, whatever its kind.
 constexpr std::size_t kMostBytes = 640'000'000;
 constexpr std::size_t kSignature = 8;  // bytes
 // Deflate makes at most 258 bytes of two bits.
 constexpr std::size_t kMostInflation = 1032;
-// Of a chunk that is kept in memory. The largest is a palette of 256 colours.
+// The largest chunk that is kept in memory is a palette of 256 colours.
 constexpr std::size_t kMostChunk = 64 * 1024;
 
 // libpng leaves a function that meets an error by longjmp, which calls no destructors: between setjmp and the
-// end of such a function here no object begins that has one.
+// end of such a function, no object with a destructor is created here.
 class PngReader {
  public:
   explicit PngReader(std::string_view bytes) : bytes_(bytes) {
@@ -37,7 +37,7 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  // Reads up to the pixels. Both return false if the file is wrong: why() says what.
+  // Reads up to the pixels. Both return false if the file is wrong: why() has the reason.
   bool read_header() {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_read_fn(png_, this, give);
@@ -85,7 +85,7 @@ class PngReader {
     png_longjmp(png, 1);
   }
 
-  std::string_view bytes_;  // what is not read yet
+  std::string_view bytes_;  // bytes that are not read yet
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   char why_[200] = {};

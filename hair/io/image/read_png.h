@@ -11,8 +11,8 @@ namespace hair {
 
 // Throws BadInput with a message that begins with `name`, if the bytes are not a PNG, cut off, damaged, or
 // larger than kMostSide a side or kMostPixels in total. Takes no more memory than a picture of its header's
-// size, and that only if its data can be as many. Transparent pixels are composited over black; what the file
-// says of colour spaces is ignored.
+// size, and that only if its data can hold as many pixels. Transparent pixels are composited over black;
+// colour spaces in the file are ignored.
 Image decode_png(std::string_view bytes, const std::string& name);
 
 // Throws BadInput with the path also if the file can't be read.

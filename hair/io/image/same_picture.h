@@ -1,4 +1,4 @@
-// Whether two pictures show the same geometry, even if two different machines drew them.
+// Compares two pictures: do they show the same geometry, even if two different machines drew them?
 #pragma once
 
 #include "hair/io/image/image.h"

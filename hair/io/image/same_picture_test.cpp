@@ -11,7 +11,7 @@ Image grey() {
   return {kWidth, kHeight, std::vector<std::uint8_t>(3 * kWidth * kHeight, 100)};
 }
 
-// Grey, and so many pixels off by so much in one channel.
+// Grey, with `pixels` pixels that differ by `by` in one channel.
 Image off(int pixels, int by) {
   Image image = grey();
   for (int i = 0; i < pixels; ++i) image.pixels[3 * static_cast<std::size_t>(i) + i % 3] += by;

@@ -17,8 +17,7 @@ using namespace plot;
 
 constexpr int kNotKnown = -1;
 
-// A class is told by its colour, by how light that is, and by its hatching. The colours lie near those of
-// Okabe and Ito.
+// A class has its own colour, lightness and hatching. The colours are near those of Okabe and Ito.
 struct Hatching {
   const char* colour;
   const char* path;  // within a square of kTile pixels
@@ -83,7 +82,7 @@ void check(const CellMap& map) {
             map, "the cells' middles must increase");
 }
 
-// Cells meet halfway between their middles, as the axis counts; the outer ones reach as far outwards as
+// Cells meet halfway between their middles, measured along the axis; outer cells reach as far outwards as
 // inwards.
 std::vector<double> edges(const std::vector<double>& middles, const Axis& axis, const std::string& what) {
   const Scale scale(axis, middles, 0, 0, 1, what);
@@ -98,7 +97,7 @@ std::vector<double> edges(const std::vector<double>& middles, const Axis& axis, 
   return all;
 }
 
-// Equal cells beside each other are one rectangle.
+// Equal neighbouring cells are one rectangle.
 void draw_cells(XmlWriter& xml, const CellMap& map, const Scale& x, const Scale& y,
                 const std::vector<double>& x_edges, const std::vector<double>& y_edges) {
   const std::size_t columns = map.xs.size();
@@ -170,7 +169,7 @@ std::string to_svg(const CellMap& map) {
   for (int cell = kNotKnown; cell < static_cast<int>(map.classes.size()); ++cell)
     define_hatching(xml, map, cell);
   xml.close();
-  // Crisp: rectangles that meet leave no seam.
+  // Crisp edges: adjacent rectangles leave no seam.
   xml.open("g", {{"clip-path", "url(#" + map.id + "-clip)"}});
   xml.open("g", {{"shape-rendering", "crispEdges"}});
   draw_cells(xml, map, x, y, x_edges, y_edges);

@@ -1,12 +1,12 @@
-// The columns of a study's rows, declared once: JSON, CSV and the tables of pages follow.
+// The columns of a study's rows, declared once; JSON, CSV and the tables of pages are made from them.
 //
 //   Row row_of(const Run& run) {
 //     return {{"step", "s", run.step}, {"error.rms", "m", run.rms, {"RMS, mm", 1e3}}};
 //   }
 //
-// The name is the key in JSON, where a dot goes into an object. CSV has name and unit: step_s, error_rms_m.
+// The name is the key in JSON, in which a dot opens an object. CSV has name and unit: step_s, error_rms_m.
 // Pages have "step, s", or a heading of the column's own. A value is a truth value, a number, a text, an
-// optional of these, or a list of numbers or texts; a list is in JSON alone. A number that is not finite is
+// optional of these, or a list of numbers or texts; only JSON shows lists. A number that is not finite is
 // null in JSON. All rows of a table have the same columns.
 #pragma once
 
@@ -27,8 +27,8 @@ using OrderedJson = nlohmann::ordered_json;
 // A column on pages.
 struct OnPages {
   std::string heading = {};                  // empty: name and unit
-  double scale = 1;                          // of numbers: 1e3 for mm
-  std::string (*written)(double) = to_text;  // numbers that are not whole
+  double scale = 1;                          // a factor for numbers: 1e3 for mm
+  std::string (*written)(double) = to_text;  // formats numbers that are not whole
 };
 
 enum class In { all, files, tables, json, csv, page };  // files: JSON and CSV; tables: CSV and pages
@@ -74,7 +74,7 @@ struct Field {
 using Row = std::vector<Field>;
 Row operator+(Row first, const Row& then);
 
-// The rows of some things.
+// A row for each of some things.
 template <class Things, class RowOf>
 std::vector<Row> rows_of(const Things& things, RowOf row_of) {
   std::vector<Row> rows;
@@ -90,7 +90,7 @@ std::string record_text(const OrderedJson& record);
 
 std::string csv_of(const std::vector<Row>& rows);                          // empty without rows
 Table table_of(const std::vector<Row>& rows, const std::string& caption);  // for pages
-// Adds it, unless there are no rows.
+// Adds the table, unless there are no rows.
 void add_table(std::vector<Table>& tables, const std::vector<Row>& rows, const std::string& caption);
 
 // Null in JSON and empty in tables, rather than an empty text.

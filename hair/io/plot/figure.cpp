@@ -18,7 +18,7 @@ namespace {
 
 using namespace plot;
 
-constexpr double kRoom = 0.04;     // of an axis, at its ends
+constexpr double kRoom = 0.04;     // part of an axis, at its ends
 constexpr double kFailedRow = 18;  // pixels
 constexpr double kNoteLine = 16;
 
@@ -34,7 +34,7 @@ std::vector<double> values(const Figure& figure, bool of_x) {
   return all;
 }
 
-// What a series looks like: by its place in the list, or as it asks for.
+// The look of a series: by its index, or as requested.
 struct Look {
   int shape;
   Stroke stroke;
@@ -115,7 +115,7 @@ double height_of(const std::vector<FailedNote>& notes) {
   return height;
 }
 
-// Spots on curves and at markers, close enough together that nothing slips between.
+// Spots on curves and at markers, close enough together that no label fits between.
 std::vector<Spot> taken_spots(const Figure& figure, const Scale& x, const Scale& y) {
   constexpr double kApart = 10;
   std::vector<Spot> spots;
@@ -156,7 +156,7 @@ void draw_guides(XmlWriter& xml, const Figure& figure, const Box& box, const Sca
   xml.close();
 }
 
-// The axis with limits around the same middle, as far from each other as so many pixels of this unit.
+// The axis with limits around the same middle, whose distance is so many pixels of this unit.
 Axis widened(Axis axis, const Scale& scale, double pixels, double unit) {
   const double middle = (scale.low() + scale.high()) / 2;
   axis.low = middle - pixels * unit / 2;

@@ -47,7 +47,7 @@ struct SlopeGuide {
 struct Figure {
   std::string id;           // unique on its page, letters, digits and hyphens: "tip-error-against-time"
   std::string title;        // a line
-  std::string description;  // what the figure shows, in one or two sentences, for screen readers
+  std::string description;  // one or two sentences about the figure, for screen readers
   Axis x, y;
   std::vector<Series> series = {};
   std::vector<SlopeGuide> guides = {};

@@ -127,7 +127,7 @@ Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
 }
 
 std::string html_page(const std::string& title, const Html& body, Scripts scripts, Pictures pictures) {
-  // Not every browser takes a page's own folder for 'self' where the page is a file.
+  // For a page that is a file, not every browser accepts the page's own folder as 'self'.
   const std::string policy = std::string("default-src 'none'; img-src ") +
                              (pictures == Pictures::inside ? "data:" : "'self' file:") +
                              "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +

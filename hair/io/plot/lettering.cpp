@@ -7,13 +7,13 @@ namespace hair::plot {
 namespace {
 
 constexpr double kWide =
-    0.56;  // of its size is a letter's width, on average: DejaVu Sans, one of the wider fonts
+    0.56;  // average width of a letter over its size: DejaVu Sans, one of the wider fonts
 
 bool begins_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-// Where the character after the first `characters` begins.
+// The byte at which the character after the first `characters` begins.
 std::size_t begin_of_character(std::string_view text, std::size_t characters) {
   std::size_t at = 0;
   for (; at < text.size(); ++at)
@@ -44,7 +44,7 @@ std::vector<std::string> wrapped(std::string_view text, double width, double siz
     if (!line.empty() && !fits(line + " " + std::string(word))) end_line();
     while (!fits(word)) {
       const std::size_t cut = begin_of_character(word, letters_in_a_line);
-      if (cut == word.size()) break;  // a line that is narrower than a letter
+      if (cut == word.size()) break;  // the line is narrower than a letter
       lines.emplace_back(word.substr(0, cut));
       word.remove_prefix(cut);
     }

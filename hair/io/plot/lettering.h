@@ -9,7 +9,7 @@
 
 namespace hair::plot {
 
-inline constexpr double kSize = 13, kSmall = 12, kTitle = 16;  // of letters, in pixels
+inline constexpr double kSize = 13, kSmall = 12, kTitle = 16;  // letter sizes in pixels
 
 double text_width(std::string_view text, double size);
 

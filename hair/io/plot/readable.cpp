@@ -41,7 +41,7 @@ struct Mark {
   std::string_view bytes, shown;
 };
 
-// The marks that turn the direction of the text after them.
+// Marks that turn the direction of the text after them.
 constexpr Mark marks[] = {{"\xd8\x9c", "U+061C"},     {"\xe2\x80\x8e", "U+200E"}, {"\xe2\x80\x8f", "U+200F"},
                           {"\xe2\x80\xaa", "U+202A"}, {"\xe2\x80\xab", "U+202B"}, {"\xe2\x80\xac", "U+202C"},
                           {"\xe2\x80\xad", "U+202D"}, {"\xe2\x80\xae", "U+202E"}, {"\xe2\x81\xa6", "U+2066"},

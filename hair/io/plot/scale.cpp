@@ -12,7 +12,7 @@ namespace hair::plot {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of an axis: a limit that is meant to be a tick is one
+constexpr double kRounding = 1e-9;  // part of an axis: a limit this near to a tick counts as the tick
 
 void require_value(const Axis& axis, double value, const std::string& what) {
   if (!std::isfinite(value))
@@ -71,7 +71,7 @@ Scale::Scale(const Axis& axis, const std::vector<double>& values, double room, d
   double margin = room * (most - least);
   if (most - least <= kRounding * std::max(std::abs(least), std::abs(most)) || most == least)
     margin = logarithmic_ ? 0.5 : least == 0 ? 1 : 0.1 * std::abs(least);
-  // An axis that begins at nothing begins there.
+  // An axis whose margin reaches 0 begins at 0.
   const bool from_zero = !logarithmic_ && least >= 0 && margin >= least;
   low_ = axis.low.value_or(from_zero ? 0 : value_at(least - margin));
   high_ = axis.high.value_or(value_at(most + margin));

@@ -30,7 +30,7 @@ void draw_path(XmlWriter& xml, const std::string& path, const Stroke& stroke) {
 
 void draw_curve(XmlWriter& xml, const Series& series, const Stroke& stroke, const Place& place) {
   std::string path;
-  bool down = false;  // a run that failed parts the curve
+  bool down = false;  // a failed run interrupts the curve
   for (const Point& point : series.points) {
     if (!point.failed)
       path += (down ? "L" : "M") + pixels(place.x->pixel(point.x)) + " " + pixels(place.y->pixel(point.y));
@@ -41,7 +41,7 @@ void draw_curve(XmlWriter& xml, const Series& series, const Stroke& stroke, cons
 
 void draw_marker(XmlWriter& xml, double x, double y, int shape, const char* colour, bool full,
                  const std::string& hover) {
-  // What can be pointed at is the marker's inside, too, where it is empty.
+  // An empty marker reacts to the pointer inside, too.
   xml.open("path", {{"class", "point"},
                     {"transform", "translate(" + pixels(x) + " " + pixels(y) + ")"},
                     {"d", marker_path(shape, full ? kMarkerRadius : kMarkerRadius - 0.5)},

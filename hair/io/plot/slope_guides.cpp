@@ -11,14 +11,14 @@ namespace hair::plot {
 namespace {
 
 constexpr double kLongest = 130, kShortest = 20;  // pixels
-constexpr double kComfortable = 26;               // pixels to what else is drawn: more is no better
-constexpr int kColumns = 28, kRows = 22;          // of places that are tried
+constexpr double kComfortable = 26;               // pixels to other drawings: more is no better
+constexpr int kColumns = 28, kRows = 22;          // tried places
 
 Spot between(const Spot& a, const Spot& b, double part) {
   return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
 }
 
-// What a guide covers: its line, and its label.
+// The spots that a guide covers: its line, and its label.
 std::vector<Spot> spots_of(const PlacedGuide& guide, double label_width) {
   constexpr int kPieces = 10;
   std::vector<Spot> spots;
@@ -28,7 +28,7 @@ std::vector<Spot> spots_of(const PlacedGuide& guide, double label_width) {
   return spots;
 }
 
-// How far it is from anywhere in a box to the nearest spot that is taken, to about half a cell.
+// The distance from any point of a box to the nearest taken spot, to about half a cell.
 class Clearance {
  public:
   explicit Clearance(const Box& box)
@@ -67,7 +67,7 @@ double clearance_of(const std::vector<Spot>& spots, const Clearance& clearance) 
   return least;
 }
 
-// Beyond what is comfortable, nearer is better.
+// Beyond the comfortable distance, nearer is better.
 double quality(double distance) {
   return distance < kComfortable ? distance : kComfortable + kComfortable / distance;
 }
@@ -85,8 +85,7 @@ PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const
   double best_quality = -1;
   for (int i = 0; i < kColumns; ++i)
     for (int j = 0; j < kRows; ++j) {
-      // A label to the right of a line that rises stands at its upper end, of one that falls at its lower
-      // end.
+      // A label to the right of a rising line is at its upper end, one of a falling line at its lower end.
       const double free_width = box.width - 3 * margin - along.x - label_width;
       const double free_height = box.height - 2 * margin - kSmall - std::abs(along.y);
       PlacedGuide one;

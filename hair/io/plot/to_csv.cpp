@@ -15,7 +15,7 @@ std::string field(const std::string& text) {
 }
 
 std::string line(const std::vector<std::string>& fields) {
-  // A lone empty field is quoted: an empty line is no record to most that read CSV.
+  // A single empty field is quoted, because most CSV readers take an empty line for no record.
   if (fields.size() == 1 && fields[0].empty()) return "\"\"\n";
   std::string out;
   for (std::size_t i = 0; i < fields.size(); ++i) out += (i > 0 ? "," : "") + field(fields[i]);

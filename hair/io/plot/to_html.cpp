@@ -18,7 +18,7 @@ bool is_number(const std::string& text) {
          text.find_first_not_of("0123456789+-.e%") == std::string::npos;
 }
 
-// Columns of numbers stand with their last digits below each other.
+// Columns of numbers align their last digits.
 std::vector<bool> columns_of_numbers(const Table& table) {
   std::vector<bool> numbers(table.header.size(), !table.rows.empty());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -36,7 +36,7 @@ Html table_of(const Table& table) {
   plot::check_table(table);
   const std::vector<bool> numbers = columns_of_numbers(table);
   const auto kind = [&](std::size_t column) { return numbers[column] ? "number" : "text"; };
-  // What is wider than the page scrolls, with the keyboard, too.
+  // A table wider than the page scrolls, also with the keyboard.
   Html all = html(
       "<div class=\"wide\" role=\"region\" aria-label=\"{}\" "
       "tabindex=\"0\"><table>\n<caption>{}</caption>\n<thead><tr>",
@@ -70,7 +70,7 @@ Html section_of(const Section& section, const std::string& id) {
   return all += html("</section>\n");
 }
 
-// An id that comes twice leads readers to the wrong place.
+// A duplicate id leads readers to the wrong place.
 std::vector<std::string> ids_in(const std::string& figure) {
   constexpr std::string_view kId = " id=\"";
   std::vector<std::string> ids;

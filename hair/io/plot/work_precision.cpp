@@ -10,14 +10,14 @@ namespace hair {
 
 namespace {
 
-constexpr double kNoBetter = 0.98;  // times the error before: a half step should halve it at least
+constexpr double kNoBetter = 0.98;  // times the previous error: half the step should at least halve it
 constexpr std::size_t kStalls = 3;  // so often in a row
 
 struct Logs {
   double error, time;
 };
 
-// Each with a smaller error and a longer time than the one before.
+// Samples, each with a smaller error and a longer time than the previous one.
 std::vector<Logs> front_of(std::vector<Sample> samples, double least_error) {
   for (Sample& sample : samples) sample.error = std::max(sample.error, least_error);
   std::vector<Logs> front;

@@ -1,4 +1,4 @@
-// Error against run time: what studies of methods, models and submissions take from such runs.
+// Error against run time, for studies of methods, models and submissions.
 #pragma once
 
 #include <optional>
@@ -27,8 +27,8 @@ std::optional<double> time_for(const std::vector<Sample>& samples, double error,
 std::optional<double> time_ratio(const std::vector<Sample>& theirs, const std::vector<Sample>& ours,
                                  double least_error);
 
-// True if smaller steps gain nothing any more: each of the last three halvings left at least 98 % of the
-// error. An error that is not a number, of a run that failed, is no such halving.
+// True if smaller steps no longer help: each of the last three halvings left at least 98 % of the error. A
+// run that failed has an error that is not a number, and does not count as such a halving.
 bool stalls(const std::vector<double>& errors);
 
 // Adds a dashed line at a level of the error, as wide as the figure's points; nothing to a figure without

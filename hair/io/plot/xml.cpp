@@ -9,7 +9,7 @@ namespace hair::plot {
 
 namespace {
 
-// In running text a line break would come between words that belong together.
+// In running text a line break would separate words that belong together.
 bool breaks_line_after(std::string_view tag) {
   return tag != "tspan" && tag != "a" && tag != "sup";
 }

@@ -1,4 +1,4 @@
-// Programs of the shell's stand for a scene's player: a child that crashes, ends, or does not come back.
+// Shell programs replace a scene's process: a child that crashes, ends, or hangs.
 #include "hair/live/child.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST_F(ChildTest, SaysNothingMoreAboutTroubleThatItHasTold) {
 }
 
 TEST_F(ChildTest, EndsAnEndlessLoopAndNamesIt) {
-  Child child(shell("echo '. 5'; while :; do :; done"), "1 1");  // no step before took time
+  Child child(shell("echo '. 5'; while :; do :; done"), "1 1");  // no earlier step took time
   std::optional<std::string> stopped;
   while (!stopped) {
     EXPECT_FALSE(child.next(20));

@@ -1,4 +1,4 @@
-// An exercise that crashes, and one that does not come back: as libstudent_H6.so.
+// An exercise that crashes, and one that hangs: as libstudent_H6.so.
 #include <unistd.h>
 
 #include <csignal>
@@ -6,7 +6,7 @@
 namespace hair {
 
 void crashes() {
-  const volatile int result = raise(SIGSEGV);  // kept, so that the call is no jump
+  const volatile int result = raise(SIGSEGV);  // kept, so that the call is not optimised to a jump
   static_cast<void>(result);
 }
 

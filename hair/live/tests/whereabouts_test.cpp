@@ -1,4 +1,4 @@
-// A process names the exercise and the function where it crashes, and where it is when it is asked.
+// A process names the exercise and the function in which it crashes, or in which a signal asks it.
 #include "hair/live/whereabouts.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Told {
   int status = 0;
 };
 
-// Of a process that says its whereabouts, and then does this. `asks`: it is asked, and ended.
+// Runs a process that reports its whereabouts and then calls `does`. `asks`: the test asks it, and ends it.
 Told told_by(const std::function<void(int descriptor)>& does, bool asks) {
   std::array<int, 2> ends{};
   EXPECT_EQ(pipe(ends.data()), 0);

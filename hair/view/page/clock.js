@@ -1,11 +1,11 @@
-// The time of the motion. It follows the clock on the wall, however many pictures a second the screen shows.
+// The time of the motion. It follows wall time, however many pictures a second the screen shows.
 
 function makeClock(duration) {
   return {
     time: 0, // s, of the motion
     rate: 1, // seconds of the motion in a second
     playing: false,
-    last: 0, // when it was asked, ms
+    last: 0, // time of the last call, ms
     play() {
       if (this.time >= duration) this.time = 0;
       this.playing = duration > 0;

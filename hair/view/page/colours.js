@@ -1,7 +1,7 @@
-// A point of a strand has a colour: its own, its strand's, by how far its segment is stretched, or by how far
-// it is from the other run's.
+// A point of a strand has a colour: its own, its strand's, one for the stretch of its segment, or one for its
+// distance from the other run's point.
 
-const RUNS = [[0.0, 0.45, 0.7], [0.84, 0.37, 0.0]]; // of two runs, for readers who are colour-blind, too
+const RUNS = [[0.0, 0.45, 0.7], [0.84, 0.37, 0.0]]; // one for each run, also for colour-blind readers
 const BROKEN = [0.85, 0.1, 0.1];
 
 // From blue (shorter) through grey to red (longer); s from -1 to 1.
@@ -17,7 +17,7 @@ function sequential(s) {
   return t < 0.5 ? [0.6 + 0.6 * t, 0.6 + 0.3 * t, 0.6 - t] : [0.9, 0.75 - 1.2 * (t - 0.5), 0.1];
 }
 
-// Colours that neighbours do not share.
+// Different colours for neighbours.
 function ofStrand(index) {
   const hue = (index * 0.618034) % 1;
   return [0, 1 / 3, 2 / 3].map((shift) => {
@@ -36,11 +36,11 @@ function distance(scale, frame, i, other, j) {
   return Math.sqrt(sum);
 }
 
-// The part by which a segment is longer or shorter than in the first frame, and the part of the scene by
-// which two runs differ, that have the last colour.
+// The stretch of a segment relative to the first frame, and the distance of two runs relative to the scene's
+// size, that get the last colour.
 const STRETCH_SHOWN = 0.1, DISTANCE_SHOWN = 0.1;
 
-// Four bytes a point, the last of them for nothing. `other`: the other run's motion, or null.
+// Four bytes a point, the last one unused. `other`: the other run's motion, or null.
 function colourPoints(bytes, motion, k, way, run, other) {
   const { starts, scale } = motion, now = motion.frame(k), first = motion.frame(0);
   const broken = motion.blow_up && k >= motion.frames - 2 ? motion.blow_up.strand : -1;

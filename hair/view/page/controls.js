@@ -1,4 +1,4 @@
-// Controls that a page of a run and a live one share, and what is written beside the picture.
+// Controls of both pages, of a finished run and of a live one, and the text next to the picture.
 
 const $ = (id) => document.getElementById(id);
 const told = (id, text) => { if ($(id).textContent !== text) $(id).textContent = text; };
@@ -17,7 +17,7 @@ function offerColours(runs, again) {
 
 function tintOf(runs, run, k) {
   const way = $("colour").value, motion = runs[run], other = runs[1 - run] || null;
-  // Colours that follow the motion are those of the frame.
+  // The tint's name contains the frame if the colours depend on it.
   const moves = way === "stretch" || way === "distance" || (motion.blow_up && k >= motion.frames - 2);
   return { name: `${way} ${moves ? k : ""}`, write: (bytes) => colourPoints(bytes, motion, k, way, run, other) };
 }
@@ -33,7 +33,7 @@ function writeWords(runs) {
   }
 }
 
-// keys: what " ", "," and "." do; other keys are the camera's.
+// keys: functions for " ", "," and "."; other keys are the camera's.
 function followKeys(keys, orbit) {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || ["SELECT", "INPUT"].includes(event.target.tagName)) return;

@@ -1,7 +1,7 @@
-// Draws motions with WebGL2: strands as ribbons, and what is around them.
+// Draws motions with WebGL2: strands as ribbons, and all other objects.
 
 const POINTS_OF_POSE = 4;
-const SMOOTH_STRANDS = 300; // more of them have edges with steps where a program does the card's work
+const SMOOTH_STRANDS = 300; // with software rendering, more strands get edges without smoothing
 
 function sphereMesh() {
   const around = 20, half = 8, down = 2 * half + 1, directions = [], triangles = [];
@@ -37,14 +37,14 @@ function makeBuffer(gl, kind, data, usage) {
   return buffer;
 }
 
-// The card holds this of one run.
+// Data of one run on the graphics card.
 function uploadMotion(gl, motion) {
   const { triangles, share } = ribbonTriangles(motion.starts), ribbons = makeRibbons(motion.starts);
   return {
     motion,
     ribbons,
     count: triangles.length,
-    share, // of `count`: what one share of the strands has
+    share, // the part of `count` for one share of the strands
     corners: makeBuffer(gl, gl.ARRAY_BUFFER, ribbons.bytes, gl.DYNAMIC_DRAW),
     triangles: makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, triangles),
     colourBytes: new Uint8Array(4 * motion.points),
@@ -66,7 +66,7 @@ function uploadMotion(gl, motion) {
   };
 }
 
-// True where a program does the card's work.
+// True with software rendering.
 function drawnByProgram() {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return true;
@@ -76,9 +76,9 @@ function drawnByProgram() {
   return /swiftshader|llvmpipe|softpipe|basic render|software/i.test(name);
 }
 
-// Throws an Error where the browser has no WebGL2.
+// Throws an Error if the browser has no WebGL2.
 function makeDrawing(canvas, strands) {
-  // Smooth edges take a program three times as long.
+  // With software rendering, smooth edges take three times as long.
   const smooth = strands <= SMOOTH_STRANDS || !drawnByProgram();
   const gl = canvas.getContext("webgl2", { antialias: smooth, alpha: false });
   if (!gl) throw new Error("no WebGL2");

@@ -1,4 +1,4 @@
-// Draws strands where the browser has no WebGL2: lines on a plain canvas.
+// Draws strands without WebGL2: lines on a plain canvas.
 
 const MOST_LINES = 400;
 

@@ -1,4 +1,4 @@
-// The page of a run: a picture that plays, what was measured beneath it, and the run in words.
+// The page of a run: a moving picture, the measured values beneath it, and the run in words.
 
 const SLOW = 1 / 25; // s; a picture that takes longer shows fewer strands while the view moves
 const WORDS_WAIT = 250; // ms between words that follow the motion: a screen reader reads no faster
@@ -73,7 +73,7 @@ function show() {
     }
     requestAnimationFrame(loop);
   };
-  // For tests: where things are, and how many pictures were drawn.
+  // For tests: the parts of the page, and the number of pictures drawn.
   window.hairView = {
     runs, clock, seek, orbit, stage, pictures: 0,
     places: () => { const { k, between } = frameAt(runs[0], clock.time); return [...runs[0].places(k, between)]; },

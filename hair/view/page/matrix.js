@@ -1,4 +1,4 @@
-// Vectors of three, and matrices of 4 x 4, column after column, as WebGL takes them.
+// Vectors of three, and matrices of 4 x 4, column after column, as in WebGL.
 
 const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -16,7 +16,7 @@ function product(a, b) {
   return c;
 }
 
-// From the world to what the eye sees: it looks along -z.
+// From the world to the eye's axes: it looks along -z.
 function lookAt(eye, target, up) {
   const back = normalized(subtract(eye, target));
   const right = normalized(cross(up, back)), above = cross(back, right);

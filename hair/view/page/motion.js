@@ -1,6 +1,6 @@
-// The motion of a run, as hair/view/motion.h writes it.
+// The motion of a run, in the format of hair/view/motion.h.
 
-const STEPS = 65535; // of a coordinate, from the box's low side to its high side
+const STEPS = 65535; // steps of a coordinate, from the box's low side to its high side
 
 function bytesOfBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);

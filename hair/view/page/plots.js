@@ -52,8 +52,8 @@ function drawCurves(canvas, name, runs, series, duration) {
   });
 }
 
-// runs: motions; seek(time). The curves are drawn again only when they are others; the line that says when it
-// is moves.
+// runs: motions; seek(time). The curves are drawn again only when they have changed; the line at the present
+// time moves.
 function makePlot(name, runs, seek) {
   const [figure, caption, frame, canvas, moment] = ["figure", "figcaption", "div", "canvas", "i"].map((tag) => document.createElement(tag));
   figure.className = "plot";

@@ -1,12 +1,12 @@
-// Strands as ribbons that face the eye: two corners a point, two triangles a segment. They are laid out here
-// and not on the card. Cards that are programs (SwiftShader, llvmpipe) take an instance, or a strip that
-// starts anew, ten times as long as a list of triangles.
+// Strands as ribbons that face the eye: two corners a point, two triangles a segment. They are calculated
+// here and not on the card. With software rendering (SwiftShader, llvmpipe), an instance or a restarted strip
+// takes ten times as long as a list of triangles.
 
-const SHARES = 3; // of the strands: where all are too many, one share is drawn
-const LIGHT = [0.48, -0.6, 0.64]; // light that falls along a hair is not seen
-const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z as the screen has them, -1 to 1; red, green, blue, nothing
+const SHARES = 3; // parts of the strands: if all are too many, one is drawn
+const LIGHT = [0.48, -0.6, 0.64]; // light along a hair is invisible
+const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z on the screen, -1 to 1; red, green, blue, unused
 
-// Corners 2 i and 2 i + 1 are of point i. Every third strand comes first.
+// Corners 2 i and 2 i + 1 belong to point i. Every third strand comes first.
 function ribbonTriangles(starts) {
   const strands = starts.length - 1, triangles = new Uint32Array(6 * Math.max(0, starts[strands] - strands));
   let at = 0, share = 0;
@@ -27,7 +27,7 @@ function makeRibbons(starts) {
   const corners = new Float32Array(bytes), paint = new Uint8Array(bytes);
   const x = new Float32Array(points), y = new Float32Array(points), z = new Float32Array(points), half = new Float32Array(points);
 
-  // Points behind the eye are where their strand's next point before it is: their segments vanish.
+  // Points behind the eye take the place of their strand's next point in front of it: their segments vanish.
   const project = (places, camera, wide, thin, width, height) => {
     const m = camera;
     for (let s = 0; s + 1 < starts.length; ++s) {

@@ -1,4 +1,4 @@
-// The programs that draw. Ribbons come as the screen has them (ribbons.js).
+// The shader programs. Ribbons come in screen coordinates (ribbons.js).
 
 const HEAD = "#version 300 es\nprecision highp float;\n";
 
@@ -43,7 +43,7 @@ void main() {
 }`,
 };
 
-// Cloth; and solids, which are turned by `pose`.
+// Cloth; and solids, which `pose` turns.
 const SURFACES = {
   vertex: HEAD + `
 layout(location = 0) in vec3 point;
@@ -87,7 +87,7 @@ void main() {
 }`,
 };
 
-// Throws an Error with what the driver says.
+// Throws an Error with the driver's message.
 function makeProgram(gl, sources) {
   const program = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, sources.vertex], [gl.FRAGMENT_SHADER, sources.fragment]]) {

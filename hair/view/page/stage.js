@@ -1,4 +1,4 @@
-// The canvas: it draws with WebGL2, and where there is none, or the card is lost for good, with plain lines.
+// The canvas: it draws with WebGL2, or with plain lines if there is none, or if the card is lost for good.
 
 const WAIT = 1000; // ms for a lost card to come back
 const PLAIN = "strands are drawn as plain lines.", LOST = "The graphics card was lost";
@@ -9,7 +9,7 @@ function makeStage(motions, orbit, tell, again) {
   const hold = () => { held = motions.map(drawing.upload); again(); };
   const strands = () => motions.reduce((sum, motion) => sum + motion.strands.length, 0);
   const exchange = (other) => { canvas.replaceWith(other); canvas = other; };
-  // A canvas that had a context for WebGL gives none for plain lines: a new one takes its place.
+  // A canvas with a WebGL context can't draw plain lines: a new one replaces it.
   const drawPlainly = (why) => {
     plain = true;
     exchange(canvas.cloneNode(false));

@@ -1,4 +1,4 @@
-// A run in words: for those who can't see it, and for those who ask what they see.
+// A run in words: for readers who can't see it, and for readers who ask for the picture's meaning.
 
 // Three digits.
 function few(value) {

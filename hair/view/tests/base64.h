@@ -1,4 +1,4 @@
-// STAFF ONLY. Reads what a motion's file has in base64.
+// STAFF ONLY. Decodes base64 in a motion's file.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// STAFF ONLY. The cameras of the scenes that ship: they have all hair in the picture, in each frame, and are
-// no farther than that asks for. The runs are the reference's that ship beside them (target hair_motions).
+// STAFF ONLY. The cameras of the shipped scenes: they have all hair in the picture, in each frame, and are no
+// farther away than necessary. The runs are the reference's that ship with them (target hair_motions).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Vector3d vector_of(const Json& json) {
 // The picture goes from -1 to 1 in both directions.
 struct Covered {
   Eigen::AlignedBox2d box;
-  double size() const { return box.isEmpty() ? 0 : box.sizes().maxCoeff() / 2; }  // of the picture's side
+  double size() const { return box.isEmpty() ? 0 : box.sizes().maxCoeff() / 2; }  // parts of the picture
 };
 
 class Shown {

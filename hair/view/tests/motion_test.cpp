@@ -1,5 +1,5 @@
-// STAFF ONLY. A motion's file: how exact it is, how large, and what becomes of things that fly away or are
-// gone.
+// STAFF ONLY. A motion's file: its precision, its size, and its handling of objects that fly away or
+// disappear.
 #include "hair/view/motion.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// As the page reads it.
+// A point's position as the page calculates it.
 Vector3d shown(const Json& motion, int frame, int point) {
   const std::string bytes = bytes_of_base64(motion["data"]);
   Vector3d at;
@@ -30,7 +30,7 @@ Vector3d shown(const Json& motion, int frame, int point) {
   return at;
 }
 
-// Strands that swing, each another way.
+// Strands that swing in different directions.
 Drawing swing(int strands, int points, double time) {
   Drawing drawing;
   for (int s = 0; s < strands; ++s) {

@@ -1,4 +1,4 @@
-// Pages in a browser: headless Chromium, where there is one.
+// Pages in a browser: headless Chromium, if it is installed.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -32,8 +32,8 @@ std::size_t count(const std::string& text, const std::string& what) {
 
 struct Opened {
   int status = 0;
-  std::string document;  // as the browser understood it
-  std::string console;   // what it has to complain
+  std::string document;  // as the browser parsed it
+  std::string console;   // its complaints
 };
 
 class ChromiumTest : public testing::Test {
@@ -78,7 +78,7 @@ TEST_F(ChromiumTest, APageOpensWithoutComplaintsAndIsUnderstoodAsItWasWritten) {
   const Opened opened = open(html);
   EXPECT_EQ(opened.status, 0);
   EXPECT_EQ(opened.console, "");
-  // A browser repairs what is not valid HTML: it would close, move or add elements.
+  // A browser repairs invalid HTML: it would close, move or add elements.
   for (const char* tag : {"<path", "<rect", "<text", "<title", "<g", "<figure", "<table", "<tr", "<td",
                           "<script", "</p>", "</div>"})
     EXPECT_EQ(count(opened.document, tag), count(html, tag)) << tag;

@@ -21,7 +21,7 @@ struct Labelled {
   double pixel, value;
 };
 
-// A label as a reader understands it: "0.1", "10" with -6 above, "2*10" with -6 above.
+// The value of a label to a reader: "0.1", "10" with -6 above, "2*10" with -6 above.
 double value_of(const Element& label) {
   const auto ascii = [](std::string text) {
     for (const auto& [sign, plain] : {std::pair{"\u2212", "-"}, std::pair{"\u00B7", "*"}})
@@ -45,7 +45,7 @@ std::vector<Labelled> labels(const Element& svg, const std::string& axis) {
   return all;
 }
 
-// Where a value belongs by the outer two labels, and how far rounding to 0.01 pixels may put it from there.
+// The pixel of a value according to the outer two labels, and the largest error of rounding to 0.01 pixels.
 struct Expected {
   double pixel, bound;
 };
@@ -67,7 +67,7 @@ std::vector<Labelled> positions(const Element& svg) {
   return all;
 }
 
-// y labels stand 4 pixels below their ticks, so that they are centred on them.
+// y labels are 4 pixels below their ticks, so that their centres are at the ticks.
 constexpr double kLabelBelow = 4;
 
 void expect_points_where_labels_say(bool x_log, bool y_log, double scale, double spread) {

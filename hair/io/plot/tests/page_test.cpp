@@ -25,7 +25,7 @@ Page sample_page() {
            {"Orders", {}, {}, {table}}}};
 }
 
-// A reader of RFC 4180 on its own.
+// An independent reader of RFC 4180.
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   std::vector<std::vector<std::string>> records(1, {""});
   bool quoted = false;

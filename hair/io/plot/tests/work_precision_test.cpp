@@ -49,7 +49,7 @@ TEST(TimeRatio, LeavesOutWhatIsBeatenInBoth) {
 }
 
 TEST(TimeRatio, TakesNoNoteOfWhatIsBelowTheLeastError) {
-  // Both reach the least error with their first sample; what the others have is rounding.
+  // Both reach the least error with their first sample; the other samples are rounding.
   std::vector<Sample> one = curve(1, 1e-6), two = curve(1, 1e-6);
   for (std::size_t k = 1; k < one.size(); ++k) {
     one[k].error *= 1e-3;

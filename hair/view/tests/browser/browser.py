@@ -92,7 +92,7 @@ class PageTest(unittest.TestCase):
         self.assertEqual(self.driver.execute_async_script("""const [done] = arguments;
             axe.run().then((found) => done(found.violations.map((one) => [one.id, one.impact, one.help, ...one.nodes.map((node) => node.html)])))"""), [])
 
-    # The share of the picture that is hair, or something else than its background.
+    # The part of the picture that is hair, or anything except its background.
     def share_drawn(self):
         png = self.driver.find_element("id", "picture").screenshot_as_base64
         return self.driver.execute_async_script("""
@@ -110,7 +110,7 @@ class PageTest(unittest.TestCase):
             };
             image.src = "data:image/png;base64," + png;""", png)
 
-    # Names of what the Tab key reaches, from the page's top to its end.
+    # Names of the elements that the Tab key reaches, from the page's top to its end.
     def reached_by_tab(self):
         self.run_script("document.activeElement.blur(); window.scrollTo(0, 0)")
         reached = []

@@ -17,7 +17,7 @@ WARM_UP, SECONDS = 4, 8
 CASES = ((40, 11, 90), (2000, 30, 30), (2737, 39, 30), (2000, 30, 100))  # strands, points of each, frames
 
 
-# Hair that hangs from a head and sways, as motion.json has it.
+# Hair that hangs from a head and sways, as in motion.json.
 def motion(strands, points, frames):
     chance = random.Random(1)
     low, high = (-0.2, -0.2, -0.3), (0.2, 0.2, 0.12)

@@ -17,7 +17,7 @@ class LivePage(PageTest):
         self.assertEqual(self.server.wait(), 0)
         self.server.stdout.close()
         self.driver.get("about:blank")
-        self.complaints()  # of a page whose server ended
+        self.complaints()  # for a page whose server ended
 
     def wait_for_state(self, part):
         self.wait_for("return document.getElementById('state').textContent.includes(arguments[0])", part)
@@ -62,7 +62,7 @@ class LivePage(PageTest):
         self.wait_for_state("It is over")
 
     def test_names_a_crash_and_goes_on_with_new_code(self):
-        self.wait_for_state("It is over")  # "running" is of the next run
+        self.wait_for_state("It is over")  # "running" belongs to the next run
         self.go_to("restart")
         self.press(" ")
         self.wait_for_state("running")

@@ -96,7 +96,7 @@ class ViewPage(PageTest):
         low, high = self.run_script("return [hairView.runs[0].low, hairView.runs[0].high]")
         wanted = [float(row[axis]) for row in self.states if row["frame"] == str(SCRUBBED_TO) for axis in "xyz"]
         self.assertEqual(len(shown), len(wanted))
-        # hair/view/motion.h's bound, and what numbers of 32 bits round.
+        # hair/view/motion.h's bound, and the rounding of 32 bits.
         bound = max(b - a for a, b in zip(low, high)) * (1 / 131070 + 1e-6)
         farthest = max(abs(a - b) for a, b in zip(shown, wanted))
         self.assertLess(farthest, bound)
