@@ -1,5 +1,5 @@
-// A control mesh: links and triangle strips between guides of masses and springs. Particles are counted
-// through all strands: those of strand 0, of strand 1, ... Source: the lecture, "Control Mesh".
+// A control mesh: links and triangle strips between guides of masses and springs. Particles are numbered
+// through all strands: strand 0 first, then strand 1, ... Source: the lecture, "Control Mesh".
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace hair {
 
-// Between two guides. All its triangles turn the same way.
+// A strip between two guides. All its triangles turn the same way.
 struct MeshStrip {
   std::array<int, 2> guides;
   std::vector<std::array<int, 3>> triangles;
@@ -18,7 +18,7 @@ struct MeshStrip {
 struct ControlMesh {
   std::vector<StaticLink> links;
   std::vector<MeshStrip> strips;
-  StripLaw law;  // of all strips
+  StripLaw law;  // shared by all strips
 };
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// A step by an explicit integrator: a function of P1's signature, whatever it returns.
+// A step by an explicit integrator: a function with P1's signature and any return type.
 #pragma once
 
 #include "hair/mass_spring/step_methods.h"
@@ -13,7 +13,7 @@ StepOutcome take_explicit_step(MovingStrand& moving, const StepOptions& options,
   return {.suspect = Stage::integration};
 }
 
-// An explicit step costs no more than to read the strand's energy.
+// An explicit step is so cheap that reading the strand's energy would cost as much.
 template <auto integrator, int scratch_columns = particles::kIntegratorScratch>
 inline constexpr StepMethod kExplicitStep{
     .step = take_explicit_step<integrator>, .scratch = scratch_columns, .read_every = 16};

@@ -1,5 +1,5 @@
 // The forces of a strand of masses and springs. Each part is a row with the exercise that it calls. A strand
-// uses the parts that it needs; a course without a part's exercise can't have such a strand.
+// uses the parts that it needs. In a course without a part's exercise, no strand can use that part.
 #pragma once
 
 #include <span>
@@ -17,10 +17,10 @@ struct ForceOptions {
   GeometricTerm geometric_term = GeometricTerm::filtered;
   Products bend_product = Products::definite;
   Vector3d gravity = Vector3d::Zero();  // m/s^2
-  double drag = 0;                      // N s/m^2: for each metre of hair
+  double drag = 0;                      // N s/m^2, per metre of hair
   Vector3d wind = Vector3d::Zero();     // m/s, of the air
   bool point_forces = false;            // steps also apply external forces
-  bool band = true;                     // the forces tell their band, for preconditioners
+  bool band = true;                     // the forces give their band to preconditioners
 };
 
 struct ForcePart {
@@ -32,7 +32,7 @@ struct ForcePart {
   const char* (*why_not)(std::span<const StrandStart>);
   // Adds the part to the strand's force, with the given kind of products.
   void (*add)(const StrandStart&, GeometricTerm, Products, MovingStrand&);
-  bool of_lengths = false;  // its energy is that of stretched segments
+  bool of_lengths = false;  // its energy is the stretching of segments
 };
 
 std::span<const ForcePart> force_parts();

@@ -9,7 +9,7 @@ Vector3d numbers_of(Input x, int i) {
   return x.segment<3>(3 * Eigen::Index{i});
 }
 
-// How a link's arm turns with its guide.
+// The turn of a link's arm with its guide.
 struct Turning {
   Turning(Input x, int a, int root, const Vector3d& the_arm) : arm(the_arm) {
     const Vector3d chord = numbers_of(x, a) - numbers_of(x, root);

@@ -1,4 +1,4 @@
-// A step of strands that something couples: they are one system, and not stepped strand by strand.
+// A step of coupled strands: they are one system, so they can't be stepped strand by strand.
 #pragma once
 
 #include <optional>
@@ -20,16 +20,16 @@ class JointStep {
   // Adds to `work`.
   virtual void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) = 0;
 
-  // The strands start anew: what was remembered is forgotten.
+  // The strands start anew: this object forgets its memory.
   virtual void restart() = 0;
 
-  // J, of what couples the strands, at positions x of all of them; what is remembered is that of now.
+  // The energy of the coupling, J, at positions x of all strands, with the memory as it is now.
   virtual double energy(particles::Input x) const = 0;
 
-  // How often a particle of this strand went through what couples others, so far.
+  // The number of times that a particle of this strand went through the coupling of others so far.
   virtual int passes(int strand) const = 0;
 
-  // What nothing gave all strands together, as EnergyWatch has it of one strand; 0 if nobody watches.
+  // The energy gain of all strands together, as in EnergyWatch for one strand; 0 if it is not watched.
   virtual double gain() const = 0;
   virtual double contact_gain() const = 0;
   virtual double loss() const = 0;

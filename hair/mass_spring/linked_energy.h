@@ -1,19 +1,19 @@
-// The books of guides that a control mesh makes one system. Each guide has books of its own (energy_watch.h),
-// in which the mesh's forces are no work: what they do there shows as a gain. Here it is added up over all
-// guides, and a step of h seconds adds
+// The energy balance of guides that a control mesh makes one system. Each guide has its own balance
+// (energy_watch.h), which does not count the mesh's forces as work: their work shows as a gain there. Here
+// the gains of all guides are added, and a step of h seconds adds
 //
 //   E1 - E0 + h sum over guides of F . V                                                         J
 //
-// of the links and strips: E, what they hold; F, the sum of their forces on a guide at the step's end; V, its
-// root's velocity. For guides' books are in the frames of their roots, and -h F . V is the work of these.
-// Where nothing is wrong the sum is 0 less what implicit Euler damps: -sum of m |v1 - v0|^2 / 2 - sum of k
-// |d1 - d0|^2 / 2, of links' stretches d, but for frames, which turn during a step (frame_torque.h): they are
-// right to first order.
+// for links and strips: E is their energy; F is the sum of their forces on a guide at the step's end; V is
+// its root's velocity. The guides' balances are in their roots' frames, so -h F . V is the work of these
+// frames. In a correct step the sum is 0 less the damping of implicit Euler: -sum of m |v1 - v0|^2 / 2 -
+// sum of k |d1 - d0|^2 / 2, with d the links' stretches. Frames that turn during a step (frame_torque.h)
+// are right only to first order.
 //
-// What a link no longer holds since it is weaker is no gain, and no loss that a gain could hide behind. What
-// a root's frame gives links when it turns is work that came in. Strips that are found at the start of a step
-// begin to hold energy then, which nothing gave: it is counted. Steps in which a guide touches anything, an
-// obstacle or a strip, are in a row of their own. Rows, gains and losses are those of EnergyWatch.
+// A weaker link holds less energy: this is no gain, and no loss that could hide a gain. The energy that a
+// turning root frame gives to links counts as work from outside. Strips found at the start of a step begin to
+// hold energy from nowhere, which counts as a gain. Steps in which a guide touches an obstacle or a strip are
+// in a row of their own. Rows, gains and losses are those of EnergyWatch.
 #pragma once
 
 #include <utility>
@@ -23,7 +23,7 @@
 
 namespace hair {
 
-// What a mesh holds around a step, J; strips with the contacts of this step.
+// The mesh's energies around a step, J; strips have the contacts of this step.
 struct MeshEnergies {
   double links_before = 0, links_after = 0;  // with the strengths of the step's start
   double strips_before = 0, strips_after = 0;
@@ -33,15 +33,15 @@ struct MeshEnergies {
 
 class LinkedEnergy {
  public:
-  // The guides' books, which must outlive this.
+  // The guides' energy balances must outlive this object.
   explicit LinkedEnergy(std::vector<const EnergyWatch*> guides) : guides_(std::move(guides)) {}
 
   void restart();
 
-  // After a step, and after the guides' books have it.
+  // Call this after a step, when the guides' balances include it.
   void after_step(const MeshEnergies& mesh);
 
-  // As EnergyWatch has them, of all guides together, relative to what all have and got.
+  // As in EnergyWatch, for all guides together, relative to their whole energy and input.
   double gain() const { return gain_; }
   double contact_gain() const { return contact_gain_; }
   double loss() const { return loss_; }

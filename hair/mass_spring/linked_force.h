@@ -12,10 +12,10 @@
 
 namespace hair {
 
-// What a step sees of a control mesh. It is held during the step.
+// The state of a control mesh that is held during a step.
 struct MeshState {
-  std::vector<Matrix3d> frames;  // of each particle
-  Eigen::VectorXd largest;       // stretches, of each link
+  std::vector<Matrix3d> frames;  // for each particle
+  Eigen::VectorXd largest;       // stretches, for each link
   std::span<const StripContact> contacts;
 };
 
@@ -25,13 +25,13 @@ class LinkedForce final : public particles::Force {
   LinkedForce(const ControlMesh& mesh, const MeshState& state, std::vector<int> roots)
       : mesh_(mesh), state_(state), torque_(mesh.links, std::move(roots)) {}
 
-  // The next strand: `size` numbers. Keeps a reference to its force.
+  // Adds the next strand: `size` numbers. Keeps a reference to its force.
   void add_strand(const particles::Force& force, Eigen::Index size);
 
-  // Before each step, with the state as it is held then.
+  // Call this before each step, with the state that the step holds.
   void hold() { torque_.hold(state_.largest); }
 
-  // Of links and strips alone: what LinkedGuides' books need.
+  // Adds the forces of links and strips alone, for the energy balance of LinkedGuides.
   void add_mesh_force(Input x, Output f) const;
 
   double energy(Input x) const override;
@@ -39,7 +39,7 @@ class LinkedForce final : public particles::Force {
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
   void add_dfdv(Input x, Input v, Input dv, Output df) const override;
 
-  // The strands' own bands. What the mesh couples is left to the solver's iterations.
+  // The strands' own bands. The solver's iterations handle the mesh's coupling.
   bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
                 particles::Scratch work) const override;
 

@@ -40,7 +40,7 @@ void check_mesh(const ControlMesh& mesh, int guides, int particles) {
   require_at_least("the friction of strips", mesh.law.friction, 0);
 }
 
-// Of all guides, or none: all are made alike.
+// All guides are watched, or none: they are made alike.
 std::optional<LinkedEnergy> books_of(const std::vector<MassSpringBody*>& strands) {
   std::vector<const EnergyWatch*> watches;
   for (const MassSpringBody* strand : strands)
@@ -55,7 +55,7 @@ std::vector<int> first_particles(const std::vector<MassSpringBody*>& strands) {
   return first;
 }
 
-// Of the guides of all links' particles a; 0 for a particle that check_mesh refuses.
+// The roots of the guides of all links' particles a; 0 for a particle that check_mesh refuses.
 std::vector<int> roots_of(const ControlMesh& mesh, const std::vector<int>& first) {
   std::vector<int> roots;
   for (const StaticLink& link : mesh.links) {
@@ -175,7 +175,7 @@ class LinkedGuides final : public JointStep {
   double links_hold() const { return link_energy(mesh_.links, held_.frames, held_.largest, state_.x); }
   double strips_hold() const { return strip_energy(held_.contacts, mesh_.law, state_.x); }
 
-  // See linked_energy.h. At the end of a solve.
+  // See linked_energy.h. Called at the end of a solve.
   double root_work(double h) {
     mesh_force_.setZero();
     force_.add_mesh_force(state_.x, mesh_force_);
@@ -187,7 +187,7 @@ class LinkedGuides final : public JointStep {
     return work;
   }
 
-  // A link is asked for its energy only if it has just become weaker.
+  // Reads a link's energy only if the link has just become weaker.
   void remember() {
     before_ = held_.largest;
     remember_stretches(mesh_.links, held_.frames, state_.x, held_.largest);
@@ -214,7 +214,7 @@ class LinkedGuides final : public JointStep {
   }
 
   std::vector<MassSpringBody*> strands_;
-  std::vector<int> first_;  // particle of each strand, and the number of all
+  std::vector<int> first_;  // the first particle of each strand, and the number of all
   ControlMesh mesh_;
   bool watched_;
   std::optional<LinkedEnergy> books_;

@@ -8,8 +8,7 @@ namespace hair {
 
 namespace {
 
-constexpr double kDeepEnough =
-    1e-7;  // m: what a particle that is pushed out so far does to lengths is nothing
+constexpr double kDeepEnough = 1e-7;  // m: so small a push has no effect on lengths
 constexpr int kMostMends = 20;
 
 }  // namespace
@@ -51,7 +50,7 @@ void MassSpringBody::write(particles::Input q, particles::Input rate) {
   if (energy_) energy_->restart();
 }
 
-// The root is a particle that moves by its velocity: that brings it to its position.
+// The root is a particle whose velocity brings it to its position.
 void MassSpringBody::set_root(const Root& root) {
   set_root_velocity(root.velocity);
   if (moving_.strand.clamped) set_root_frame(root.tangent, root.normal);
@@ -59,7 +58,7 @@ void MassSpringBody::set_root(const Root& root) {
 
 std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles::Scratch& scratch,
                                           Work& work) {
-  particles::Scratch memory = scratch;  // a view that may be written to
+  particles::Scratch memory = scratch;  // a writable view
   const bool collides = collides_ && !step.obstacles.empty();
   auto x_before = memory.col(method_.scratch), v_before = memory.col(method_.scratch + 1);
   const bool looks_at_way = energy_ && method_.keeps_lengths;
@@ -108,8 +107,8 @@ std::optional<Stage> MassSpringBody::finish(const BodyStep& step, particles::Inp
   return {};
 }
 
-// Pushed out of obstacles, segments have other lengths, and with their lengths back particles are inside
-// obstacles again, but less each time. The last word have the obstacles.
+// Pushing particles out of obstacles changes lengths, and correcting lengths moves particles into obstacles
+// again, but less each time. The obstacles are last.
 MassSpringBody::Collisions MassSpringBody::collide(const BodyStep& step, particles::Input x_before,
                                                    const particles::Scratch& scratch) {
   Collisions all;

@@ -1,4 +1,4 @@
-// A strand of masses and springs as a body: its coordinates are its particles' positions, and so is its
+// A strand of masses and springs as a body: its coordinates are its particles' positions, which also form its
 // centre line.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace hair {
 class MassSpringBody final : public Body {
  public:
   // `start` has passed check_start. With `collides`, steps keep a copy of their start positions; with
-  // `watched`, sizes() tells what a step did.
+  // `watched`, sizes() describes the last step.
   MassSpringBody(const StrandStart& start, const StepMethod& method, const ForceOptions& options,
                  bool collides, bool watched);
 
@@ -30,8 +30,8 @@ class MassSpringBody final : public Body {
   void set_root_frame(const Vector3d& tangent, const Vector3d& normal);
   const Vector3d& root_normal() const { return root_normal_; }
 
-  // A step that was made elsewhere, to x and v: its collisions, and what it did. On return x and v are what
-  // was before.
+  // Completes a step to x and v that was calculated elsewhere: its collisions and its record. On return x and
+  // v hold the previous state.
   std::optional<Stage> step_to(const BodyStep& step, particles::Output x, particles::Output v,
                                const StepOutcome& outcome, Work& work);
 
@@ -51,7 +51,7 @@ class MassSpringBody final : public Body {
   Sizes sizes() const override { return sizes_; }
 
  private:
-  // What a step's collisions did.
+  // The results of a step's collisions.
   struct Collisions {
     ContactWork work;
     int contacts = 0;
@@ -67,7 +67,7 @@ class MassSpringBody final : public Body {
   const StepMethod& method_;
   Vector3d root_normal_;
   bool collides_;
-  std::optional<SpringEnergy> energy_;  // of watched strands
+  std::optional<SpringEnergy> energy_;  // for watched strands
   Sizes sizes_;
   long steps_ = 0, unmended_steps_ = 0, solves_ = 0, unconverged_ = 0;
 };

@@ -36,7 +36,7 @@ struct MovingStrand {
   particles::State state;
   particles::ForceSum force;
   // Parts of `force`: rest curvature, if the strand is curved at rest; external forces, if some act on it;
-  // those whose energy is that of lengths, those of bends, and the air's drag, if there is one.
+  // the parts whose energy depends on lengths, those for bends, and the air's drag, if there is one.
   RestCurvature* rest_curvature = nullptr;
   PointForces* point_forces = nullptr;
   std::vector<const particles::Force*> stretching, bending;

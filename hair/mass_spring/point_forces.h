@@ -14,7 +14,7 @@ class PointForces final : public particles::Force {
   // Valid until the next call. Keeps a reference to `forces`.
   void set(std::span<const PointForce> forces) { forces_ = forces; }
 
-  // Unknown here: the source of these forces counts their energy.
+  // 0, because the source of these forces counts their energy.
   double energy(particles::Input) const override { return 0; }
   void add_force(particles::Input, particles::Input, particles::Output f) const override {
     for (const PointForce& one : forces_) f.segment<3>(3 * one.point) += one.force;

@@ -30,7 +30,7 @@ StepOutcome predict_and_correct(MovingStrand& moving, const StepOptions& options
   return outcome;
 }
 
-// Lengths as in step 3, and velocities that keep them. Slower than kSlow no hair gets visibly longer.
+// Lengths as in step 3, and velocities that keep them. Below kSlow hair does not get visibly longer.
 constexpr double kSlow = 1e-6;  // m/s
 constexpr int kMostSweeps = 100;
 

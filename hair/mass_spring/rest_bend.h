@@ -1,5 +1,5 @@
 // The bending of hair that is curved at rest: the energy and force of one joint, and the walk along all
-// joints from the root, which passes the frame and its kept share from each joint to the next.
+// joints from the root, which passes the frame and the part of it that is kept from each joint to the next.
 // rest_curvature.h defines the symbols.
 #pragma once
 
@@ -28,7 +28,7 @@ struct Quotient {
     const T z = T(2) * (T(1) - cosine);  // (2 sin(phi/2))^2
     if (value_of(z) < 0.1) {
       // arcsin(t) / (t sqrt(1 - t^2)) = sum (k!)^2 / (2k+1)! (2t)^2k with t = sin(phi/2). Each term is less
-      // than a fortieth of the one before.
+      // than a fortieth of the previous one.
       value = T(0);
       slope = T(0);
       double coefficient = 1;
@@ -48,7 +48,7 @@ struct Quotient {
   }
 };
 
-// The share of the frame that a joint keeps, and the derivative of its logarithm by cos(phi): c = y^2 (3 -
+// The part of the frame that a joint keeps, and the derivative of its logarithm by cos(phi): c = y^2 (3 -
 // 2y), from 1 at phi = 2.69 down to 0 at 3.00. With `one_plus` = 1 + cos(phi).
 template <typename T>
 struct Kept {
@@ -72,14 +72,14 @@ struct Joint {
   int above = -1, below = 0;  // its segments; above is -1 at the root
   Vec3<T> u, v;               // their directions
   T length_above = T(1), length_below = T(1);
-  Vec3<T> second, third;  // of the frame, whose first vector is u
+  Vec3<T> second, third;  // the frame's other two vectors; its first one is u
   T cosine = T(1), one_plus_cosine = T(2);
   bool folded = false;
   double stiffness = 0;
   T kappa[2] = {T(0), T(0)}, off[2] = {T(0), T(0)};  // components of w, and their difference from rest
   double rest[2] = {0, 0};
-  Kept<T> kept;    // the share that this joint keeps
-  T share = T(1);  // s: the product of the shares of all joints from the root to this one
+  Kept<T> kept;    // the part that this joint keeps
+  T share = T(1);  // s: the product of the kept parts of all joints from the root to this one
 
   bool is_obtuse() const { return value_of(cosine) < 0; }
   double rest_squared() const { return rest[0] * rest[0] + rest[1] * rest[1]; }
@@ -131,7 +131,7 @@ void spread(const Joint<T>& joint, const Gradient<T>& gradient, const T& turn, c
   const T k = T(joint.stiffness);
   Vec3<T> error = joint.second * gradient.turning[0] + joint.third * gradient.turning[1];
   const Vec3<T> bend = joint.second * gradient.bending[0] + joint.third * gradient.bending[1];
-  // All frames below turn with either segment, and all shares below change with the angle.
+  // All frames below turn with either segment, and all kept parts below change with the angle.
   Vec3<T> by_u = joint.tan_b * turn, by_v = by_u;
   by_u += joint.v * (joint.kept.slope * share);
   by_v += joint.u * (joint.kept.slope * share);
@@ -226,7 +226,7 @@ void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& roo
   }
 }
 
-// The sums over all joints below: of the frames' turns and of the shares.
+// Sums over all joints below: the frames' turns, and the derivatives by the kept parts.
 template <typename T>
 struct Below {
   T turn = T(0), share = T(0);

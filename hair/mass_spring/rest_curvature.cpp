@@ -14,13 +14,13 @@ namespace hair {
 namespace rest_bend {
 namespace {
 
-// The product of Gauss and Newton, J^T J dx, joint by joint from the root. J is the derivative of what E is
-// the sum of squares of,
+// The Gauss-Newton product, J^T J dx, joint by joint from the root. E is the sum of squares of these terms,
+// and J is their derivative:
 //
 //   sqrt(s) (kappa - rest),   sqrt(1 - s) kappa,   sqrt(1 - s) |rest|.
 //
-// Of the second only what its length does must count. What else kappa does is let in by max(cos(phi), 0), so
-// that J is exact on straight hair, and bounded at the fold.
+// The second term counts only by its length. Its other changes are weighted by max(cos(phi), 0), so that J is
+// exact on straight hair, and bounded at the fold.
 class Squares {
  public:
   explicit Squares(Input dx) : dx_(dx) {}
@@ -31,14 +31,14 @@ class Squares {
   Vector3d turn(int i, const Vector3d& direction, double length) const;
 
   Input dx_;
-  double psi_ = 0;    // how the frame above the joint turns about the strand
-  double share_ = 0;  // how log(s) changes
+  double psi_ = 0;    // the turn of the frame above the joint about the strand
+  double share_ = 0;  // the change of log(s)
 };
 
 Gradient<double> Squares::operator()(const Joint<double>& joint) {
   Gradient<double> gradient;
   if (joint.folded) {
-    share_ = psi_ = 0;  // nothing is left of either
+    share_ = psi_ = 0;  // neither has an effect any more
     return gradient;
   }
   const Vector3d du = joint.above < 0 ? Vector3d::Zero() : turn(joint.above, joint.u, joint.length_above);

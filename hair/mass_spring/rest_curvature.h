@@ -30,10 +30,10 @@
 // two ends have no energy, force or product.
 //
 // At the fold, phi = pi, the axis is undefined, and near it a frame turns by 2 / (pi - phi) times the
-// segments' rotation. So joints forget the frame as they close: with y = (1 + cos(phi) - 0.01) / 0.09,
-// clamped to 0..1, a joint keeps the share c = y^2 (3 - 2y), and
+// segments' rotation. So joints lose the frame as they close: with y = (1 + cos(phi) - 0.01) / 0.09, clamped
+// to 0..1, a joint keeps the part c = y^2 (3 - 2y), and
 //
-//   s_i = c_0 c_1 ... c_i,   E = sum_i k_i (s_i |kappa_i - rest_i|^2 + (1 - s_i) (|kappa_i|^2 + |rest_i|^2)) / 2.
+//   s_i = c_0 ... c_i, E = sum_i k_i (s_i |kappa_i - rest_i|^2 + (1 - s_i) (|kappa_i|^2 + |rest_i|^2)) / 2.
 //
 // If all joints have phi <= 2.69 (154 degrees), s = 1 and this is the sum above. At phi >= 3.00 (172
 // degrees), the joint and those below it act as H2's angular springs, with an energy larger by the constant k
@@ -71,14 +71,14 @@ class RestCurvature final : public particles::Force {
   // J^T k r gives the strand a kinetic energy of at most E / 4, for any h.
   RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal, Products product);
 
-  // For a root that turns: its new normal, which belongs to the new root_tangent.
+  // Sets the new normal of a root that has turned; it belongs to the new root_tangent.
   void set_root_normal(const Vector3d& normal);
 
   double energy(Input x) const override;
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
   void add_dfdv(Input, Input, Input, Output) const override {}
-  // Without the frames' turn, through which every joint reaches all particles above it.
+  // The band leaves out the frames' turn, by which every joint acts on all particles above it.
   bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
                 particles::Scratch work) const override;
 

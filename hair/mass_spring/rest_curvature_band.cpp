@@ -9,13 +9,13 @@ namespace {
 using rest_bend::Joint;
 using Rows = Eigen::Matrix<double, 2, 3>;
 
-// A joint's derivatives by the places of its three particles, its frame held fast.
+// A joint's derivatives by the positions of its three particles, with its frame held.
 struct LocalJoint {
-  Rows kappa[3];              // of its two components
-  Eigen::RowVector3d phi[3];  // of its angle, if the joint is obtuse
+  Rows kappa[3];              // for its two components
+  Eigen::RowVector3d phi[3];  // for its angle, if the joint is obtuse
 };
 
-// From derivatives by the segments' directions to those by the particles' places.
+// Converts derivatives by the segments' directions to derivatives by the particles' positions.
 template <typename Derivative>
 void by_particles(const Joint<double>& joint, const Derivative& by_u, const Derivative& by_v,
                   Derivative by_place[3]) {
@@ -34,7 +34,7 @@ LocalJoint local(const Joint<double>& joint) {
   const Vector3d* axes[2] = {&joint.second, &joint.third};
   for (int c = 0; c < 2; ++c) {
     Vector3d axis = *axes[c];
-    if (joint.is_obtuse()) {  // along b the angle itself, without its cancelling quotient
+    if (joint.is_obtuse()) {  // along b, uses the angle itself, without its cancelling quotient
       const double along = joint.b.dot(axis);
       axis -= joint.b * along;
       by_u.row(c) = joint.q * joint.v.cross(axis) - along * joint.b.cross(joint.u);
@@ -53,7 +53,7 @@ LocalJoint local(const Joint<double>& joint) {
 
 }  // namespace
 
-// Of the share that a joint has lost of its frame, an obtuse joint keeps the angle alone.
+// For the part of the frame that it has lost, an obtuse joint keeps only the angle's term.
 bool RestCurvature::add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
                              particles::Scratch) const {
   rest_bend::walk<double>(

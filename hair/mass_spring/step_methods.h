@@ -18,15 +18,15 @@ struct StepOutcome {
   int unconverged = 0;                 // those that ended above their tolerance
   double residual = 0;                 // the largest of these solves, relative to its right-hand side
   long correction_steps = 0;           // Newton steps of the length correction
-  Stage suspect = Stage::integration;  // where numbers stopped being finite; otherwise the last stage
+  Stage suspect = Stage::integration;  // stage of the first number that is not finite; else the last one
 };
 
-// What a solve that ended above its tolerance left, relative to its right-hand side; 0 of one that did not.
+// The residual of a solve that ended above its tolerance, relative to its right-hand side; otherwise 0.
 inline double left_by(const particles::SolveReport& report) {
   return report.converged ? 0 : report.residual / report.rhs;
 }
 
-// Of one implicit solve.
+// The outcome of one implicit solve.
 inline StepOutcome outcome_of(const particles::SolveReport& report) {
   return {.solver_steps = report.steps,
           .plain_solves = !report.preconditioned,
@@ -40,17 +40,16 @@ struct StepMethod {
   StepOutcome (*step)(MovingStrand&, const StepOptions&, const particles::Scratch&);
   int scratch;  // columns of 3n numbers
 
-  // Null, or restores the method's invariants after something else moved the strand: a collision.
+  // Null, or restores the method's invariants after a collision moved the strand.
   void (*mend)(MovingStrand&, const particles::Scratch&) = nullptr;
 
-  // Its steps keep lengths.
+  // Its steps preserve lengths.
   bool keeps_lengths = false;
 
-  // It moves particles straight on instead of round: the books of energy leave stretching out
-  // (spring_energy.h).
+  // It moves particles along straight lines, so the energy balance leaves stretching out (spring_energy.h).
   bool goes_straight_on = false;
 
-  // So many steps are read as one by these books.
+  // The energy balance reads so many steps as one.
   int read_every = 1;
 };
 

@@ -26,7 +26,7 @@ StrandStart start_at_rest(const Material& material, const RestShape& shape);
 // The same for a fibre. Straight hair, and hair that is not clamped, bends by H2's springs.
 StrandStart start_at_rest(const Fibre& fibre, const RestShape& shape, bool straight, bool clamped);
 
-// Moves a strand's particles to their positions as held.
+// Moves a strand's particles to the positions of `held`.
 void hold(const Held& held, StrandStart& start);
 
 // The strand with as many segments as the specification has elements. Throws std::invalid_argument for a

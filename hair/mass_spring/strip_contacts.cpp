@@ -22,7 +22,7 @@ struct Tetrahedron {
     return area().dot(point - corners[0]);
   }  // > 0 on the triangle's upper side
 
-  // Whether the point's projection lies in the triangle.
+  // True if the point's projection lies in the triangle.
   bool is_over() const {
     for (int j = 0; j < 3; ++j) {
       const Vector3d& a = corners[j];
@@ -95,8 +95,8 @@ double StripContacts::side_of(int strip, int point, const std::array<int, 3>& tr
   return from.height_times_area() < 0 ? -1 : 1;
 }
 
-// Of a particle that does not touch now, and belonged to `side`. When it met the triangle's plane is found as
-// if heights over it changed evenly.
+// Checks a particle that belonged to `side` and does not touch now. The time at which it crossed the
+// triangle's plane is found as if its height had changed linearly.
 bool StripContacts::passed(int point, const std::array<int, 3>& triangle, double side, Input x) const {
   Tetrahedron now(x, point, triangle);
   const double height = side * now.height_times_area();

@@ -1,14 +1,14 @@
-// Which particles of guides are near strips that are not their own, and on which side of them.
+// Finds the particles of guides near strips of other guides, and their sides of these strips.
 //
 // Contacts are looked for once a step, within the strip's thickness r of it. A particle that moves by more
 // than that in a step,
 //
 //   h |v . n| > r         v: relative to the strip, n: the strip's normal
 //
-// may be on its other side before it touched. If it is near the strip then, it still belongs to the side that
-// it came from, and is pushed back. If it is farther away, which takes h |v . n| > 2r where it came from
-// outside of r, it has gone through: that is counted (passes), and nothing pulls it back. A particle that was
-// pushed too softly, and leaves at the wrong side, counts, too.
+// may be on its other side before it touched. If it is near the strip then, it still belongs to its old side,
+// and is pushed back. If it is farther away (which takes h |v . n| > 2r for a particle from outside of r), it
+// has gone through: `passes` counts it, and no force pulls it back. A particle that was pushed too softly,
+// and leaves on the wrong side, counts, too.
 #pragma once
 
 #include <span>
@@ -24,14 +24,15 @@ class StripContacts {
   // Particles of guide g: first[g] to first[g + 1] - 1. Keeps a reference to the mesh.
   StripContacts(const ControlMesh& mesh, std::vector<int> first);
 
-  // The contacts at x. A particle touches a strip at most once, and not by its root. As long as it touches,
-  // it belongs to the side where it was before it first did: what goes through is pushed back. The order is
-  // that of strips, then of particles. Memory grows when more touch than ever did.
+  // Finds the contacts at x. A particle touches a strip at most once, and never with its root. As long as it
+  // touches, it belongs to the side on which it was before the contact: a particle that goes through is
+  // pushed back. The order is that of strips, then of particles. Memory grows only with a new maximum of
+  // contacts.
   void find(Input x, Input tangents);
 
   std::span<const StripContact> all() const { return contacts_; }
 
-  // How often particles of this guide went through strips, as seen from one call of find() to the next.
+  // How often particles of this guide went through strips, from one call of find() to the next.
   int passes(int guide) const { return passes_[static_cast<std::size_t>(guide)]; }
 
   void forget();
@@ -43,7 +44,7 @@ class StripContacts {
     void grow(double by);
     bool meets(const Box& other) const;
   };
-  // Of a particle at a strip.
+  // The side of a particle at a strip.
   struct Side {
     int strip, point;
     double side;
@@ -58,13 +59,13 @@ class StripContacts {
 
   const ControlMesh& mesh_;
   std::vector<int> first_;
-  std::vector<Box> boxes_;      // of guides, on their way since the last call
-  std::vector<Box> triangles_;  // of the present strip's triangles, and what is near them
+  std::vector<Box> boxes_;      // one for each guide, including its way since the last call
+  std::vector<Box> triangles_;  // the present strip's triangles, and the boxes near them
   Eigen::VectorXd last_;        // x of the last call
-  bool moved_ = false;          // there was one
+  bool moved_ = false;          // false before the first call
   std::vector<int> passes_;
   std::vector<StripContact> contacts_;
-  std::vector<Side> sides_, before_;  // of contacts_, and of those of the step before
+  std::vector<Side> sides_, before_;  // for contacts_, and for the contacts of the previous step
 };
 
 }  // namespace hair

@@ -10,12 +10,12 @@
 //
 // (J. E. Bortz, "A New Mathematical Formulation for Strapdown Inertial Navigation", IEEE Transactions on
 // Aerospace and Electronic Systems 7 (1971)), so its torque is -A^T K theta. At half a turn the torque
-// changes its sign, because then the other way back is shorter.
+// changes its sign, because the opposite way back is shorter then.
 //
-// A revolute or prismatic joint has the number K[0, 0].
+// A revolute or prismatic joint uses only the number K[0, 0].
 //
-// A limit is a spring of its own, which acts beyond it: an elastic buffer that a joint runs into. Its energy
-// is limit_stiffness (|theta| - upper)^2 / 2 for |theta| > upper; for revolute and prismatic joints the same
+// A limit is a spring of its own, which acts only beyond it, like an elastic buffer. Its energy is
+// limit_stiffness (|theta| - upper)^2 / 2 for |theta| > upper; for revolute and prismatic joints the same
 // below `lower`.
 #pragma once
 
@@ -35,7 +35,7 @@ struct JointSpring {
   double upper = std::numeric_limits<double>::infinity();   // rad or m
   double limit_stiffness = 0;                               // N m/rad or N/m, >= 0
 
-  // By how much a joint is beyond its limits; negative below `lower`, 0 between them.
+  // The distance of a joint beyond its limits; negative below `lower`, 0 between them.
   double beyond(double place) const {
     return place > upper ? place - upper : place < lower ? place - lower : 0;
   }

@@ -22,7 +22,7 @@ LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
       rates_before_(strand.rates),
       watch_(mass_of(strand.tree), strand.length.sum(), strand.forces.gravity.norm(), strand.forces.drag) {}
 
-// Of the strand as it is, beside its base.
+// Reads the energies of the present strand, relative to its base.
 void LinkEnergy::read() {
   energies_ = {};
   momentum_.setZero();

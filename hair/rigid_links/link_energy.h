@@ -1,12 +1,12 @@
 // The energy of a strand of rigid links in the frame that moves with its root, for the watch
 // (hair/strand/energy_watch.h):
 //
-//   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs and limits      J, V the root's velocity
+//   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs, limits
 //
-// A step's work is that of drag and of dampers, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a
-// root that turns: the torque that it gives, which H7's second pass finds, times its turn, and that of a root
-// that goes faster by dV. All mass feels this,
-// -dV . (p0 + p1) / 2, p the momentum in the frame of its time; V is the mean of the root's velocities then.
+// J, V the root's velocity. A step's work has four parts. Drag and dampers: force(1) . ((v0 + v1) / 2 - V) h.
+// Contacts. A turning root: its torque, which H7's second pass finds, times its turn. A root that changes its
+// velocity by dV: all mass feels this, -dV . (p0 + p1) / 2, p the momentum in the frame of its time; V is the
+// mean of the root's velocities then.
 #pragma once
 
 #include "hair/rigid_links/link_strand.h"
@@ -28,7 +28,7 @@ class LinkEnergy {
   // Before a step that gives the base this velocity.
   void before_step(const SpatialMotion& base);
 
-  // After it, when the base has that. `motion` is as the step's passes left it.
+  // Call this after the step, when the base has this velocity. `motion` is the result of the step's passes.
   void after_step(const TreeMotion& motion, double h, const ContactWork* contacts);
 
  private:

@@ -13,7 +13,7 @@ using Eigen::Quaterniond;
 
 namespace {
 
-// The rods' axes at rest, that of the root first.
+// The rods' axes at rest; those of the root come first.
 std::vector<Quaterniond> axes_at_rest(const RestShape& shape, const Quaterniond& root) {
   std::vector<Quaterniond> axes = {root};
   Vector3d before = shape.tangent;
@@ -52,7 +52,7 @@ JointSpring spring(const Fibre& fibre, double length, const Vector3d& mean) {
   return spring;
 }
 
-// Straight along `held.direction`, without twist: the rods' axes at rest have none, either.
+// Straight along `held.direction`, without twist, like the rods' axes at rest.
 void hold(const Held& held, LinkStrand& strand) {
   const Vector3d tangent = strand.base.orientation * Vector3d::UnitZ();
   const Quaterniond straight = turn_between(tangent, held.direction) * strand.base.orientation;

@@ -1,16 +1,16 @@
 // A strand as a chain of rigid rods: one between each two points of its rest shape, with spherical joints.
 //
-// A rod's axes: z along it, outward. At rest, axes go down the strand without turning about it (parallel
-// transport), so the rest shape alone says how joints are turned at rest; its curvature and torsion are both
-// in that. A spring at a joint holds the rods to this:
+// A rod's z axis points along it, outward. At rest, axes follow the strand without turning about it (parallel
+// transport), so the rest shape alone gives the joints' turns at rest: these contain both its curvature and
+// its torsion. A spring at a joint holds the rods in this position:
 //
-//   K = EI/l across, GJ/l along the mean tangent of the two rods,   l = (l1 + l2) / 2        inside of the strand
-//   K = 2 EI/l, 2 GJ/l                                                at a clamped root: half of the first rod bends
+//   K = EI/l across, GJ/l along the mean tangent of the two rods,   l = (l1 + l2) / 2     inside the strand
+//   K = 2 EI/l, 2 GJ/l                                             at a clamped root: half of a rod bends
 //
-// These are the constants of the continuum, as those of H2: dividing a strand more finely changes its shape
-// to the second order in l. The root of a hinged strand has no spring.
+// These are the constants of the continuum, as for H2: a finer division of a strand changes its shape to the
+// second order in l. The root of a hinged strand has no spring.
 //
-// Damping is that of a fibre that resists the rate of its bend and twist, too (Kelvin and Voigt's model): C =
+// Damping is that of a fibre that also resists the rate of its bend and twist (Kelvin and Voigt's model): C =
 // relaxation time * K. A joint's limit is a spring kLimitFactor times as stiff as the material's EI/l.
 #pragma once
 

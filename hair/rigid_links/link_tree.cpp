@@ -12,7 +12,7 @@ using particles::require, particles::require_at_least, particles::require_direct
 
 namespace {
 
-// Below this part of its largest moment of inertia about its joint, a link has none: only rounding is left.
+// A moment of inertia below this part of the link's largest one is only rounding, and counts as 0.
 constexpr double kNothing = 1e-13;
 
 // The inertia tensor about the joint.

@@ -10,7 +10,7 @@ using Eigen::Quaterniond;
 
 namespace {
 
-// How a link lies, and how it turns, from a body's coordinates.
+// A link's orientation and angular velocity from a body's coordinates.
 struct Turned {
   Quaterniond axes;
   Vector3d omega;
@@ -84,7 +84,7 @@ void RigidLinksBody::set_root(const Root& root) {
 
 std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles::Scratch&, Work& work) {
   TreeBase& base = strand_.base;
-  const bool turned = told_ && strand_.clamped;  // a hinge does not feel how its root is turned
+  const bool turned = told_ && strand_.clamped;  // a hinge ignores its root's turn
   const SpatialMotion goal{turned ? root_.angular_velocity : Vector3d::Zero(), root_.velocity};
   base.acceleration = 1 / step.h * (goal + -1.0 * base.velocity);
   if (energy_) energy_->before_step(goal);
@@ -154,7 +154,7 @@ void RigidLinksBody::find_points() {
   }
 }
 
-// As the step has them: with the points where they were.
+// The velocities after the step, with the points at their old positions.
 void RigidLinksBody::find_velocities_after(double h) {
   const std::vector<LinkPass>& passes = steps_.system().motion().passes;
   for (std::size_t i = 0; i < rod_points_.size(); ++i) {
@@ -170,7 +170,7 @@ Sizes RigidLinksBody::sizes() const {
   return sizes;
 }
 
-// Faster than light, as far as one link turns.
+// False if a link turns faster than light.
 bool RigidLinksBody::is_sound() const {
   return strand_.q.allFinite() && strand_.rates.allFinite() && strand_.base.position.norm() <= kFarthest &&
          strand_.rates.cwiseAbs().maxCoeff() * strand_.length.maxCoeff() <= kFastest;

@@ -1,6 +1,6 @@
 // A strand of rigid links as a body. Its coordinates are the root's position and each link's turn: the
-// rotation vector, rad, from where the link lies in the rest shape to where it lies now. Inside it keeps the
-// joints' quaternions and rates.
+// rotation vector, rad, from the link's orientation in the rest shape to its present one. Inside, the body
+// keeps the joints' quaternions and rates.
 //
 // Rods: point i of the centre line is the inner end of link i + 1, the last one is the tip.
 #pragma once
@@ -20,8 +20,8 @@ using TreeStep = void (TreeSteps::*)(const TreeBase& base, double h, std::span<c
 
 class RigidLinksBody final : public Body {
  public:
-  // Obstacles are for linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at
-  // the start, and moves with root_velocity from then on. watched: sizes() tells of energies, too.
+  // Obstacles need linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at the
+  // start, and moves with root_velocity from then on. watched: sizes() also has energies.
   RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method, bool watched = false);
 
   int size() const override { return 3 * points(); }
@@ -49,15 +49,15 @@ class RigidLinksBody final : public Body {
   bool is_sound() const;
 
   std::vector<Eigen::Quaterniond>
-      at_rest_;        // the links' axes in the rest shape, where the root is at the start
-  LinkStrand strand_;  // its base, q and rates are those of now
+      at_rest_;        // the links' axes in the rest shape, for the root's frame at the start
+  LinkStrand strand_;  // with the present base, q and rates
   TreeSteps steps_;
   TreeStep method_;
-  Root root_;          // where the base goes
-  bool told_ = false;  // by set_root, for the next step
+  Root root_;          // the base's next motion
+  bool told_ = false;  // set_root was called for the next step
   std::vector<LinkForce> more_;
-  // In steps with obstacles: the middle and the outer end of each rod, as they are and from its middle, and
-  // their velocities after the step.
+  // For steps with obstacles: the middle and the outer end of each rod (positions, and offsets from its
+  // middle), and their velocities after the step.
   std::vector<ContactPoint> rod_points_;
   std::vector<Vector3d> arms_, after_;
   ImplicitContacts contacts_;

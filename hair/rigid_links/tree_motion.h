@@ -1,4 +1,4 @@
-// A tree of links that moves: from its joints' coordinates to where its links are, as H7's passes need them.
+// Moves a tree of links: calculates the links' positions from the joints' coordinates, for H7's passes.
 #pragma once
 
 #include "hair/rigid_links.h"
@@ -7,7 +7,7 @@
 
 namespace hair {
 
-// The base, which moves as it is told. Its velocity and acceleration are those of its own origin, along the
+// The base, whose motion is given. Its velocity and acceleration are those of its own origin, along the
 // axes of the world.
 struct TreeBase {
   Vector3d position = Vector3d::Zero();  // m
@@ -15,10 +15,10 @@ struct TreeBase {
   SpatialMotion velocity, acceleration;
 };
 
-// Where a link is.
+// The position and orientation of a link.
 struct LinkFrame {
   Vector3d position = Vector3d::Zero();  // m, of its centre of mass
-  Vector3d joint = Vector3d::Zero();     // m, of its joint: the point of the parent where it is at rest
+  Vector3d joint = Vector3d::Zero();     // m, of its joint: the parent's point at which it is at rest
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Quaterniond joint_axes = Eigen::Quaterniond::Identity();  // the orientation at q = 0
   Matrix3d axes = Matrix3d::Identity();                            // the orientation as a matrix
@@ -31,17 +31,17 @@ class TreeMotion {
   const LinkTree& tree() const { return tree_; }
   const std::vector<LinkFrame>& frames() const { return frames_; }
 
-  // For forces: those that depend on places alone go to links[i].external and to links[i].stiffening before
-  // the passes, and those that depend on velocities into passes[i].bias, with the other sign, between the
-  // first two.
+  // For forces: write those that depend on positions alone to links[i].external and links[i].stiffening
+  // before the passes. Subtract those that depend on velocities from passes[i].bias between the first two
+  // passes.
   std::vector<Link> links;
   std::vector<LinkPass> passes;
 
   // Sets frames() and the links' geometry and inertia. External forces and stiffening become 0.
   void place(const TreeBase& base, Input q);
 
-  // Of the coordinates q as they were placed: moves them for h seconds at constant rates; their derivative by
-  // time.
+  // For the placed coordinates q: moves them for h seconds at constant rates, or calculates their derivative
+  // by time.
   void turn(Input rates, double h, Output q) const;
   void derivative(Input q, Input rates, Output dq) const;
 

@@ -43,7 +43,7 @@ void TreeSteps::linearly_implicit_euler(const TreeBase& base, double h, std::spa
   drop_traces(q);
 }
 
-// Quaternions are four numbers with a derivative here, and have length 1 again at the end.
+// Quaternions are four numbers with a derivative here, and get the length 1 again at the end.
 void TreeSteps::runge_kutta_4(const TreeBase& base, double h, std::span<const LinkForce> more, Output q,
                               Output rates) {
   constexpr double kAt[] = {0, 0.5, 0.5, 1}, kWeight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};

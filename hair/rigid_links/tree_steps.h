@@ -1,8 +1,8 @@
-// Time steps of a tree of links. Each takes q and rates from t to t + h; the base moves on its own, with the
-// acceleration that it has at t.
+// Time steps of a tree of links. Each takes q and rates from t to t + h; the base moves on its own, with its
+// acceleration at t.
 //
 //                              order   passes   holds for
-//   symplectic_euler             1        1     h omega < 2 of the fastest joint spring: 2e-5 s for a centimetre of hair
+//   symplectic_euler             1        1     h omega < 2 for all joint springs: 2e-5 s for 1 cm of hair
 //   runge_kutta_4                4        4     h omega < 2.8
 //   linearly_implicit_euler      1        1     any joint spring and drag (hair/rigid_links/tree_system.h)
 #pragma once
@@ -21,7 +21,7 @@ class TreeSteps {
   TreeSystem& system() { return system_; }
   const TreeSystem& system() const { return system_; }
 
-  // The base is as at t. Quaternions keep their length 1. No step allocates.
+  // `base` is the base at t. Quaternions keep their length 1. No step allocates.
   void symplectic_euler(const TreeBase& base, double h, std::span<const LinkForce> more, Output q,
                         Output rates);
   void runge_kutta_4(const TreeBase& base, double h, std::span<const LinkForce> more, Output q, Output rates);

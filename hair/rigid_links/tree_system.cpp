@@ -7,7 +7,7 @@ namespace hair {
 
 namespace {
 
-constexpr int kMostLimits = 10;  // times that a step is made again with other limits
+constexpr int kMostLimits = 10;  // times that a step is repeated with other limits
 
 }  // namespace
 
@@ -65,7 +65,7 @@ bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double
   return any;
 }
 
-// `to_rates`: from the place's direction to the joint's rates.
+// `to_rates`: from the direction of the joint's coordinate to its rates.
 void TreeSystem::add_limit(int joint, Input rates, double h, const Vector3d& place,
                            const Matrix3d& to_rates) {
   const Limit& limit = limits_[joint];

@@ -1,5 +1,5 @@
-// A tree of links with all its forces: its joints' accelerations, for explicit steps and for linearly
-// implicit ones.
+// A tree of links with all its forces: the accelerations of its joints, for explicit and linearly implicit
+// steps.
 //
 // A linearly implicit step of h seconds takes the forces that grow with q and q' at its end:
 //
@@ -9,16 +9,16 @@
 // Forces at links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point
 // adds h^2 S. So the recursion stays as it is, and linear.
 //
-// A joint feels its limit if it is beyond it at the end of the step, which the step itself decides: it is
-// made again with the limits that were met, and without those that would have to pull, until nothing changes.
+// A joint feels a limit if it is beyond it at the end of the step, which is unknown before: the step is
+// repeated with the limits that it met, and without those that would pull, until this set stays the same.
 // Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section
 // 3, there for particles.
 //
-// Weight and the terms of velocities remain explicit. The tension T that they cause holds a strand across:
-// per metre of hair its waves of the wave number k have the mass rho A, and the stiffness T k^2 (explicit) +
-// EI k^4 (implicit). A mode with these three is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k that
-// is T <= 4 sqrt(EI rho A) / h; of hair at h = 1/60 s, 9.3e-5 N, the weight of 0.93 m of it. Longer hair
-// needs smaller steps: h ~ 1 / length.
+// Weight and the terms of velocities remain explicit. Their tension T holds a strand laterally: waves of the
+// wave number k have, per metre of hair, the mass rho A and the stiffness T k^2 (explicit) + EI k^4
+// (implicit). Such a mode is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k this means T <= 4 sqrt(EI
+// rho A) / h; for hair at h = 1/60 s, 9.3e-5 N, the weight of 0.93 m of it. Longer hair needs smaller steps:
+// h ~ 1 / length.
 #pragma once
 
 #include <span>
@@ -29,18 +29,17 @@
 
 namespace hair {
 
-// Forces that are there as long as the tree is. All are optional: a vector has one entry for each link, the
-// base included, or none.
+// Constant forces. All are optional: a vector has one entry for each link, the base included, or none.
 struct TreeForces {
   Vector3d gravity = Vector3d::Zero();  // m/s^2
   std::vector<JointSpring> springs;
-  double drag = 0;                   // N s/m^2: for each metre of the rods
+  double drag = 0;                   // N s/m^2, per metre of the rods
   Vector3d wind = Vector3d::Zero();  // m/s, of the air
   std::vector<Vector3d>
       rods;  // m, from one end to the other, the centre of mass between them; along the link's axes
 };
 
-// A force at a point of a link, with its derivative by this point's place and velocity: f - S dx - C dv.
+// A force at a point of a link, with its derivative by this point's position and velocity: f - S dx - C dv.
 struct LinkForce {
   int link;
   Vector3d arm;        // m, from the link's centre of mass to the point, along the link's axes
@@ -54,30 +53,30 @@ class TreeSystem {
   TreeSystem(const LinkTree& tree, TreeForces forces);
 
   const LinkTree& tree() const { return motion_.tree(); }
-  const TreeMotion& motion() const { return motion_; }  // as accelerations() left it
+  const TreeMotion& motion() const { return motion_; }  // result of the last accelerations()
   TreeMotion& motion() { return motion_; }
 
-  // Places the links, and finds their accelerations; h = 0: not implicit. Allocates nothing.
+  // Places the links, and calculates their accelerations; explicit if h = 0. Allocates nothing.
   void accelerations(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
                      Output result);
 
-  // J, of the links as `motion`'s q and velocities have them: of movement, of weight and of springs.
+  // J, for `motion`'s velocities and q: of movement, of weight and of springs.
   double kinetic_energy() const;
   double potential_energy(Input q) const;
 
  private:
-  // A limit that acts: the joint's place along `along` is above or below a bound.
+  // A limit that acts: the joint's coordinate along `along` is above or below a bound.
   struct Limit {
     bool acts = false;
     double bound = 0;                   // rad or m
-    Vector3d along = Vector3d::Zero();  // of a spherical joint's theta; else [+-1, 0, 0]
+    Vector3d along = Vector3d::Zero();  // a direction for a spherical joint's theta; else [+-1, 0, 0]
   };
 
   void attempt(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
                Output result);
   void add_springs(Input q, Input rates, double h);
   void add_limit(int joint, Input rates, double h, const Vector3d& place, const Matrix3d& A);
-  // For places after h seconds with these rates and accelerations. False: none changed.
+  // Checks positions after h seconds with these rates and accelerations. Returns false if no limit changed.
   bool change_limits(Input q, Input rates, Input accelerations, double h);
 
   void add_drag(double h);
@@ -85,7 +84,7 @@ class TreeSystem {
 
   TreeMotion motion_;
   TreeForces forces_;
-  std::vector<Limit> limits_;  // of each link's joint; empty: nothing has a limit
+  std::vector<Limit> limits_;  // for each link's joint; empty: no joint has a limit
   Eigen::VectorXd Q_;
 };
 

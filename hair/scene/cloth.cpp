@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Adds springs from every particle to the one that is so many rows and columns further on.
+// Adds springs from every particle to the one that is this many rows and columns further on.
 void add_springs(const Cloth& cloth, int by_rows, int by_columns, double stiffness, particles::Toy& toy) {
   if (stiffness == 0) return;
   for (int r = 0; r + by_rows < cloth.rows; ++r)

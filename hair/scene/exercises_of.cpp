@@ -11,7 +11,7 @@ namespace hair {
 
 namespace {
 
-// The exercise's place in exercises.json.
+// The exercise's index in exercises.json.
 std::size_t place_of(std::string_view id) {
   constexpr std::string_view all = HAIR_EXERCISES;  // " S1 S2 "
   return all.find(" " + std::string(id) + " ");

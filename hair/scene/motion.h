@@ -25,8 +25,8 @@ struct Key {
 struct Motion {
   std::vector<Key> keys;
 
-  // Between two keys it speeds up and slows down smoothly: after a fraction s of the time it has gone 3 s^2 -
-  // 2 s^3 of the way, and it is at rest at each key.
+  // Between two keys it speeds up and slows down smoothly: after a fraction s of the time it has covered 3
+  // s^2 - 2 s^3 of the way, and it is at rest at each key.
   Pose at(double time) const;
 };
 

@@ -15,7 +15,7 @@ namespace hair {
 namespace {
 
 void add(FrameMeasures& sum, const BodyMeasures& part) {
-  if (!(part.stretch <= sum.stretch)) sum.stretch = part.stretch;  // and if it is NaN
+  if (!(part.stretch <= sum.stretch)) sum.stretch = part.stretch;  // true also for NaN
   sum.kinetic += part.kinetic;
   sum.potential += part.potential;
   sum.momentum += part.momentum;
@@ -176,7 +176,7 @@ class Playback::Parts {
     return *toys_[index - strands_.size()];
   }
 
-  // Riders start from where the scene has roots and obstacles.
+  // Riders start from the scene's roots and obstacles.
   void ride(const Scene& scene) {
     riding_.clear();
     for (const Rider& rider : scene.riders) riding_.emplace_back(rider, scene.hair);
@@ -220,13 +220,13 @@ class Playback::Parts {
   std::vector<std::unique_ptr<ToyBody>> toys_;
   Work toys_work_;
   bool watched_;
-  std::string_view solver_;  // of hair: the exercise of its method
-  Watch nothing_;            // without strands
+  std::string_view solver_;  // hair's: the exercise of its method
+  Watch nothing_;            // used without strands
   Watch toys_watch_;
-  Eigen::MatrixXd scratch_;                 // shared by the toys, which take turns
-  std::vector<Obstacle> still_;             // without strands nothing moves them
+  Eigen::MatrixXd scratch_;                 // shared by the toys, one after the other
+  std::vector<Obstacle> still_;             // used without strands: nothing moves them
   std::vector<int> strands_;                // the points of each
-  std::vector<std::uint32_t> coordinates_;  // of each body
+  std::vector<std::uint32_t> coordinates_;  // one for each body
   int size_ = 0;
   Eigen::Index mesh_size_ = 0;  // the numbers of strands that a mesh couples
   int frame_ = 0;

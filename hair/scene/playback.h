@@ -1,4 +1,4 @@
-// Plays a scene: assembles it once, with only the parts that it needs, then goes frame by frame.
+// Runs a scene: assembles it once, with only the parts that it needs, then advances frame by frame.
 #pragma once
 
 #include <memory>
@@ -40,8 +40,8 @@ class Playback {
   // As Simulation::leave_out: these strands stay where they are.
   void leave_out(std::span<const int> strands);
 
-  // Plays to the next frame. Returns nothing, or the place of a blow-up: "strand 0, step 17: filter". After a
-  // blow-up it stays there and returns the same. Passes on exceptions of stubs.
+  // Advances to the next frame. Returns nothing, or the place of a blow-up: "strand 0, step 17: filter".
+  // After a blow-up it stays there and returns the same. Passes on exceptions of stubs.
   std::optional<std::string> advance();
 
   double time() const;  // s
@@ -51,19 +51,18 @@ class Playback {
   // The coordinates of all bodies: strand after strand, then toy after toy. For masses and springs they are
   // positions.
   particles::State state() const;
-  std::vector<std::uint32_t> coordinates() const;  // what each body's numbers are: ModelRow::coordinates
-  particles::State centre_lines(
-      const particles::State& state) const;        // the points that such coordinates mean
-  const std::vector<int>& strands() const;         // the number of points of each strand
-  std::vector<int> sizes() const;                  // of the coordinates of each strand, in threes
-  const std::vector<Obstacle>& obstacles() const;  // where they are now
-  const Watch& watch() const;                      // of the hair
-  std::vector<Warning> warnings() const;           // of the hair, then of the toys
-  Work work() const;                               // of the hair; for toys the solves and their steps
+  std::vector<std::uint32_t> coordinates() const;                      // for each body: ModelRow::coordinates
+  particles::State centre_lines(const particles::State& state) const;  // the points of these coordinates
+  const std::vector<int>& strands() const;                             // the number of points of each strand
+  std::vector<int> sizes() const;                  // a third of the number of coordinates of each strand
+  const std::vector<Obstacle>& obstacles() const;  // at their present positions
+  const Watch& watch() const;                      // watches the hair
+  std::vector<Warning> warnings() const;           // for the hair, then for the toys
+  Work work() const;                               // the hair's; for toys the solves and their steps
   const MeshRecord* mesh_record() const;           // null without a control mesh
 
   // Measures any state of the scene's particles at the present frame. A state from elsewhere is measured with
-  // our own forces. The potential energy is also that of a control mesh (Simulation::mesh_energy).
+  // our own forces. The potential energy includes that of a control mesh (Simulation::mesh_energy).
   FrameMeasures measure(const particles::State& state) const;
 
  private:

@@ -26,7 +26,7 @@ Scene read_scene(const std::filesystem::path& file) {
 
 Scene read_outline(const std::filesystem::path& file) {
   json::Reading reading = reading_beside(file);
-  reading.most_strands = 4;  // roots that are not on a line have room for dense hair between them
+  reading.most_strands = 4;  // roots that are not on a line have space for dense hair between them
   return json::scene_of(read_document(file), file, std::move(reading));
 }
 

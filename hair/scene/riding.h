@@ -30,7 +30,7 @@ class Riding {
   struct LedObstacle {
     int obstacle;
     Vector3d place;
-    Eigen::Quaterniond rotation;  // of a placed solid
+    Eigen::Quaterniond rotation;  // only for a placed solid
   };
 
   static LedRoot root_of(const Description& hair, int strand);

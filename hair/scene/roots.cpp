@@ -8,7 +8,7 @@ namespace hair {
 
 namespace {
 
-// The golden angle: what a point on the spiral is turned from the point before it.
+// The golden angle: the turn from one point on the spiral to the next.
 const double kGolden = std::numbers::pi * (3 - std::sqrt(5.0));
 
 }  // namespace

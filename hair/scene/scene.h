@@ -25,35 +25,34 @@ struct Look {
   Vector3d tip_colour = {0.22, 0.12, 0.05};
   Vector3d view = Vector3d(0.35, -1, 0.2);  // from the scene to the camera
   std::optional<Vector3d> look_at = {};     // m; none: the middle of the box of all objects
-  bool frame = false;                       // the camera is as near as all that is there allows
+  bool frame = false;                       // the camera is as near as all objects allow
   double zoom = 1;                          // magnification; above 1 objects may be outside the picture
   int image_width = 1280, image_height = 720;
   bool shadows = true;
   bool fine_hair = false;  // thin strands with tapered tips; else ribbons
-  bool links = false;      // those of the control mesh that hold, between guides that are drawn
+  bool links = false;      // unbroken links of the control mesh, between guides that are drawn
 };
 
 // Objects that follow a motion: the roots of strands (positions, and frames of clamped strands), and
-// obstacles. Poses are relative to the start: at the motion's first key, things are where the description has
-// them.
+// obstacles. Poses are relative to the start: at the motion's first key, objects are at the places of their
+// description.
 struct Rider {
   Motion motion;
   std::vector<int> strands, obstacles;
 };
 
-// Strands that are drawn in the place of a group's strands, which are their guides (H10). It has no effect on
-// the motion.
+// Drawn strands that replace a group's strands, which are their guides (H10). They have no effect on the
+// motion.
 struct DenseHair {
   int first = 0;                     // the scene's strand that is the first guide; the others follow it
   SynthesisDescription description;  // `points` are those of the guides' centre lines
-  std::optional<Motion> motion;      // of the scalp
+  std::optional<Motion> motion;      // the scalp's
 };
 
-// Hair that is drawn and does not move on its own: it keeps the shape in which it grows, and goes with the
-// head.
+// Hair that is drawn and does not move on its own: it keeps its shape, and moves with the head.
 struct StillHair {
   std::shared_ptr<const Head> head;
-  Vector3d at = Vector3d::Zero();  // m, of the head's origin at the start
+  Vector3d at = Vector3d::Zero();  // m, the head's origin at the start
   HairStyle style;
   GrowSettings settings;
   std::optional<Motion> motion;
@@ -66,7 +65,7 @@ struct Scene {
   double frames_per_second = 30;
   int steps_per_frame = 8;  // 1 / (frames_per_second * hair.step), which is a whole number
   Description hair;         // without strands there is no hair simulation
-  int bald_roots = 0;       // of grooms: no hair grows there, and they are left out
+  int bald_roots = 0;       // roots of grooms without hair, which are left out
   std::vector<Rider> riders;
   std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and for cloth
   std::optional<Look> look;  // none: no pictures
@@ -74,7 +73,7 @@ struct Scene {
   std::vector<StillHair> still;
 };
 
-// Whether there is a hair simulation.
+// True if there is a hair simulation.
 inline bool has_strands(const Scene& scene) {
   return !scene.hair.strands.empty() || !scene.hair.modelled.empty();
 }
@@ -83,7 +82,7 @@ inline bool has_strands(const Scene& scene) {
 // to the scene's folder.
 Scene read_scene(const std::filesystem::path& file);
 
-// The same with few strands: it is read in a moment, shows the same and calls the same exercises.
+// The same with few strands: it is read in a moment, looks the same and calls the same exercises.
 Scene read_outline(const std::filesystem::path& file);
 
 // The same for a text, for a scene without files: rejects a scene that names a groom. Errors name it `name`.

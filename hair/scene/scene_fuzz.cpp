@@ -1,6 +1,6 @@
-// Hostile bytes as a scene. What is accepted is finite, can be assembled, and is the same when its JSON is
-// written and read again, as the grader does with hidden scenes. Scenes here have few particles: more take
-// time, and are no different.
+// Hostile bytes as a scene. An accepted scene is finite, can be assembled, and is the same when its JSON is
+// written and read again, as the grader does with hidden scenes. Scenes here have few particles: more would
+// take time, and test nothing else.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -67,7 +67,7 @@ Numbers numbers_of(const hair::Toy& toy) {
   return all;
 }
 
-// All that a motion depends on, but for names and choices.
+// All numbers that a motion depends on, except names and choices.
 Numbers numbers_of(const Scene& scene) {
   Numbers all = {1.0 * scene.frames, scene.frames_per_second, 1.0 * scene.steps_per_frame,
                  scene.hair.step,    scene.hair.drag,         scene.hair.tolerance};
@@ -112,9 +112,9 @@ void fuzz::try_input(std::string_view bytes) {
   }
 }
 
-// A particle is some 30 numbers, in the scene, in the one that is read again, and in what is assembled of it.
-// A value of JSON takes two bytes at the least, and two hundred in a list of values that know their place;
-// two such lists are there at once, and grow by doubling.
+// A particle is about 30 numbers, in the scene, in the scene that is read again, and in the assembled one. A
+// value of JSON takes at least two bytes, and two hundred in a list of values with positions; two such lists
+// exist at once, and grow by doubling.
 std::size_t fuzz::most_memory(std::size_t input) {
   return 4'000'000 + 800 * input;
 }

@@ -11,7 +11,7 @@ namespace hair {
 
 class ToyBody final : public Body {
  public:
-  // watched: sizes() tells what a step did. Throws std::invalid_argument as MovingToy does.
+  // watched: sizes() describes the last step. Throws std::invalid_argument as MovingToy does.
   ToyBody(const particles::Toy& toy, bool watched);
 
   int size() const override { return static_cast<int>(moving_.state.x.size()); }
@@ -29,13 +29,13 @@ class ToyBody final : public Body {
   BodyMeasures measure(particles::Input q, particles::Input rate) const override;
   Sizes sizes() const override;
 
-  // The exercise that solves for its motion; empty: none.
+  // The exercise that solves for its motion; "" if there is none.
   const char* solver() const;
 
  private:
   particles::MovingToy moving_;
   particles::ToyStep method_;
-  std::optional<ToyEnergy> energy_;  // of watched toys
+  std::optional<ToyEnergy> energy_;  // for watched toys
   particles::SolveCount all_;        // solves so far
 };
 

@@ -10,7 +10,7 @@ using particles::Toy;
 
 namespace {
 
-// m: across everything that there is at the start.
+// m: the size of the whole toy at the start.
 double length_of(const Toy& toy) {
   Eigen::Vector3d low = toy.start.x.head<3>(), high = low;
   const auto add = [&](const Eigen::Vector3d& point, double around) {
@@ -46,7 +46,7 @@ Energies ToyEnergy::read() const {
   return now;
 }
 
-// In still air a force at rest is what wind does not give.
+// In still air, drag is the force minus that at rest.
 void ToyEnergy::find_drag(Eigen::VectorXd& drag) {
   const auto& [x, v] = moving_.state;
   drag.setZero(x.size());

@@ -1,7 +1,7 @@
-// The energy of a toy for the watch (hair/strand/energy_watch.h): kinetic, of weight, of springs. The force
-// that drag and dampers give is all force less that which the toy would have if everything were at rest. Its
-// work is that of the velocities before and after a step. Rods and wires do no work; what their feedback does
-// is the method's.
+// The energy of a toy for the watch (hair/strand/energy_watch.h): kinetic energy, weight and springs. The
+// force of drag and dampers is the total force minus the total force at rest, at the same positions. Its
+// work uses the velocities before and after a step. Rods and wires do no work; their feedback counts as an
+// error of the method.
 #pragma once
 
 #include "hair/strand/energy_watch.h"

@@ -1,6 +1,6 @@
-// The table of time methods: a row holds everything that the rest of the project knows about a method, and
-// its step of masses and springs. Where it moves another model, its step is in the model's room and has a
-// place in the table of <model>_strand.cpp.
+// The table of time methods: a row holds everything that the rest of the project needs about a method, and
+// its step for masses and springs. Its step for another model is in the model's folder, with a place in the
+// table of <model>_strand.cpp.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,8 @@ struct MethodRow {
   const char* id;                               // in scenes and records: "forward_euler"
   const char* name;                             // in sentences: "forward Euler"
   std::span<const std::string_view> exercises;  // the exercises that it calls; the last one is its own
-  int order;                                    // of its error in time
-  int evaluations;                              // of the forces in a step, without iterations
+  int order;                                    // order of its error in time
+  int evaluations;                              // evaluations of the forces in a step, without iterations
   bool is_explicit = false;
   bool keeps_lengths = false;
   int polynomial = 0;  // the power up to which its amplification is the Taylor series of exp; 0: other
@@ -39,11 +39,11 @@ struct MethodRow {
 
   std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
 
-  Method method() const;  // its place in the table
+  Method method() const;  // its index in the table
 
-  // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no
-  // such term. But 1 - l0/l rounds, to a positive mean once the filter takes its negative values away: a drag
-  // of about u k h^2 / m.
+  // The geometric term that a scene gets if it names none. Segments of exactly their rest length have no such
+  // term. But 1 - l0/l has rounding errors, and the filter keeps only the positive ones: their mean acts like
+  // a drag of about u k h^2 / m.
   GeometricTerm usual_term() const {
     return keeps_lengths ? GeometricTerm::dropped : GeometricTerm::filtered;
   }

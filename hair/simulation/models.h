@@ -1,7 +1,7 @@
-// The table of strand models: a row holds everything that the rest of the project knows about a model. A new
-// model is its name in hair/CMakeLists.txt, which makes the table; <model>_strand.cpp beside this file, whose
-// function <model>_model() returns the row; a body in a room of its own; and its exercise's contract in
-// hair/.
+// The table of strand models: a row holds everything that the rest of the project needs about a model. A new
+// model is its name in hair/CMakeLists.txt, which makes the table; <model>_strand.cpp next to this file,
+// whose function <model>_model() returns the row; a body in a folder of its own; and its exercise's contract
+// in hair/.
 #pragma once
 
 #include <cstdint>
@@ -36,14 +36,14 @@ struct ModelRow {
   // The reason why the model can't express such a strand; empty if it can.
   std::string (*why_not)(const StrandSpec& spec);
 
-  // How many points a simulation keeps of it, about: what its memory grows with.
+  // About how many of its points a simulation stores: memory grows with this number.
   long (*points)(const StrandSpec& spec);
 
   // Makes a body with the description's gravity, drag and method. Throws std::invalid_argument for a strand
   // that the model can't express.
   std::unique_ptr<Body> (*make)(const StrandSpec& spec, const Description& description);
 
-  // Whether such strands have a step for the method.
+  // True if such strands have a step for the method.
   bool (*moves_by)(const MethodRow& method);
 };
 

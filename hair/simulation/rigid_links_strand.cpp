@@ -19,7 +19,7 @@ constexpr LinkStep kLinkSteps[] = {{Method::symplectic_euler, &TreeSteps::symple
                                    {Method::runge_kutta_4, &TreeSteps::runge_kutta_4},
                                    {Method::implicit_euler, &TreeSteps::linearly_implicit_euler}};
 
-// Null: links don't move by this method.
+// Null if links don't move by this method.
 const TreeStep* step_of(Method method) {
   const auto* row = std::ranges::find(kLinkSteps, method, &LinkStep::method);
   return row == std::end(kLinkSteps) ? nullptr : &row->step;
@@ -52,8 +52,8 @@ LinkStrand links_of(const StrandSpec& spec, const Description& description) {
   return strand;
 }
 
-// Turns: the root's position, m, and for each link the rotation vector, rad, from where the rest shape has
-// it.
+// Turns: the root's position, m, and for each link the rotation vector, rad, from its orientation in the rest
+// shape.
 ModelRow rigid_links_model() {
   return {.id = "rigid_links",
           .coordinates = 1,

@@ -60,7 +60,7 @@ Simulation::Simulation(Description description) : step_{description.step, descri
     columns = std::max(columns, body->scratch_columns());
   }
   watch_ = Watch(strands());
-  // An exercise that reads what it should not moves hair the same way each time all the same.
+  // An exercise that wrongly reads its scratch memory still moves hair the same way in each run.
   own_.resize(description.jobs);
   for (Thread& own : own_) own.scratch.setZero(rows, columns);
   broke_.resize(bodies_.size());

@@ -33,9 +33,9 @@ class Simulation {
   // NaN. After a blow-up, later calls do nothing and return the same BlowUp.
   std::optional<BlowUp> step();
 
-  // From now on these strands are not stepped: they stay as they are, and break nothing. Whoever knows that
-  // nobody looks at them calls it. Throws std::invalid_argument if a control mesh couples strands,
-  // std::out_of_range for one that is not there.
+  // From now on these strands are not stepped: they stay as they are, and break nothing. It is for strands
+  // that nobody looks at. Throws std::invalid_argument if a control mesh couples strands, std::out_of_range
+  // for a strand that does not exist.
   void leave_out(std::span<const int> strands);
 
   // Makes `steps` steps, or fewer if a strand breaks.
@@ -52,8 +52,8 @@ class Simulation {
   const Work& work() const { return work_; }
   const Watch& watch() const { return watch_; }
 
-  // With a control mesh: J, of its links and strips, at positions of all strands, one after the other. Of
-  // links with what they remember now; of strips with the contacts of the last step.
+  // The energy of a control mesh, J, for its links and strips, at positions of all strands, one after the
+  // other. It uses the links' present memory, and the strips' contacts of the last step.
   double mesh_energy(particles::Input x) const { return joint_ ? joint_->energy(x) : 0; }
   const MeshRecord* mesh_record() const { return joint_ ? &joint_->record() : nullptr; }  // null without
 
@@ -83,18 +83,18 @@ class Simulation {
  private:
   std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<MassSpringBody*> springs_;  // the bodies of `strands`, which come first
-  std::unique_ptr<JointStep> joint_;      // of strands that a mesh couples
+  std::unique_ptr<JointStep> joint_;      // for strands that a mesh couples
   std::vector<Obstacle> obstacles_;
   struct {
     double h, tolerance;
   } step_;
   bool watched_;
-  std::vector<char> left_out_;  // of each strand
+  std::vector<char> left_out_;  // for each strand
   struct Thread {
     Eigen::MatrixXd scratch;  // shared by the strands that it steps, one after the other
     Work work;
   };
-  std::vector<Thread> own_;                  // what each thread has of its own
+  std::vector<Thread> own_;                  // one for each thread
   std::vector<std::optional<Stage>> broke_;  // in this step, by strand
   std::unique_ptr<StrandThreads> threads_;
   long steps_ = 0;

@@ -1,4 +1,4 @@
-// Threads over strands: nothing couples strands within a step, so that each may be stepped by any thread.
+// Distributes strands over threads. Nothing couples strands within a step, so any thread may step each.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace hair {
 
-// How many threads to take: what is asked for, or, for 0, one for each processor, up to 16.
+// The number of threads: as asked for, or, for 0, one for each processor, up to 16.
 inline int threads_for(int asked) {
   return asked > 0 ? asked : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 16);
 }
 
 class StrandThreads {
  public:
-  // `threads` >= 1, the caller's among them. They wait until the end of this object's life.
+  // `threads` >= 1, including the caller's. They wait until the end of this object's life.
   explicit StrandThreads(int threads);
   ~StrandThreads();
   StrandThreads(const StrandThreads&) = delete;
@@ -27,8 +27,8 @@ class StrandThreads {
   int count() const { return static_cast<int>(others_.size()) + 1; }
 
   // Calls task(thread, i) once for each i from 0 to `tasks` - 1, and returns when all have returned. `thread`
-  // counts from 0; no two calls at a time have the same one. If tasks throw, the others are not begun any
-  // more, and the exception of the smallest i that threw is thrown here. Allocates nothing.
+  // counts from 0; no two calls at a time have the same one. If a task throws, no further tasks begin, and
+  // run() throws the exception of the smallest i that threw. Allocates nothing.
   using Task = std::function<void(int thread, int i)>;
   void run(int tasks, const Task& task);
 
@@ -44,7 +44,7 @@ class StrandThreads {
     int i = 0;
     std::exception_ptr exception;
   };
-  std::vector<Failure> failures_;  // of each thread
+  std::vector<Failure> failures_;  // one for each thread
   std::vector<std::thread> others_;
 };
 

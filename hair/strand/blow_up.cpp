@@ -4,7 +4,8 @@ namespace hair {
 
 namespace {
 
-// The sum of the squares. Eight sums side by side, for one would wait for itself at each number.
+// The sum of the squares. It has eight partial sums, because a single one would wait for itself at each
+// number.
 double squares(const Eigen::VectorXd& values) {
   using Eight = Eigen::Array<double, 8, 1>;
   Eight sums = Eight::Zero();
@@ -13,7 +14,7 @@ double squares(const Eigen::VectorXd& values) {
   return sums.sum() + values.tail(values.size() - i).squaredNorm();
 }
 
-// False for NaN, too. No number is larger than the norm, which is found much faster than the largest number.
+// False for NaN, too. No number exceeds the norm, which is calculated much faster than the largest number.
 bool within(const Eigen::VectorXd& values, double bound) {
   return squares(values) <= bound * bound || (values.array().abs() <= bound).all();
 }

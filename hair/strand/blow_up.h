@@ -23,7 +23,7 @@ struct BlowUp {
   Stage stage = Stage::integration;
 };
 
-// Bounds that no particle of hair exceeds: the distance from the origin, and the speed of light.
+// Bounds that no particle of hair can exceed: the distance from the origin, and the speed of light.
 inline constexpr double kFarthest = 1e9;  // m
 inline constexpr double kFastest = 3e8;   // m/s
 

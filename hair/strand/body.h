@@ -1,10 +1,10 @@
 // The interface of everything that moves in a scene: a strand of masses and springs, of rigid links, of
-// helices; a toy. Every strand model derives its body from it. Code that plays, measures, draws or compares
-// uses only this interface.
+// helices; a toy. Every strand model derives its body from it. Code that runs, measures, draws or compares
+// scenes uses only this interface.
 //
-// A body has its own coordinates q (positions, joint angles, curvatures) with their rates, and a centre line
-// of points in space, which follows from them. Files and messages hold states as coordinates, because a
-// centre line does not contain the twist.
+// A body has its own coordinates q (positions, joint angles, curvatures) with their rates. Its centre line, a
+// list of points in space, follows from them. Files and messages hold states as coordinates, because a centre
+// line does not contain the twist.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct PointForce {
 // The parameters of a step.
 struct BodyStep {
   double h;          // s
-  double tolerance;  // of implicit solves, relative
+  double tolerance;  // relative, for implicit solves
   const std::vector<Obstacle>& obstacles;
   std::span<const PointForce> forces = {};  // during the whole step; not for bodies without point forces
 };
@@ -55,7 +55,7 @@ struct BodyMeasures {
   double energy() const { return kinetic + potential; }
 };
 
-// What q of masses and springs, and of toys, means in files and replies: positions of the centre line's
+// The meaning of q for masses and springs, and for toys, in files and replies: positions of the centre line's
 // points, m. Other models have numbers of their own (ModelRow::coordinates).
 inline constexpr std::uint32_t kPositions = 0;
 
@@ -66,11 +66,11 @@ class Body {
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
-  virtual int size() const = 0;    // of q, and of its rate: a multiple of 3
-  virtual int points() const = 0;  // of the centre line
+  virtual int size() const = 0;    // the numbers in q, and in its rate: a multiple of 3
+  virtual int points() const = 0;  // the points of the centre line
 
-  // The arc lengths of these points at rest, from the root, m: by them lines with different numbers of points
-  // are compared (hair/strand/centre_line.h). Empty: the points lie on no line.
+  // The arc lengths of these points at rest, from the root, m: with them lines with different numbers of
+  // points are compared (hair/strand/centre_line.h). Empty: the points lie on no line.
   virtual Eigen::VectorXd arc_lengths() const = 0;
 
   // The memory that a step needs: bodies share one matrix of at least `scratch_rows` x `scratch_columns`.
@@ -89,10 +89,10 @@ class Body {
   // the body breaks, returns the stage, and leaves numbers that may be infinite or NaN.
   virtual std::optional<Stage> step(const BodyStep& step, const particles::Scratch& scratch, Work& work) = 0;
 
-  // Of the step before, for the simulation's watch.
+  // Sizes of the last step, for the simulation's watch.
   virtual Sizes sizes() const { return {}; }
 
-  // For any coordinates of this body, also those of a state from elsewhere. x, v: 3 points() numbers each.
+  // For any coordinates of this body, also of a state from elsewhere. x, v: 3 points() numbers each.
   virtual void centre_line(particles::Input q, particles::Input rate, particles::Output x,
                            particles::Output v) const = 0;
   virtual BodyMeasures measure(particles::Input q, particles::Input rate) const = 0;

@@ -26,7 +26,7 @@ Eigen::VectorXd points_at(particles::Input x, particles::Input at, particles::In
     const double s = wanted[k];
     require(s >= at[0] - near && s <= at[n - 1] + near, "an arc length", s,
             "on the line, which ends at " + std::to_string(at[n - 1]));
-    // The first point that is not before s, and the one before it.
+    // The first point at or after s, and the one before it.
     const Eigen::Index after =
         std::min<Eigen::Index>(std::lower_bound(at.begin(), at.end(), s - near) - at.begin(), n - 1);
     if (std::abs(at[after] - s) <= near || after == 0) {

@@ -29,7 +29,7 @@ TEST(CentreLine, ItsOwnPointsComeBackBitForBit) {
   const Eigen::VectorXd x = arc(30), at = arc_lengths(strand);
   EXPECT_NEAR(at[30], 0.3, 1e-15);
   EXPECT_EQ(points_at(x, at, at), x);
-  // A line with half of the points has them, too.
+  // A line with half of the points has every second one.
   const Eigen::VectorXd half = arc_lengths(uniform_strand({}, 15, 0.3));
   for (int i = 0; i <= 15; ++i) EXPECT_EQ(points_at(x, at, half).segment<3>(3 * i), x.segment<3>(6 * i)) << i;
 }

@@ -1,4 +1,4 @@
-// Keeps numbers that fade away from slowing a simulation down.
+// Prevents tiny numbers from slowing a simulation down.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace hair {
 
-// What comes to rest halves with each step or so, and ends in numbers so small (subnormal ones, below
-// 2^-1022) that processors take ten times as long for them: they become 0.
+// A motion that comes to rest halves with each step or so, and ends in subnormal numbers (below 2^-1022), for
+// which processors take ten times as long. This function sets such numbers to 0.
 inline void drop_traces(particles::Output values) {
   for (double& value : values)
     if (std::abs(value) < 1e-150) value = 0;

@@ -6,8 +6,8 @@ namespace hair {
 
 namespace {
 
-// m/s. The energy of a body that moves as slowly counts as had: rounding alone is far below it, and is no
-// gain.
+// m/s. The balance includes the energy of a motion this slow from the start, so that rounding errors, which
+// are far smaller, are no gain.
 constexpr double kUnseen = 1e-3;
 
 }  // namespace
@@ -43,7 +43,7 @@ void EnergyWatch::after_step(const Energies& now, double work, bool in_contact, 
   ++steps_;
   gain_ = std::max(gain_, free_.risen() / scale_);
   contact_gain_ = std::max(contact_gain_, in_contact_.risen() / scale_);
-  // What wind has put into stretching is not lost.
+  // Work that wind puts into stretching is not lost.
   loss_ = std::max(loss_, (free_.fallen() - std::min(now.aside, came_in_)) / scale_);
 }
 

@@ -1,19 +1,19 @@
-// The books of a body's energy, in the frame that moves with its root: the energy that it has, and the work
-// that came in. A step changes E, its kinetic energy and its potential, by
+// The energy balance of a body, in the frame that moves with its root: its energy, and the work from outside.
+// A step changes E, its kinetic energy and its potential, by
 //
 //   the work of drag, dampers, obstacles and of a root that turns     the body knows it
-//   energy that nothing gave or took                                  the method's error: what is watched
+//   energy from no source, or lost to none                            the method's error: this is watched
 //
-// The latter is summed in two rows: of steps without contacts, and of steps with them. A gain is how far a
-// row has risen above its lowest point, so that no gain hides behind an earlier loss. A loss is how far the
-// first row has fallen below its highest: contacts may take energy by right. Drag takes energy, too, at the
-// rate 2 c / mu (c: its coefficient, mu: mass, both of a metre). So the air would soon have had what a method
-// lost, and a loss fades at this rate.
+// The error is summed in two rows: for steps without contacts, and for steps with them. A gain is the
+// height of a row above its lowest point, so that no gain hides behind an earlier loss. A loss is the
+// depth of the first row below its highest point; losses in contacts are allowed. Drag takes energy, too,
+// at the rate 2 c / mu (c: its coefficient, mu: mass, both per metre). So drag would soon have taken the
+// energy that a method lost, and a loss fades at this rate.
 //
-// Gains and losses are relative to all that there was to lose: E at the start, m |g| L, and all work that
-// came in since. Two bounds follow (hair/strand/watch.cpp). A gain of 0.05 lifts a hair's middle by a
-// twentieth of its length, which is seen. And hair that is let go level and comes to rest has lost a half: so
-// much a method of order one may take. Nothing but a motion that a step does not resolve takes more than 0.6.
+// Gains and losses are relative to all energy that can be lost: E at the start, m |g| L, and all work from
+// outside since. Two bounds follow (hair/strand/watch.cpp). A gain of 0.05 lifts a hair's middle by a
+// twentieth of its length, which is visible. Hair that is released level and comes to rest has lost a half: a
+// method of order one may take as much. Only a motion that the step does not resolve loses more than 0.6.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@
 
 namespace hair {
 
-// Means and shares of all steps begin to count here.
+// Means and fractions of all steps count from this step on.
 inline constexpr long kFewSteps = 20;
 
 // J, in the frame that moves with the root.
@@ -30,25 +30,25 @@ struct Energies {
   double weight = 0;   // 0 for mass at the root
   double elastic = 0;  // 0 at rest
   double aside =
-      0;  // elastic, and not in the books: stretching that comes and goes, which the motion does not feed on
-  double unmoved = 0;  // kinetic, of velocities that the way of the last step does not show
+      0;  // elastic, outside the balance: stretching that comes and goes, without effect on the motion
+  double unmoved = 0;  // kinetic, of velocities that differ from the last step's displacement
 
   double kept() const { return kinetic + weight + elastic; }
 };
 
-// What obstacles did in a step.
+// The work of obstacles in a step.
 struct ContactWork {
   double work = 0;                                    // J: their impulses times their velocities
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  // N s, the sum
 
-  // The work as it is seen from a frame with this velocity.
+  // The work in a frame with this velocity.
   double seen_from(const Eigen::Vector3d& velocity) const { return work - impulse.dot(velocity); }
 };
 
-// How far a sum has risen above its lowest point, and fallen below its highest.
+// The height of a sum above its lowest point, and its depth below its highest.
 class EnergyRow {
  public:
-  // left: of how far it has fallen before.
+  // left: the part of the earlier depth that remains.
   void add(double amount, double left = 1) {
     risen_ = std::max(risen_ + amount, 0.0);
     fallen_ = std::max(left * fallen_ - amount, 0.0);
@@ -62,38 +62,38 @@ class EnergyRow {
 
 class EnergyWatch {
  public:
-  // Of a body of this mass, kg, and length, m, under the weight |g|, m/s^2, with this drag, N s/m^2, for each
+  // For a body of this mass, kg, and length, m, under the weight |g|, m/s^2, with this drag, N s/m^2 per
   // metre.
   EnergyWatch(double mass, double length, double gravity, double drag = 0);
 
   bool begun() const { return begun_; }
 
-  // The next step begins anew, from where the body is then.
+  // The next step begins a new balance, from the body's state then.
   void restart() { *this = EnergyWatch(unit_, fading_); }
 
-  // Before the first step. What is aside then may move the body later.
+  // Call this before the first step. `now.aside` may move the body later.
   void begin(const Energies& now);
 
-  // Before another step: the root has changed its velocity or its frame, so that E is another one. That is
-  // work that came in.
+  // Call this before a step if the root has changed its velocity or its frame, and so E. The change counts as
+  // work from outside.
   void root_moved(const Energies& now);
 
-  // After a step of h seconds, in which this work came in, J.
+  // Call this after a step of h seconds, with its work from outside, J.
   void after_step(const Energies& now, double work, bool in_contact, double h = 0);
 
-  // The largest so far, relative to what there was to lose.
+  // The largest so far, relative to all energy that can be lost.
   double gain() const { return gain_; }
   double contact_gain() const { return contact_gain_; }
   double loss() const { return loss_; }
   // The mean of `aside` over all steps, relative to the same; over kFewSteps, if there are fewer.
   double aside() const { return aside_ / static_cast<double>(std::max(steps_, kFewSteps)); }
-  // The sum of `unmoved` over all steps, relative to that of kinetic energies and of a hundredth of m |g| L;
+  // The sum of `unmoved` over all steps, relative to the sum of kinetic energies plus a hundredth of m |g| L;
   // over kFewSteps at least.
   double unmoved() const {
     return unmoved_ / (moving_ + static_cast<double>(std::max(steps_, kFewSteps)) * unit_ / 100);
   }
 
-  // J: what the last step added to either row, and what gains are relative to.
+  // J: the amount that the last step added to either row, and the energy that gains are relative to.
   double last() const { return last_; }
   double scale() const { return scale_; }
   const Energies& now() const { return now_; }

@@ -15,12 +15,12 @@ void ImplicitContacts::find(std::span<const ContactPoint> points, const std::vec
     const ContactPoint& point = points[i];
     pressed_[i] = {};
     for (const Obstacle& obstacle : obstacles) {
-      // Obstacles have moved already: the point is where it would be if it had moved with this one.
+      // Obstacles have moved already, so the point is moved with this obstacle.
       const Vector3d velocity = velocity_at(obstacle, point.x);
       const Vector3d u = point.v - velocity, x = point.x + h * velocity;
       const auto [gap, n] = surface_at(obstacle, x);
       if (gap >= 0 && surface_at(obstacle, x + h * (u + h * gravity)).distance >= 0) continue;
-      if (pressed_[i].by && pressed_[i].gap <= gap) continue;  // of several obstacles the nearest
+      if (pressed_[i].by && pressed_[i].gap <= gap) continue;  // the nearest obstacle counts
       pressed_[i] = {
           &obstacle, n, velocity, point.mass * kContactRate * kContactRate, std::max(gap, -h * kPushOut),
           -gap};
@@ -48,7 +48,7 @@ std::span<const ContactForce> ImplicitContacts::forces(std::span<const ContactPo
   return forces_;
 }
 
-// Points that have not arrived yet come first: without them, others may be pressed again.
+// Releases points that have not arrived yet first: without them, others may be pressed again.
 bool ImplicitContacts::let_go(std::span<const Vector3d> velocities) {
   bool outside = false;
   for (std::size_t i = 0; i < velocities.size(); ++i) {

@@ -16,7 +16,7 @@ namespace hair {
 Strand uniform_strand(const Material& material, int segments, double length);
 
 // A strand whose rest shape is x (3n, m; n >= 1): rest lengths are the distances of neighbours, which must be
-// > 0. A single particle has no segment to take its mass from: it has the mass of a ball with the fibre's
+// > 0. A single particle has no segment that gives it mass: it has the mass of a ball with the fibre's
 // radius.
 Strand strand_from_rest(const Material& material, particles::Input x);
 

@@ -16,7 +16,7 @@ namespace {
 
 using reference_tests::kUnit;
 
-// What a call says when it refuses; empty if it does not.
+// The message with which a call refuses its input; "" if it accepts it.
 std::string refusal(const std::function<void()>& call) {
   try {
     call();

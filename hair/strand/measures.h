@@ -10,9 +10,9 @@ namespace hair {
 // The largest |l - l0| / l0 of all segments, 0 for a strand without segments. NaN if a length is NaN.
 double largest_stretch(const Strand& strand, particles::Input x);
 
-// The largest |u . (v_{i+1} - v_i)| / l0 of all segments, 1/s, u the segment's direction: how fast velocities
-// stretch the strand. 0 for a strand without segments; a segment of length 0 has no direction, and no rate.
-// NaN if a rate is NaN.
+// The largest |u . (v_{i+1} - v_i)| / l0 of all segments, 1/s, u the segment's direction: the rate at which
+// velocities stretch the strand. 0 for a strand without segments; a segment of length 0 has no direction, and
+// no rate. NaN if a rate is NaN.
 double largest_stretch_rate(const Strand& strand, particles::Input x, particles::Input v);
 
 struct Measures {

@@ -43,8 +43,7 @@ TEST(Measures, EnergyAndMomentaAreSumsOverTheParticles) {
   EXPECT_DOUBLE_EQ(measures.angular_momentum[1], -9 * tip);  // (0, 0, -3) x (3, 0, 0)
 }
 
-// A turn about the root stretches nothing; a growth by 3 / s stretches all segments by that, whatever their
-// lengths.
+// A turn about the root stretches nothing; a growth by 3 / s stretches all segments by that, for any length.
 TEST(Measures, TheStretchRateIsThatOfTheLargestGrowth) {
   Strand strand;
   strand.mass = Eigen::VectorXd::Ones(3);
@@ -54,7 +53,7 @@ TEST(Measures, TheStretchRateIsThatOfTheLargestGrowth) {
   turn << 0, 0, 0, -5, 0, 0, -5, 10, 0;
   EXPECT_EQ(largest_stretch_rate(strand, x, turn), 0);
   EXPECT_EQ(largest_stretch_rate(strand, x, turn + 3 * x), 3);
-  x.segment<3>(3).setZero();  // without a direction
+  x.segment<3>(3).setZero();  // has no direction then
   EXPECT_EQ(largest_stretch_rate(strand, x, Eigen::VectorXd::Zero(9)), 0);
   turn[8] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(largest_stretch_rate(strand, x, turn)));

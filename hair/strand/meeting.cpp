@@ -7,8 +7,8 @@ namespace hair {
 
 namespace {
 
-// The smallest s >= 0 with |from + s way| = radius, of vectors from something round's middle, if the way
-// enters there.
+// The smallest s >= 0 with |from + s way| = radius, if the way enters the ball there; vectors are from the
+// middle.
 std::optional<double> enters(const Vector3d& from, const Vector3d& way, double radius) {
   const double squared = way.squaredNorm(), half = from.dot(way);
   const double root = half * half - squared * (from.squaredNorm() - radius * radius);
@@ -24,7 +24,7 @@ std::optional<double> share_of_way(const Sphere& sphere, const Vector3d& from, c
   return enters(from - sphere.centre, way, sphere.radius);
 }
 
-// Its round side between the ends, or the sphere at one of them: whichever comes first.
+// The capsule's round side between the ends, or the sphere at one of them: the first one on the way.
 std::optional<double> share_of_way(const Capsule& capsule, const Vector3d& from, const Vector3d& way) {
   std::optional<double> first = enters(from - capsule.a, way, capsule.radius);
   const auto take = [&](std::optional<double> other) {
@@ -44,10 +44,10 @@ std::optional<double> share_of_way(const Capsule& capsule, const Vector3d& from,
   return first;
 }
 
-// Goes on by the half of the distance, which ends outside, and looks closer where that goes below the
-// surface.
+// Advances by half of the distance, as long as this ends outside, and searches more finely when a step ends
+// below the surface.
 std::optional<double> share_of_way(const PlacedSolid& placed, const Vector3d& from, const Vector3d& way) {
-  constexpr double shortest = 1e-3;  // m: what is thinner may be passed
+  constexpr double shortest = 1e-3;  // m: thinner parts may be missed
   const Eigen::Quaterniond back = placed.rotation.conjugate();
   const Vector3d start = back * (from - placed.at), along = back * way;
   const double length = along.norm();

@@ -1,4 +1,4 @@
-// Where a particle's path first meets an obstacle: a fast one may pass through between two steps.
+// Finds where a particle's path first meets an obstacle: a fast one may pass through it in one step.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace hair {
 
-// The obstacle touches this plane there.
+// The plane that touches the obstacle at the contact.
 struct Meeting {
   Vector3d point, normal;  // m; from the obstacle, of length 1
 };
 
 // The path is straight, from `from` to `to`, in the frame of the obstacle, and begins outside or on the
-// surface. Nothing if it does not enter, and for planes: nobody gets to the other side of one.
+// surface. Returns nothing if it does not enter, and nothing for planes, which a particle can't pass.
 std::optional<Meeting> first_meeting(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to);
 
 }  // namespace hair

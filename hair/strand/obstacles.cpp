@@ -13,7 +13,7 @@ using particles::require, particles::require_at_least, particles::require_finite
 
 namespace {
 
-// Of a point beside the middle of something round. `fallback` where the point is the middle itself.
+// The surface of a round object. `fallback` is the normal for its middle.
 Surface round_surface(const Vector3d& from_middle, double radius, const Vector3d& fallback) {
   const double distance = from_middle.norm();
   if (distance == 0) return {-radius, fallback};
@@ -87,20 +87,19 @@ void move_shape(PlacedSolid& placed, const Vector3d& by) {
   placed.at += by;
 }
 
-// What friction takes from a vector: its part across n, at most `limit` of it.
+// The part of a vector that friction removes: its part across n, at most `limit` of it.
 Vector3d friction(const Vector3d& vector, const Vector3d& n, double limit) {
   const Vector3d across = vector - n.dot(vector) * n;
   const double length = across.norm();
   return length <= limit ? across : Vector3d(limit / length * across);
 }
 
-// How deep inside an obstacle rounding alone may leave a point that was pushed out of it.
+// The largest depth that rounding alone may leave for a point that was pushed out of an obstacle.
 double rounding(const Vector3d& point) {
   return 1e-14 * (1 + point.cwiseAbs().maxCoeff());
 }
 
-// A particle that is as near to a surface at a step's beginning slides on it; it may cut off a part of what
-// is round.
+// A particle this near to a surface at a step's start slides on it; it may cut off a part of a round object.
 constexpr double kTouching = 1e-6;  // m
 constexpr double kCutOff = 0.5;     // up to 60 degrees of it
 
@@ -108,9 +107,9 @@ bool is_inside(const Obstacle& obstacle, const Vector3d& point) {
   return surface_at(obstacle, point).distance < -rounding(point);
 }
 
-// Where a particle goes through an obstacle in a step, instead of into it: it ends where the nearest surface
-// is not the one that it met. `way`: of the particle to x, in the obstacle's frame; `end`: the surface at x.
-// Nothing if it was inside an obstacle, or another one is in the way.
+// The contact of a particle that passes through an obstacle in a step, instead of into it: at its end another
+// surface is nearer than the one that it met. `way`: the particle's displacement to x, in the obstacle's
+// frame; `end`: the surface at x. Nothing if it was inside an obstacle, or another one is in the way.
 std::optional<Meeting> passes(const std::vector<Obstacle>& obstacles, const Obstacle& obstacle, double h,
                               const Vector3d& x, const Vector3d& way, const Surface& end) {
   if (!(end.normal.dot(way) > 0) || end.distance > way.norm()) return {};

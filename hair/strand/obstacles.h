@@ -6,8 +6,8 @@
 //
 // Only particles collide, not the segments between them: with segments of length l a sphere of radius r
 // sticks out of the hair by l^2 / 8r, and an obstacle smaller than a segment may slip between two particles.
-// A particle collides along its way, which is straight during a step, in the frame of the moving obstacle:
-// none is so fast that it passes through.
+// A particle collides along its path, which is straight during a step in the frame of the moving obstacle, so
+// even a fast particle can't pass through.
 #pragma once
 
 #include <memory>
@@ -35,11 +35,11 @@ struct Capsule {
   double radius;  // m, > 0
 };
 
-// A solid that is turned about its origin, and whose origin then is at `at`.
+// A solid that is turned about its origin, and then moved by `at`.
 struct PlacedSolid {
   std::shared_ptr<const Solid> solid;
   Vector3d at = Vector3d::Zero();                                // m
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // of length 1
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // length 1
   Vector3d angular_velocity = Vector3d::Zero();                  // rad/s, about `at`
 };
 
@@ -52,7 +52,7 @@ struct Obstacle {
 // A point with equal distances to several sides, such as a sphere's centre, gets one of the normals.
 Surface surface_at(const Obstacle& obstacle, const Vector3d& point);
 
-// How fast the obstacle moves at a point.
+// The velocity of the obstacle at a point.
 Vector3d velocity_at(const Obstacle& obstacle, const Vector3d& point);
 
 // Throws std::invalid_argument for no solid, for a radius or friction out of bounds, a normal or rotation
@@ -70,16 +70,16 @@ struct CollisionReport {
   Vector3d impulse = Vector3d::Zero();  // N s, their sum
 };
 
-// For each particle that is not pinned and is inside an obstacle, with n the normal there and u its velocity
-// relative to the obstacle:
+// A step changes each particle that is not pinned and is inside an obstacle. With n the normal there and u
+// its velocity relative to the obstacle:
 //
 //   x += depth n, and its displacement along the surface since x_before (relative to the obstacle, during h
 //        seconds) gets shorter by at most mu depth;
 //   u -= (u . n) n if u . n < 0, and its component along the surface gets shorter by at most mu |u . n|.
 //
 // A particle that goes through an obstacle, and ends outside or nearer to another side, meets the plane that
-// touches the obstacle where it enters: depth and n are that plane's. Sliding on a surface, it may cut off up
-// to 60 degrees of it. What is inside at the start is pushed out to the nearest side.
+// touches the obstacle at the entry: depth and n are that plane's. A sliding particle may cut off up to 60
+// degrees of the surface. A particle that is inside at the start is pushed out to the nearest side.
 //
 // So a particle rests on a slope whose tangent is at most mu, without creeping, and slides down a steeper one
 // with the acceleration g (sin - mu cos). Obstacles are handled one after the other, repeatedly, until no

@@ -63,8 +63,8 @@ TEST(Obstacles, NothingIsInsideAfterwards) {
   }
   const CollisionReport report = collide(obstacles, particles, 0.01, before, state);
   EXPECT_GT(report.contacts, n / 4);
-  // Each pass takes at least the part 1 - cos^2 of what two surfaces leave that meet at an angle; 1e-9 m is
-  // far below a hair's radius.
+  // Two surfaces meet at an angle: each pass removes at least the part 1 - cos^2 of the remaining depth. 1e-9
+  // m is far below a hair's radius.
   EXPECT_LE(report.penetration, 1e-9);
   for (int i = 0; i < n; ++i)
     for (const Obstacle& obstacle : obstacles)
@@ -75,7 +75,7 @@ TEST(Obstacles, NothingIsInsideAfterwards) {
 TEST(Obstacles, WhatIsOutsideOrPinnedStaysAsItIs) {
   Particles particles{Eigen::VectorXd::Ones(2), {0, 1}};
   State state{Eigen::VectorXd(6), Eigen::VectorXd::Constant(6, -1.25)};
-  state.x << 0, 0, 1.5, 0.1, 0, 0;  // the second is deep inside, but held
+  state.x << 0, 0, 1.5, 0.1, 0, 0;  // the second is deep inside, but pinned
   const State was = state;
   const CollisionReport report = collide({{Sphere{Vector3d::Zero(), 1}, 0.5}}, particles, 0.1, was.x, state);
   EXPECT_EQ(report.contacts, 0);
@@ -107,8 +107,8 @@ TEST(Obstacles, FrictionIsMuTimesTheBlowAlongTheSurface) {
 
 // --- Along the way ---
 
-// The particle goes from `from` to `to` in a step, and ends where the plane that touches the obstacle at
-// `meets` lets it.
+// The particle moves from `from` to `to` in a step, and is stopped by the plane that touches the obstacle at
+// `meets`.
 void expect_stopped(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to,
                     const Vector3d& meets) {
   constexpr double h = 0.01;
@@ -136,7 +136,7 @@ TEST(Obstacles, NobodyGoesThroughOneInAStep) {
   expect_stopped({Capsule{Vector3d::Zero(), Vector3d::Zero(), 0.2}}, {0, 0, 1}, {0, 0, -1}, {0, 0, 0.2});
 }
 
-// What counts is the way relative to the obstacle, which is at its place at the step's end.
+// The way relative to the obstacle counts; the obstacle is at its position of the step's end.
 TEST(Obstacles, NobodyIsOvertakenByOne) {
   const Obstacle ball{Sphere{Vector3d(0, 0, 3), 0.5}, 0, Vector3d(0, 0, 600)};  // 6 m in the step
   State state = state_of({0, 0, 0}, Vector3d::Zero());
@@ -144,7 +144,7 @@ TEST(Obstacles, NobodyIsOvertakenByOne) {
   EXPECT_EQ(report.contacts, 1);
   EXPECT_LE((state.x - Vector3d(0, 0, 3.5)).norm(), 1e-12);
   EXPECT_LE((state.v - ball.velocity).norm(), 1e-10);
-  // Its work is the impulse, m v, times the velocity v that it has.
+  // Its work is the impulse, m v, times its velocity v.
   const double m = one_particle().mass[0];
   EXPECT_NEAR(report.work, m * 600 * 600, 1e-9 * m * 600 * 600);
   EXPECT_LE((report.impulse - m * ball.velocity).norm(), 1e-10);
@@ -162,7 +162,7 @@ TEST(Obstacles, WhoPassesBesideOneOrBeginsInsideIsAsBefore) {
   EXPECT_EQ(after({0, 0, 0.6}, {0, 0, 2}), Vector3d(0, 0, 2));              // away from it
   EXPECT_EQ(after({0, 0, 0.1}, {0, 0, -2}), Vector3d(0, 0, -2));            // from inside
   EXPECT_LE((after({0, 0, 0.1}, {0, 0, -0.1}) - Vector3d(0, 0, -0.5)).norm(), 1e-15);
-  // Sliding, from the surface to the surface, 30 degrees on.
+  // Slides from the surface to the surface, 30 degrees further.
   const Vector3d slid(0.25 + 1e-9, 0, std::sqrt(0.1875));
   EXPECT_EQ(after({0, 0, 0.5}, slid), slid);
 }
@@ -278,7 +278,7 @@ TEST(PlacedSolid, TurnsAndMovesAndMeetsLikeTheBallThatItIs) {
   std::get<PlacedSolid>(placed.shape).angular_velocity = {0, 0, M_PI / 2};
   placed.velocity = {0, 0, 1};
   const Vector3d at(1.3, 2, 3);
-  // The speed of a rotation, beside that of the origin.
+  // The velocity of a rotation, in addition to that of the origin.
   EXPECT_NEAR((velocity_at(placed, at) - Vector3d(0, 0.3 * M_PI / 2, 1)).norm(), 0, 1e-15);
   move_obstacle(placed, 1);
   const Obstacle ball{Sphere{{1, 2.3, 4}, 0.1}};
@@ -287,7 +287,7 @@ TEST(PlacedSolid, TurnsAndMovesAndMeetsLikeTheBallThatItIs) {
     EXPECT_NEAR(here.distance, there.distance, 1e-14);
     EXPECT_NEAR((here.normal - there.normal).norm(), 0, 1e-13);
   }
-  // A particle that would go through it meets it where it would meet the ball.
+  // A particle that would pass through it meets it at the same point as the ball.
   const Vector3d from(0.7, 2.33, 4.01), to(1.4, 2.31, 4);
   const auto here = first_meeting(placed, from, to), there = first_meeting(ball, from, to);
   ASSERT_TRUE(here && there);
@@ -296,8 +296,8 @@ TEST(PlacedSolid, TurnsAndMovesAndMeetsLikeTheBallThatItIs) {
 }
 
 // Particles on all sides, inside and outside, slow and fast: pushed out, dragged along and slowed down by
-// friction as by a sphere. The two differ by rounding: of the turn there and back, and of where the way of a
-// fast one meets the surface, to 1e-11 m.
+// friction as by a sphere. The two differ by rounding: of the turn there and back, and of a fast particle's
+// contact, to 1e-11 m.
 TEST(PlacedSolid, CollidesAndDragsAlongAsTheBallThatItIs) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);

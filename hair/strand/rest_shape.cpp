@@ -29,9 +29,9 @@ void check_resolved(double segment, double wave) {
           "at most 1/4");
 }
 
-// From t on the axis to where the wave is longer by `length`: dt/ds = 1 / sqrt(1 + (A k cos(kt))^2), by Runge
-// and Kutta's method. A wave turns over a length of 1 / (k (1 + A k)) at the least, which 50 steps follow to
-// rounding.
+// From t on the axis to the place where the wave is longer by `length`: dt/ds = 1 / sqrt(1 + (A k
+// cos(kt))^2), by Runge and Kutta's method. A wave turns over a length of at least 1 / (k (1 + A k)), which
+// 50 steps follow to rounding.
 double further_along(double amplitude, double wavelength, double t, double length) {
   const double k = kTurn / wavelength, steepness = amplitude * k;
   const int steps = static_cast<int>(std::ceil(50 * length * k * (1 + steepness)));

@@ -1,9 +1,9 @@
 // The rest shape of a hair: straight, wavy or curly.
 //
-// Particles lie on a smooth curve at equal arc lengths, length / segments each. The distances of neighbours,
-// which strand_from_rest uses as rest lengths, are slightly smaller where the curve bends. All three
-// functions throw std::invalid_argument for values out of bounds, and if segments are longer than a quarter
-// of a wave or turn, because they can't follow the curve then.
+// Particles lie on a smooth curve at equal arc lengths, length / segments each. The distances of
+// neighbours, which strand_from_rest uses as rest lengths, are slightly smaller where the curve bends. All
+// three functions throw std::invalid_argument for values out of bounds, and if segments are longer than a
+// quarter of a wave or turn, because they can't follow the curve then.
 #pragma once
 
 #include "hair/root_frame.h"
@@ -17,7 +17,7 @@ Vector3d side_of(const Vector3d& axis);
 
 struct RestShape {
   Eigen::VectorXd x;  // 3(segments + 1), m; starts with the frame's position
-  Vector3d tangent;   // of the curve at its root: the root_tangent of a clamped strand
+  Vector3d tangent;   // the curve's tangent at its root: the root_tangent of a clamped strand
   Vector3d normal;    // perpendicular to the tangent, in the plane of tangent and side
 };
 

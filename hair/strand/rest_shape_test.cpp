@@ -64,7 +64,7 @@ TEST(RestShape, WavyLiesOnTheSineAtEqualArcLengths) {
       const double t = local.dot(tilted().axis);
       EXPECT_NEAR(local.dot(tilted().side), amplitude * std::sin(2 * kPi * t / wavelength), 1e-15);
       EXPECT_NEAR(local.dot(tilted().axis.cross(tilted().side)), 0, 1e-15);
-      // Runge and Kutta's error is about (1/50)^4 / 120 of what it integrates.
+      // Runge and Kutta's error is about (1/50)^4 / 120 of the integral.
       if (i > 0) {
         EXPECT_NEAR(sine_length(amplitude, wavelength, last, t), length / segments, 1e-8 * length / segments)
             << i;
@@ -94,7 +94,7 @@ TEST(RestShape, CurlyHasTheHelixsRadiusPitchAndHandedness) {
 }
 
 TEST(RestShape, TheTangentIsTheCurvesFirstDirection) {
-  // A chord of length s leaves a curve by the angle curvature * s / 2 at most.
+  // A chord of length s deviates from a curve by at most the angle curvature * s / 2.
   const int segments = 100'000;
   const double length = 0.2;
   const RestShape curly = curly_shape(segments, length, 0.01, 0.02, tilted());

@@ -1,4 +1,4 @@
-// A solid that is known by its distance, in axes of its own. Hair collides with it (obstacles.h), and it is
+// A solid that is given by its distance, in its own axes. Hair collides with it (obstacles.h), and it is
 // drawn as triangles.
 #pragma once
 

@@ -52,7 +52,7 @@ Bend bend_of(const Drawn&, double) {
   throw std::invalid_argument("a drawn strand has no curvature between its points");
 }
 
-// m: along a turn of the curl; 0: it has none.
+// m: the length of the curl's turn; 0 if there is none.
 double turn_of_curl(const RestForm& form) {
   const auto* curl = std::get_if<Curly>(&form);
   return curl ? std::hypot(kFullTurn * curl->radius, curl->pitch) : 0;

@@ -12,13 +12,13 @@ namespace hair {
 // The fibre of a strand; the factors make it stiffer or softer than its material.
 struct Fibre {
   Material material;
-  double stretch_factor = 1;  // of EA
-  double bend_factor = 1;     // of EI
-  double twist_factor = 1;    // of GJ
-  double skip_factor = 0;     // of EA: the rigidity of springs that skip a particle
-  // s, >= 0: bends and twists also resist their rates, with this times their stiffness.
+  double stretch_factor = 1;  // factor of EA
+  double bend_factor = 1;     // factor of EI
+  double twist_factor = 1;    // factor of GJ
+  double skip_factor = 0;     // factor of EA: the rigidity of springs that skip a particle
+  // s, >= 0: the strand also resists the rates of bends and twists, with this times their stiffness.
   double relaxation_time = 0;
-  // rad, > 0: how far a joint between two elements turns from its rest; none: any turn.
+  // rad, > 0: the largest turn of a joint between two elements from its rest; none: any turn.
   std::optional<double> joint_limit = {};
 };
 
@@ -31,14 +31,14 @@ struct Curly {
   double radius, pitch;  // m: see curly_shape
 };
 struct Drawn {
-  Eigen::VectorXd x;  // m, 3n: a groom's points; as many elements as there are pieces between them
+  Eigen::VectorXd x;  // m, 3n: a groom's points; it has an element for each piece between them
 };
 using RestForm = std::variant<Straight, Wavy, Curly, Drawn>;
 
 bool is_wave_or_curl(const RestForm& form);
 
 // The initial shape of a strand that does not start at rest: straight in a direction, with every segment
-// `stretch` times as long, or folded to and fro; and how it turns about its root.
+// `stretch` times as long, or folded back and forth; and its rotation about its root.
 struct Held {
   bool differently = false;
   Vector3d direction = Vector3d::Zero();
@@ -62,10 +62,10 @@ struct StrandSpec {
 // root along its first piece.
 RestShape rest_shape(const StrandSpec& spec);
 
-// Where the rest curve begins, with its tangent and its normal; also of curls that the elements can't follow.
+// The start of the rest curve, with its tangent and normal; curls may be too tight for the elements.
 RestShape root_of_curve(const StrandSpec& spec);
 
-// The same strand, in as many elements as its curve needs to be followed by segments, if it has fewer.
+// The same strand, in as many elements as segments need to follow its curve, if it has fewer.
 StrandSpec finely_divided(const StrandSpec& spec);
 
 // The curve's curvature and torsion, 1/m, at the arc length s from its root. They refer to the frame that

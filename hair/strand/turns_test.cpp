@@ -18,14 +18,14 @@ Vector3d some_direction(Variation& variation) {
   return Vector3d(variation.uniform(-1, 1), variation.uniform(-1, 1), variation.uniform(-1, 1)).normalized();
 }
 
-// It turns about the axis that is perpendicular to both, so by the smallest angle.
+// The axis is perpendicular to both directions, so the angle is the smallest.
 TEST(TurnBetween, TakesOneDirectionToTheOther) {
   Variation variation(1);
   for (int i = 0; i < 100; ++i) {
     const Vector3d from = some_direction(variation), to = some_direction(variation);
     const double size = variation.uniform(0.1, 10);
     const Quaterniond turn = turn_between(size * from, to / size);
-    // w^2 is half of 1 + cos: near half a turn its rounding is large beside it.
+    // w^2 is half of 1 + cos: near half a turn its rounding error is relatively large.
     const double bound = 8 * kRounding / (1 + from.dot(to));
     EXPECT_LE((turn * from - to).norm(), bound);
     EXPECT_LE(std::abs(turn.norm() - 1), bound);

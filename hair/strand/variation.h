@@ -14,8 +14,8 @@ class Variation {
  public:
   explicit Variation(std::uint64_t seed) : state_(seed) {}
 
-  // One of many independent sequences of a seed: that of a strand has nothing to do with how many others
-  // there are, nor with their order.
+  // One of many independent sequences of a seed: a strand's sequence does not depend on the number or the
+  // order of the other strands.
   Variation(std::uint64_t seed, std::uint64_t sequence);
 
   double uniform(double low, double high);

@@ -1,5 +1,5 @@
-// What a simulation watches beside blow-ups: numbers that are finite and wrong. Each concern has a size, of
-// one strand after one step, and a bound; above it there is a warning.
+// Watches a simulation for numbers that are finite and wrong; blow-ups are separate. Each concern has a size,
+// for one strand after one step, and a bound; a size above the bound causes a warning.
 #pragma once
 
 #include <algorithm>
@@ -31,9 +31,9 @@ struct ConcernRow {
   Concern concern;
   const char* id;          // in run.json: "contact energy"
   const char* says;        // in a sentence: "contacts gave it energy"
-  const char* measure;     // what the size is
-  double bound;            // of that size
-  bool adds_up = false;    // the size is a share of all steps, which begins where it is no longer 0
+  const char* measure;     // the meaning of the size
+  double bound;            // the largest size without a warning
+  bool adds_up = false;    // the size is a part of all steps, from the first one where it is not 0
   bool of_solver = false;  // an exercise solves
 };
 
@@ -48,7 +48,7 @@ struct Sizes {
   double operator[](Concern concern) const { return of[static_cast<std::size_t>(concern)]; }
 };
 
-// What the books of a body's energy say (hair/strand/energy_watch.h).
+// Takes the sizes of a body's energy balance (hair/strand/energy_watch.h).
 void add(const EnergyWatch& energy, Sizes& sizes);
 
 // More than a few solves of a body end above their tolerance: 1 % of them, and six at least.
@@ -85,7 +85,7 @@ class Watch {
     int strands = 0;
   };
   std::array<Seen, kConcerns> seen_ = {};
-  std::vector<std::array<bool, kConcerns>> above_;  // of each strand
+  std::vector<std::array<bool, kConcerns>> above_;  // one for each strand
   std::vector<std::array<long, kConcerns>> begun_;  // the step at which a size that adds up was no longer 0
 };
 

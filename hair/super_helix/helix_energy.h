@@ -3,12 +3,12 @@
 //
 //   E = sum over points of m |v - V|^2 / 2 - m g . (x - x_0) + strain energy      J, V the root's velocity
 //
-// A step's work is that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a
-// root that goes faster (hair/rigid_links/link_energy.h), and that of a root that turns: the torque that it
-// gives, times its turn. The strand's own forces have no torque about the root. So the root's is what moves
-// the points beside all other force,
+// A step's work has four parts: that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h; that of
+// contacts; that of a root that changes its velocity (hair/rigid_links/link_energy.h); and that of a root
+// that turns: its torque times its turn. The strand's own forces have no torque about the root. So the root's
+// torque is the rest of the points' motion after all other forces,
 //
-//   h torque = sum over points of (x - x_0) x (inertia dv - h force)              dv: what the step adds to the velocity
+//   h torque = sum over points of (x - x_0) x (inertia dv - h force)      dv: the velocity's change
 #pragma once
 
 #include "hair/strand/energy_watch.h"
@@ -16,10 +16,10 @@
 
 namespace hair {
 
-// What acts on a strand beside its own stiffness.
+// The forces on a strand apart from its own stiffness.
 struct HelixSurroundings {
   Vector3d gravity = Vector3d::Zero();  // m/s^2
-  double drag = 0;                      // N s/m^2: for each metre
+  double drag = 0;                      // N s/m^2, per metre
   Vector3d wind = Vector3d::Zero();     // m/s, of the air
   double relaxation_time = 0;           // s: bends and twists also resist their rates, with this times K
 };
@@ -33,15 +33,15 @@ class HelixEnergy {
   // The next step begins anew, from where the strand is then.
   void restart() { watch_.restart(); }
 
-  // Before a step, with the strand placed and moved as it was after the last one, if it begins, and with the
-  // root's velocities before and in the step.
+  // Call this before a step, with the root's velocities before and in the step. If the balance begins with
+  // this step, `motion` must be placed and moved as it is now.
   void before_step(const HelixMotion& motion, Input q, const Vector3d& before, const Vector3d& after);
 
-  // Within the step: velocities as they are with the rates that it begins with.
+  // Call this within the step: velocities are those of the rates at its beginning.
   void moved(const HelixMotion& motion);
 
-  // What the step found, with the strand still placed as it was and `motion`'s velocities those that `change`
-  // adds to it; spin: the mean of the root's before and in the step.
+  // Takes the result of the step, with the strand still placed as before. `motion`'s velocities are the part
+  // that `change` adds; spin: the mean of the root's spins before and in the step.
   void found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
              const ContactWork* contacts);
 

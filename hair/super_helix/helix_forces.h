@@ -7,18 +7,18 @@
 namespace hair {
 
 // A: - mass * acceleration at q" = 0, on all points, after accelerate(). It is explicit: for short steps, and
-// where q" itself is wanted. Long steps take momenta in its place (helix_momentum.h).
+// to calculate q" itself. Long steps use momenta instead (helix_momentum.h).
 void add_motion(HelixMotion& motion);
 
-// gravity: m/s^2. It is explicit, and so is the tension T that holds hanging hair across; T is rho S g times
-// the length. Steps of more than 4 sqrt(EI rho S) / T may gain energy, unless drag takes it.
+// gravity: m/s^2. It is explicit, and so is the tension T that holds hanging hair laterally; T is rho S g
+// times the length. Steps of more than 4 sqrt(EI rho S) / T may gain energy, unless drag takes it.
 void add_weight(const Vector3d& gravity, HelixMotion& motion);
 
-// - drag * (velocity - wind) for each metre, taken at the end of a step of h seconds; h = 0: at its beginning.
-// drag: N s/m^2, wind: the air's velocity, m/s.
+// - drag * (velocity - wind) per metre, at the end of a step of h seconds; h = 0: at its beginning. drag: N
+// s/m^2, wind: the air's velocity, m/s.
 void add_drag(double drag, const Vector3d& wind, double h, HelixMotion& motion);
 
-// J. Elastic energy is 0 at the natural shape, that of weight at the origin; kinetic energy has no rotary
+// J. Elastic energy is 0 at the natural shape, weight's energy at the origin; kinetic energy has no rotary
 // inertia.
 double elastic_energy(const HelixStrand& strand, Input q);
 double weight_energy(const Vector3d& gravity, const HelixMotion& motion);

@@ -26,7 +26,7 @@ void HelixMomentum::keep(const HelixMotion& motion, const HelixRoot& root, Input
   }
 }
 
-// Nodes lie elsewhere in an element whose number of panels has changed.
+// If an element's number of panels has changed, its nodes are at other places.
 void HelixMomentum::add_to(HelixMotion& motion, double h) const {
   if (elements_.empty()) return;
   const double density = motion.strand().line_density;

@@ -1,15 +1,13 @@
-// Momenta that points keep from one step to the next: A for steps that may be long.
+// Momenta that points keep from one step to the next: they replace A in long steps.
 //
-// A is the force of the accelerations that points have while q" = 0. Those of a whirling strand change much
-// within a long step, and where they are taken at its beginning (add_motion), the strand gains energy until
-// it blows up. But h A is the momentum that each point has from the step before, less the one that the same
-// rates give it where it lies now. So a step may take this difference itself:
-//
-//   force = mass * (velocity kept - velocity now) / h
+// A is the force of the accelerations that points have while q" = 0. In a whirling strand these change much
+// within a long step. If they are taken at its beginning (add_motion), the strand gains energy until it blows
+// up. But h A is the difference of two momenta: the one that each point has from the previous step, and the
+// one that the same rates give it at its present position. So a step may take this difference itself:
 //
 // For h to 0 this is A. The step then finds the rates whose velocities are nearest to the kept ones, with
-// masses as weights, and a projection never makes them larger: kinetic energy grows by the work of forces
-// alone. The root's acceleration is in it, too.
+// masses as weights. Such a projection never makes velocities larger: kinetic energy grows only by the
+// work of forces. The root's acceleration is included, too.
 #pragma once
 
 #include <vector>
@@ -20,13 +18,13 @@ namespace hair {
 
 class HelixMomentum {
  public:
-  // After a step: of the strand as it is still placed, with the rates that the step has found and the root's
-  // velocity and spin in the step.
+  // Call this after a step, with the strand still placed as before, the step's resulting rates, and the
+  // root's velocity and spin in the step.
   void keep(const HelixMotion& motion, const HelixRoot& root, Input rates);
 
-  // Before the next step of h seconds, after place() and move() with the root's velocity and spin in that
-  // step: adds the force to all points. Adds nothing before the first keep(). Both allocate nothing, unless
-  // there are more points than ever.
+  // Call this before the next step of h seconds, after place() and move() with the root's velocity and spin
+  // in that step: adds the force to all points. Adds nothing before the first keep(). Both allocate nothing,
+  // unless there are more points than ever.
   void add_to(HelixMotion& motion, double h) const;
 
  private:
@@ -39,7 +37,7 @@ class HelixMomentum {
   };
   Vector3d velocity_at(int element, double s) const;
 
-  // Of points, and of elements at their starts.
+  // Points, and elements at their starts.
   std::vector<Place> places_;
   std::vector<Vector3d> velocities_;
   std::vector<HelixElement> elements_;

@@ -19,20 +19,20 @@ constexpr GaussNode kGauss[kNodes / 2] = {{0.1834346424956498, 0.362683783378362
                                           {0.9602898564975363, 0.1012285362903763}};
 
 constexpr double kMostPanels =
-    500;  // 160 turns: what winds more often has blown up, and must not take all memory
+    500;  // 160 turns: a strand with more has blown up, and must not take all memory
 
 int panels(double angle) {
   return static_cast<int>(std::ceil(std::clamp(angle >= 0 ? angle / kWidestPanel : 1, 1.0, kMostPanels)));
 }
 
-// How a point of an element moves beside the element's start, which is held: along the start's axes.
+// The motion of a point of an element relative to the element's start, which is held, along the start's axes.
 struct Relative {
   Vector3d acceleration;       // m/s^2, of the point while q" = 0
   Vector3d spin_acceleration;  // rad/s^2, of the frame
 };
 
-// The second derivatives of (2) by time, p' = s (kappa1', kappa2', tau'), p" = 0. For a frame that is turned
-// by V p', V = 1 + c_2 [p] + c_3 [p]^2, that is V' p'.
+// The second derivatives of (2) by time, p' = s (kappa1', kappa2', tau'), p" = 0. For a frame with the
+// angular velocity V p', V = 1 + c_2 [p] + c_3 [p]^2, the result is V' p'.
 Relative relative_acceleration(const Vector3d& curvature, const Vector3d& rate, double s) {
   const Vector3d p = s * curvature, v = s * rate, e(0, 0, 1);
   const double x = p.squaredNorm(), dx = 2 * p.dot(v), ddx = 2 * v.squaredNorm();
@@ -119,7 +119,7 @@ void HelixMotion::add_point(int element, double s, double weight) {
   weights.push_back(weight);
 }
 
-// An element's start moves a point as a rigid body would; to that it adds a velocity of its own.
+// An element's start moves a point like a rigid body; the element adds a velocity of its own.
 void HelixMotion::move(const HelixRoot& root, Input rates) {
   Vector3d velocity = root.velocity, spin = root.spin;
   std::size_t j = 0;
@@ -133,7 +133,7 @@ void HelixMotion::move(const HelixRoot& root, Input rates) {
   }
 }
 
-// The same, differentiated: with Coriolis' term twice.
+// The derivative of the same, with Coriolis' term twice.
 void HelixMotion::accelerate(const HelixRoot& root, Input rates) {
   Vector3d spin = root.spin, acceleration = root.acceleration, spin_acceleration = root.spin_acceleration;
   std::size_t j = 0;

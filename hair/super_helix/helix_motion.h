@@ -1,10 +1,10 @@
-// A super-helix that moves: from its coordinates to where its elements and points are and how they move, as
-// H8's functions need them.
+// Moves a super-helix: calculates positions and velocities of its elements and points from its coordinates,
+// for H8's functions.
 //
-// Points are the nodes of Gauss's quadrature, 8 in each panel; an element that winds by the angle a has
-// ceil(a / 2) panels, so that none winds by more than 2. M's integrand has parts up to exp(2 i a s / l), and
-// 8 nodes integrate exp(i z w) over -1 <= z <= 1 to 2.2e-18 w^16: the error is 1.4e-13 of it at most, and 0
-// for a strand that is straight.
+// Points are the nodes of Gauss's quadrature, 8 in each panel. An element that winds by the angle a has
+// ceil(a / 2) panels, so that none winds by more than 2. M's integrand has terms up to exp(2 i a s / l), and
+// 8 nodes integrate exp(i z w) over -1 <= z <= 1 to 2.2e-18 w^16: the relative error is at most 1.4e-13, and
+// 0 for a straight strand.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace hair {
 
-// The root moves as it is told.
+// The root's motion is given.
 struct HelixRoot {
   MaterialFrame frame;
   Vector3d velocity = Vector3d::Zero();           // m/s, of the frame's position
@@ -24,17 +24,17 @@ struct HelixRoot {
 
 class HelixMotion {
  public:
-  // places: m from the root along the hair, from 0 to its length: points that are wanted beside the nodes,
-  // for what pushes or holds the hair there. They have no mass.
+  // places: m from the root along the hair, from 0 to its length: points in addition to the nodes, for forces
+  // that push or hold the hair there. They have no mass.
   explicit HelixMotion(HelixStrand strand, std::vector<double> places = {});
 
   const HelixStrand& strand() const { return strand_; }
 
   std::vector<HelixElement> elements;
   std::vector<HelixPoint> points;   // their number depends on q: see above
-  std::vector<std::size_t> placed;  // of each place: which point it is
+  std::vector<std::size_t> placed;  // for each place: the index of its point
 
-  // Of each point: the hair that it stands for, m (0 at a place); velocity, m/s; acceleration while q" = 0,
+  // For each point: the length of its piece of hair, m (0 at a place); velocity, m/s; acceleration at q" = 0,
   // m/s^2.
   std::vector<double> weights;
   std::vector<Vector3d> velocities, accelerations;
@@ -43,8 +43,8 @@ class HelixMotion {
   // strand winds more than ever before.
   void place(const MaterialFrame& root, Input q);
 
-  // Of the strand as it is placed: sets velocities; sets accelerations, which those who take momenta don't
-  // need.
+  // For the placed strand: move() sets velocities; accelerate() sets accelerations, which steps with momenta
+  // don't need.
   void move(const HelixRoot& root, Input rates);
   void accelerate(const HelixRoot& root, Input rates);
 

@@ -53,7 +53,7 @@ Eigen::VectorXd lengths_of(const StrandSpec& spec) {
   return lengths;
 }
 
-// rad: how far an element of the rest shape turns.
+// rad: the turn of an element of the rest shape.
 double turn_of_element(const StrandSpec& spec) {
   const auto* curl = std::get_if<Curly>(&spec.form);
   if (!curl) return 0;

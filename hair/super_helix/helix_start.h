@@ -1,8 +1,8 @@
 // A strand's specification as a super-helix: its elements' natural curvatures and torsions, and its root.
 //
-// An element takes the mean curvature and torsion of its piece of the rest curve, so that a helix is exact
-// with any number of elements, and a wave turns as it should in each of them. Of a groom's points, the bend
-// at a point is spread over the two halves beside it, without twist.
+// An element takes the mean curvature and torsion of its piece of the rest curve, so a helix is exact with
+// any number of elements, and a wave turns by the right angle in each of them. For a groom's points, the bend
+// at a point is spread over the two halves next to it, without twist.
 #pragma once
 
 #include "hair/strand/strand_spec.h"
@@ -11,9 +11,9 @@
 namespace hair {
 
 inline constexpr int kMostHelices = 400;   // elements: a step may take the memory of a dense matrix
-inline constexpr double kMostTurns = 20;   // of an element
-inline constexpr double kDrawnTurn = 0.3;  // rad: how far apart points of the centre line are on a curl
-inline constexpr int kDrawnPoints = 16;    // of a strand, at least
+inline constexpr double kMostTurns = 20;   // per element
+inline constexpr double kDrawnTurn = 0.3;  // rad: between neighbouring points of the centre line on a curl
+inline constexpr int kDrawnPoints = 16;    // per strand, at least
 
 struct HelixStart {
   HelixStrand strand;
@@ -26,7 +26,7 @@ struct HelixStart {
 // The reason why super-helices can't express a strand; empty if they can.
 std::string why_not_of_helices(const StrandSpec& spec);
 
-// How many points its centre line and its quadrature have, about.
+// The approximate number of points of its centre line and its quadrature.
 long helix_points(const StrandSpec& spec);
 
 // Throws std::invalid_argument for such a strand.

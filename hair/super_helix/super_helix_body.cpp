@@ -114,7 +114,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   return {};
 }
 
-// While the strand is still placed as the step had it.
+// Called while the strand is still placed as in the step.
 void SuperHelixBody::weigh(double h, const Vector3d& spin) {
   ContactWork contacts;
   if (contacts_.contacts() > 0) contacts = contacts_.work(after_);
@@ -122,7 +122,7 @@ void SuperHelixBody::weigh(double h, const Vector3d& spin) {
   energy_->found(motion_, h, spin, rates_, change_, contacts_.contacts() > 0 ? &contacts : nullptr);
 }
 
-// A step that has no momenta of a step before takes accelerations, those of the root among them.
+// A step without momenta of a previous step uses accelerations, also the root's.
 void SuperHelixBody::start_moving(const Vector3d& spin, double h) {
   root_.acceleration = (goal_.velocity - root_.velocity) / h;
   root_.spin_acceleration = (spin - root_.spin) / h;
@@ -143,15 +143,16 @@ void SuperHelixBody::add_forces(const BodyStep& step) {
   for (const PointForce& one : step.forces) add_point_force(one, step.h);
 }
 
-// f - S h v, with v at the end of the step: what `change_` adds to it resists.
+// f - S h v, with v at the end of the step: the part of `change_` acts as a resistance.
 void SuperHelixBody::add_point_force(const PointForce& one, double h) {
   const std::size_t j = motion_.placed[one.point];
   motion_.points[j].force += one.force - h * (one.stiffness * motion_.velocities[j]);
   motion_.points[j].inertia += h * h * one.stiffness;
 }
 
-// With the damping t K the step is (M + (h^2 + h t) K) change = h (Q - K (q + h q' - q^n) - t K q'). That is
-// the step of a strand that is 1 + t/h times as stiff, with a natural shape as much nearer to q.
+// With the damping t K the step is (M + (h^2 + h t) K) change = h (Q - K (q + h q' - q^n) - t K q'). This is
+// the step of a strand that is 1 + t/h times as stiff, and whose natural shape is nearer to q by the same
+// factor.
 const HelixStrand& SuperHelixBody::strand_of_step(double h) {
   const HelixStrand& strand = motion_.strand();
   if (surroundings_.relaxation_time == 0) return strand;
@@ -183,7 +184,7 @@ void SuperHelixBody::step_among(const BodyStep& step, const HelixStrand& strand,
   }
 }
 
-// Velocities are those at the end of the step, but for what `change_` adds.
+// Velocities are those at the end of the step without the part of `change_`.
 void SuperHelixBody::find_points() {
   for (std::size_t i = 0; i < contact_points_.size(); ++i) {
     const std::size_t j = motion_.placed[i + 1];
@@ -214,7 +215,7 @@ Sizes SuperHelixBody::sizes() const {
   return sizes;
 }
 
-// Faster than light, as far as all elements turn the tip.
+// False if all elements together turn the tip faster than light.
 bool SuperHelixBody::is_sound() const {
   double turning = root_.spin.norm();
   for (Eigen::Index i = 0; i < q_.size() / 3; ++i)

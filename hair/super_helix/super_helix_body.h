@@ -1,9 +1,9 @@
-// A strand that is a super-helix as a body. Its coordinates are the root's position, m, the turn of the
-// root's frame, as a vector, rad, from where it was at the start, and for each element the curvatures kappa1,
-// kappa2 and the torsion tau, 1/m. It moves by H8's semi-implicit step; what pulls and holds it at the points
-// of its centre line (drag, contacts, forces of others) is taken at the end of the step. What the motion
-// itself asks for are the momenta of the step before (helix_momentum.h); they are no part of the coordinates,
-// so that what is written moves on as before to the order of h^2.
+// A super-helix as a body. Its coordinates are the root's position, m; the turn of the root's frame since
+// the start, as a vector, rad; and for each element the curvatures kappa1, kappa2 and the torsion tau,
+// 1/m. It moves by H8's semi-implicit step, with forces at the points of its centre line (drag, contacts,
+// forces of others) at the step's end. The motion itself needs the momenta of the previous step
+// (helix_momentum.h). They are no part of the coordinates, so a state that is written back continues its
+// motion only to the order of h^2.
 #pragma once
 
 #include <vector>
@@ -18,8 +18,8 @@ namespace hair {
 
 class SuperHelixBody final : public Body {
  public:
-  // The root is at rest at the start, and moves with root_velocity from then on. watched: sizes() tells of
-  // energies, too.
+  // The root is at rest at the start, and moves with root_velocity from then on. watched: sizes() also has
+  // energies.
   SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings, const Vector3d& root_velocity,
                  bool watched = false);
 
@@ -58,17 +58,17 @@ class SuperHelixBody final : public Body {
   bool is_sound() const;
 
   Matrix3d axes_at_start_;
-  HelixRoot root_;     // as it is now
-  Root goal_;          // where it goes
-  bool told_ = false;  // by set_root, for the next step
+  HelixRoot root_;     // with its present frame
+  Root goal_;          // the root's next motion
+  bool told_ = false;  // set_root was called for the next step
   Eigen::VectorXd q_, rates_, change_;
   std::vector<double> places_;
   HelixMotion motion_;
   HelixMomentum momentum_;
-  bool has_momentum_ = false;  // of the step before
-  bool placed_ = false;        // motion_ is, where the strand is now
+  bool has_momentum_ = false;  // true after the first step
+  bool placed_ = false;        // motion_ is placed at the present coordinates
   HelixSurroundings surroundings_;
-  HelixStrand damped_;  // as the step sees it, if it resists the rates of bends
+  HelixStrand damped_;  // the strand of the step if it resists the rates of bends
   std::vector<ContactPoint> contact_points_;
   std::vector<Push> without_contacts_;  // on the contact points
   std::vector<Vector3d> after_;

@@ -21,13 +21,14 @@ namespace hair {
 
 namespace {
 
-// A full matrix that is larger costs more than all the rest. So does that of links, whose oscillations allow
-// no long steps: BDF takes ten times as long.
+// A larger full matrix costs more than all other work. So does that of links, whose oscillations allow no
+// long steps: BDF takes ten times as long.
 constexpr double kLargestMatrix = 2e5;  // entries
 
 using Ways = std::array<CvodeWay, 2>;
 
-// As different as CVODE has them; and where Newton's method would be too dear, two tolerances.
+// The two ways differ as much as CVODE allows; if Newton's method would be too expensive, they are two
+// tolerances.
 Ways ways_for(const Problem& problem, const Ode& ode, double tolerance) {
   const double entries = static_cast<double>(ode.size()) * (ode.above() + 1 + ode.below());
   if (entries > kLargestMatrix || problem.modelled())
@@ -63,8 +64,8 @@ double disagreement(const Ode& ode, const Trajectory& a, const Trajectory& b) {
   return largest;
 }
 
-// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0
-// to 1.6 where it was let go, 2.4 where its root is carried about. Not derived, and so with room.
+// The distance of a stretching strand from the limit, over the largest stretch by its tensions: 1.0 to 1.6
+// for a released strand, 2.4 for a moving root. It is not derived, so the factor is larger.
 constexpr double kOfStretch = 4;
 
 }  // namespace
@@ -90,7 +91,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
                   (rigid ? ", of rigid segments" : "");
   std::string key;
   if (settings.cache) {
-    // Of equations of its own, since those that are solved remember what they were asked.
+    // Equations of its own, because equations that were solved keep a memory.
     key = motion_key(problem, *ode_of(problem),
                      motion.method + ", exactly " + to_exact_text(ways[0].tolerance));
     if (auto kept = find_motion(*settings.cache, key)) return kept;
@@ -113,7 +114,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
     try {
       keep_motion(*settings.cache, key, motion);
     } catch (const BadInput&) {
-      // A folder that can't be written costs time the next time, and nothing now.
+      // A folder that can't be written costs time in the next run, and nothing now.
     }
   }
   return motion;

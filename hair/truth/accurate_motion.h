@@ -2,14 +2,14 @@
 // with the strand's sparsity, as accurate as is practical. The time errors of methods are measured against
 // it.
 //
-//   M x'' = f(x, x') for the free particles; held particles move as the scene says.
+//   M x'' = f(x, x') for the free particles; the scene moves the held ones.
 //
-// CVODE solves each problem twice, in two ways. The result includes their agreement, and smaller errors are
+// CVODE solves each problem twice, in two ways. The result includes their agreement; smaller errors are
 // meaningless. If a strand is so hard to stretch that CVODE would take minutes (kHardToStretch times hair's
 // EA), it is replaced by its inextensible limit: the equations with rigid segments (rigid_strand_ode.h). The
 // difference of the two motions falls like 1/EA, is known from the tensions, and is included in the
 // agreement. A strand that does not start with its rest lengths has no such limit, because it oscillates
-// along its length for ever; then CVODE takes its minutes.
+// along its length for ever; CVODE takes minutes for it.
 #pragma once
 
 #include <atomic>
@@ -36,7 +36,7 @@ struct AccurateMotion {
   bool inextensible = false;
   bool from_cache = false;
   double cpu_seconds = 0;  // when it was computed
-  long evaluations = 0;    // of the forces
+  long evaluations = 0;    // evaluations of the forces
 
   double least_error() const;  // max(agreement, kLeastError): smaller errors are not reported
 };

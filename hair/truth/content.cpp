@@ -17,7 +17,7 @@ void add(Digest& digest, const StrandStart& start) {
   digest.add(start.state.x).add(start.state.v).add(start.rest_curvature).add(start.root_normal);
 }
 
-// Every member is named, so that one that joins is not forgotten.
+// Names every member, so that the compiler reports a new one.
 void add(Digest& digest, const Fibre& fibre) {
   const auto& [material, stretch, bend, twist, skip, relaxation_time, joint_limit] = fibre;
   const auto& [radius, density, young_modulus, shear_modulus] = material;
@@ -30,7 +30,7 @@ void add(Digest& digest, const ModelledStrand& strand) {
   const auto& [fibre, form, length, elements, root, clamped, start, root_velocity] = strand.spec;
   digest.add(std::string_view(strand.model->id));
   add(digest, fibre);
-  const RestShape shape = rest_shape(strand.spec);  // of form, length, elements and root
+  const RestShape shape = rest_shape(strand.spec);  // from form, length, elements and root
   digest.add(shape.x).add(shape.tangent).add(shape.normal);
   digest.add(static_cast<int>(form.index())).add(length).add(elements).add(root.position).add(clamped);
   const auto& [differently, direction, stretch, folded, spin] = start;

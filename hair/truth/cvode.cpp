@@ -31,8 +31,8 @@ Values values(N_Vector vector) {
   return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
 }
 
-// What callbacks see. No exception may pass through CVODE, which is C: it is kept, and thrown when CVODE
-// returned.
+// The data of callbacks. No exception may pass through CVODE, which is C: it is kept, and thrown when CVODE
+// has returned.
 struct Call {
   Ode& ode;
   const std::atomic<bool>& interrupted;
@@ -134,7 +134,7 @@ class Solver {
       solve_by_fixed_point();
   }
 
-  // y(until), from where it is. `fresh`: f was not smooth here. False if interrupted.
+  // Advances to y(until). `fresh`: f was not smooth at the present time. Returns false if interrupted.
   bool advance(double until, bool fresh) {
     if (fresh) call_.ode.start_span(time_);
     if (fresh) check(CVodeReInit(cvode_.get(), time_, y_.get()));
@@ -151,7 +151,7 @@ class Solver {
     return call_.ode.state(time_, values(y_.get()));
   }
 
-  // CVODE counts from its last fresh start.
+  // CVODE counts from its last restart.
   void add_to(CvodeRun& run) {
     run.evaluations += evaluations_;
     run.steps += steps_;
@@ -213,11 +213,11 @@ std::vector<Stop> stops(const Ode& ode, double duration, int moments) {
   std::vector<Stop> all;
   for (int k = 1; k <= moments; ++k) all.push_back({duration * k / moments, true, false});
   for (const double time : ode.breaks()) {
-    const double same = 1e-12 * duration;  // CVODE can't go between two times as near as roundings
+    const double same = 1e-12 * duration;  // CVODE can't advance between two times within rounding
     const auto at =
         std::find_if(all.begin(), all.end(), [&](const Stop& stop) { return time <= stop.time + same; });
     if (at == all.end() || time <= same) continue;
-    // What ends a span must not be earlier than what the next begins with, not even by a rounding.
+    // The end of a span must not be earlier than the begin of the next one, not even by a rounding error.
     if (time >= at->time - same)
       *at = {time, at->is_moment, true};
     else

@@ -24,12 +24,12 @@ struct CvodeWay {
 
 struct CvodeRun {
   Trajectory states;
-  long evaluations = 0;  // of f
-  long matrices = 0;     // of df/dy
+  long evaluations = 0;  // evaluations of f
+  long matrices = 0;     // calculations of df/dy
   long steps = 0;
 };
 
-// The states at the start and at `moments` equally spaced times, of which the last is `duration` seconds.
+// Returns the states at the start and at `moments` equally spaced times, the last one at `duration` seconds.
 // Empty if `interrupted`. Throws std::runtime_error with one line if CVODE fails (f is not finite, steps
 // vanish), and passes on exceptions of f.
 std::optional<CvodeRun> run_cvode(Ode& ode, double duration, int moments, const CvodeWay& way,

@@ -1,5 +1,5 @@
-// The equations of motion of strands that their models divide into elements: of each model that has them
-// here.
+// The equations of motion of strands that their models divide into elements, for the models that have such
+// equations.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ struct OdeRow {
   std::unique_ptr<Ode> (*make)(const Problem& problem);
 };
 
-// Those of all files <model>_ode.cpp here: each defines the function <model>_ode, which is such a row's
+// The rows of all files <model>_ode.cpp in this folder: each defines the function <model>_ode, a row's
 // `make`.
 std::span<const OdeRow> model_odes();
 
 bool has_ode(const ModelRow& model);
 
-// Of a problem with a modelled strand. Throws std::invalid_argument if its model has none.
+// Makes the equations of a modelled strand. Throws std::invalid_argument if its model has none.
 std::unique_ptr<Ode> model_ode(const Problem& problem);
 
 }  // namespace hair

@@ -32,7 +32,7 @@ std::string forces_of(const Problem& problem, Ode& ode) {
   return digest.text();
 }
 
-// Numbers as their bits: what is read back is what was written, on any machine.
+// Writes numbers as their bits, so that reading gives the same numbers on any machine.
 void put(std::string& text, std::uint64_t bits) {
   std::array<char, 16> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), bits, 16).ptr;
@@ -44,7 +44,7 @@ void put(std::string& text, const Eigen::VectorXd& values) {
   for (const double value : values) put(text, std::bit_cast<std::uint64_t>(value));
 }
 
-// What is left of a file's text. Of what is not there, everything after is missing, too.
+// Reads a file's text. After the first missing part, all later parts are missing, too.
 class Rest {
  public:
   explicit Rest(std::string_view text) : text_(text) {}

@@ -16,7 +16,7 @@ namespace hair {
 
 namespace {
 
-// The point after `distance` metres along a polyline of which `lengths` are the segments.
+// The point after `distance` metres along a polyline with the segments `lengths`.
 Vector3d point_along(const Eigen::VectorXd& x, const Eigen::VectorXd& rest_lengths, double distance) {
   int i = 0;
   const int last = static_cast<int>(rest_lengths.size()) - 1;
@@ -52,7 +52,7 @@ void divide(ModelledStrand& strand, int segments) {
   strand.spec.elements = segments;
 }
 
-// With as many segments as were asked for.
+// The strand with the requested number of segments.
 template <typename Any>
 Any chosen(const Scene& scene, Any strand, const ProblemSettings& settings) {
   if (!settings.segments) return strand;
@@ -63,7 +63,7 @@ Any chosen(const Scene& scene, Any strand, const ProblemSettings& settings) {
   return strand;
 }
 
-// The strand that is studied, as the only one of `hair`.
+// Adds the studied strand as the only one of `hair`.
 void add_strand(const Scene& scene, const ProblemSettings& settings, Description& hair) {
   const std::vector<StrandStart>& strands = scene.hair.strands;
   const std::vector<ModelledStrand>& modelled = scene.hair.modelled;

@@ -1,5 +1,5 @@
-// A problem of a study: one strand or one toy of a scene, for a short time. It leaves out everything that
-// says nothing about a method's error (obstacles, pictures, the other strands).
+// A problem of a study: one strand or one toy of a scene, for a short time. Obstacles, pictures and other
+// strands have nothing to do with a method's error and are left out.
 //
 //   Scene ──▶ Problem ──▶ accurate motion          (accurate_motion.h)
 //                    └──▶ a run with each method   (study_methods.h), for each of several step sizes
@@ -16,7 +16,7 @@ namespace hair {
 // Real hair is stiff, and rounding errors grow during a long motion: beyond this duration a study learns
 // nothing about a method.
 inline constexpr double kLongestStudy = 0.2;  // s
-inline constexpr int kMoments = 16;           // at which runs are compared, after the start
+inline constexpr int kMoments = 16;           // times after the start at which runs are compared
 inline constexpr int kQuickSegments = 10;
 
 struct ProblemSettings {
@@ -46,8 +46,8 @@ std::unique_ptr<Body> modelled_body(const Problem& problem);
 // modelled strand's method is one that moves its model.
 Problem make_problem(const Scene& scene, const ProblemSettings& settings);
 
-// The segments of a scene's strand, if it is one and can be divided anew. None: a strand that rests curved,
-// or no strand.
+// The segments of a scene's strand, if it is a strand that can be divided anew. Nothing for a strand that is
+// curved at rest, or without a strand.
 std::optional<int> segments_to_divide(const Scene& scene, int strand);
 
 // The same strand in `segments` >= 1 equal segments: the mass per metre, the length, the rigidities, the root

@@ -10,8 +10,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// 1/s. An error of a rate that swings with omega moves places by 1/omega of it: this is between what a whole
-// hair swings with, a few 1/s, and the 1e5 1/s that its joints twist with.
+// 1/s. An error of a rate that oscillates with omega moves positions by 1/omega of it. This value is between
+// a whole hair's few 1/s, and the 1e5 1/s of its joints' twists.
 constexpr double kRate = 1000;
 
 }  // namespace
@@ -32,8 +32,8 @@ LinksOde::LinksOde(const Problem& problem, const LinkStrand& strand)
   set_in_motion();
 }
 
-// Between before and after, the base accelerates without bounds for no time: rates change by what its
-// velocity, as an acceleration, adds to accelerations.
+// Between before and after, the base accelerates without bounds for no time: rates change by the part that
+// its velocity, taken as an acceleration, adds to accelerations.
 void LinksOde::set_in_motion() {
   TreeBase base = base_at(0);
   const SpatialMotion velocity = base.velocity;

@@ -3,7 +3,7 @@
 // are those of explicit steps. The base moves independently. Everything depends on everything: df/dy is a
 // full matrix.
 //
-// A root that starts with a velocity is at rest until then: the blow turns the links at once.
+// A root that starts with a velocity was at rest before: this impulse turns the links at once.
 #pragma once
 
 #include <memory>
@@ -38,10 +38,10 @@ class LinksOde : public Ode {
 
   Scene scene_;
   StrandRoot root_;
-  std::unique_ptr<Body> body_;  // says what states mean
+  std::unique_ptr<Body> body_;  // gives states their meaning
   TreeSystem system_;
   std::vector<Eigen::Quaterniond>
-      at_rest_;  // the links' axes in the rest shape, where the root is at the start
+      at_rest_;  // the links' axes in the rest shape, for the root's frame at the start
   Eigen::VectorXd start_, q_;
 };
 

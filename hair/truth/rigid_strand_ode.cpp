@@ -86,7 +86,7 @@ void RigidStrandOde::unpack(double t, particles::Input y) {
   if (root_.turns()) simulation_.set_root_frame(0, at_root_.tangent, at_root_.normal);
 }
 
-// Of the particles' accelerations without tensions, a_, makes those with them.
+// Turns a_, the particles' accelerations without tensions, into those with them.
 void RigidStrandOde::find_tensions() {
   const Strand& strand = scene_.hair.strands[0].strand;
   const auto inverse_mass = [&](int i) { return i == 0 ? 0 : 1 / strand.mass[i]; };

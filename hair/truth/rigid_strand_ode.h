@@ -3,7 +3,7 @@
 // and the direction's rate w = u', six numbers. The tensions T follow from |u| = 1, differentiated twice.
 // With segment i between particles i and i + 1, with lengths l, masses m and other forces f,
 //
-//   a_i = (f_i + T_i u_i - T_{i-1} u_{i-1}) / m_i,   a_0 the root's,   u_i' = w_i,   w_i' = (a_{i+1} - a_i) / l_i,
+//   a_i = (f_i + T_i u_i - T_{i-1} u_{i-1}) / m_i, a_0 the root's, u_i' = w_i, w_i' = (a_{i+1} - a_i) / l_i,
 //   u_i . (a_{i+1} - a_i) = -l_i |w_i|^2:   a tridiagonal system for T, solved directly.
 //
 // Positions are sums of l_i u_i / |u_i|, so that lengths are exact even if |u| has errors; only the part of w
@@ -31,8 +31,8 @@ class RigidStrandOde : public Ode {
   void rates(double t, particles::Input y, particles::Output dy) override;
   particles::State state(double t, particles::Input y) override;
 
-  // How much the tensions would stretch the problem's strand, all segments together: the maximum since
-  // construction, m. The distance between this motion and that strand's has this order of magnitude.
+  // The largest total stretch, m, that the tensions would cause in the problem's strand since construction.
+  // The distance between this motion and that strand's has this order of magnitude.
   double stretch() const { return stretch_; }
 
  private:
@@ -45,14 +45,14 @@ class RigidStrandOde : public Ode {
   int segments_;
   double velocity_scale_;  // 1/s
   RootMotion at_root_;
-  Eigen::Matrix3Xd u_, w_, a_;  // of segments, segments, particles
+  Eigen::Matrix3Xd u_, w_, a_;  // for segments, segments, particles
   Eigen::VectorXd tension_, diagonal_;
   particles::State state_;
   Eigen::VectorXd force_;
   double stretch_ = 0;
 };
 
-// Whether the strand starts as if its segments had always kept their lengths, so that it has such a limit.
+// True if the strand starts as if its segments had always kept their lengths, so that it has such a limit.
 // Tolerance: 1e-9 of the lengths, and of the velocities' size.
 bool starts_rigid(const Problem& problem);
 

@@ -18,9 +18,9 @@ namespace hair {
 namespace {
 
 constexpr int kLevels = 4;
-constexpr double kTolerance = 1e-9;       // of the accurate motions
-constexpr double kOtherTolerance = 1e-8;  // that tells how good they are
-constexpr int kMostSegments = 400;        // beyond it takes minutes
+constexpr double kTolerance = 1e-9;       // for the accurate motions
+constexpr double kOtherTolerance = 1e-8;  // for a second solution that shows their accuracy
+constexpr int kMostSegments = 400;        // more segments take minutes
 constexpr double kLeastOrder = 0.5;
 constexpr double kAsHardAsHair = 0.3;  // times hair's EA, from which on stretching is left out
 
@@ -37,8 +37,8 @@ std::string why_not(const Problem& problem) {
   return "";
 }
 
-// The places at the arc lengths `wanted`, of all moments after the start, in one column. `at`: those of the
-// particles.
+// The positions at the arc lengths `wanted`, for all moments after the start, in one column. `at`: the
+// particles' arc lengths.
 Eigen::VectorXd places_of(const Trajectory& states, const Eigen::VectorXd& at,
                           const Eigen::VectorXd& wanted) {
   const Eigen::Index moments = static_cast<Eigen::Index>(states.size()) - 1, size = 3 * wanted.size();

@@ -40,8 +40,8 @@ struct SpaceError {
   std::optional<double> error_of(int segments) const;  // m; none for a number of segments that is not a level
 };
 
-// Which strands are computed: all, or only those whose segments may be rigid, which take a few seconds at
-// most.
+// The strands that are computed: all, or only those whose segments may be rigid, which take at most a few
+// seconds.
 enum class Patience { seconds, minutes };
 
 // Empty if `interrupted`. If CVODE fails or forces throw, there are no levels, and `left_out` has the reason.

@@ -89,9 +89,9 @@ int StrandOde::below() const {
   return std::min(6 * kReach + 5, size() - 1);
 }
 
-// Particles that are 2 kReach + 1 apart change no force together: one product for all of them, and each axis.
-// A. R. Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of Sparse Jacobian Matrices", J. Inst.
-// Maths Applics 13 (1974).
+// Particles 2 kReach + 1 apart have no common force: one product serves all of them, for each axis. A. R.
+// Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of Sparse Jacobian Matrices", J. Inst. Maths
+// Applics 13 (1974).
 bool StrandOde::jacobian(double t, particles::Input y, BandMatrix& df) {
   unpack(t, y);
   const particles::Force& force = simulation_.force(0);

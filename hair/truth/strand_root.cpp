@@ -28,7 +28,7 @@ bool is_clamped(const Description& hair) {
 }  // namespace
 
 StrandRoot::StrandRoot(const Scene& scene) : start_(start_of(scene.hair)) {
-  // As in a simulation, the last one leads.
+  // The last motion counts, as in a simulation.
   for (const Rider& rider : scene.riders)
     if (!rider.strands.empty()) motion_ = &rider.motion;
   if (motion_) turns_ = is_clamped(scene.hair) && hair::turns(*motion_);
@@ -63,8 +63,8 @@ RootMotion StrandRoot::at(double time) const {
   }
   if (next_key_ == 0 || next_key_ == motion_->keys.size()) return root;
 
-  // Between two keys Motion::at goes a part w = s^2 (3 - 2s) of the way, and turns by w times an angle about
-  // an axis: dp/dw = turn x (p - position) + (from the one position to the other), and so on.
+  // Between two keys Motion::at covers the part w = s^2 (3 - 2s) of the way, and turns by w times an angle
+  // about an axis: dp/dw = turn x (p - position) + (to's position - from's position), and so on.
   const Key &from = motion_->keys[next_key_ - 1], &to = motion_->keys[next_key_];
   const double length = to.time - from.time, s = (time - from.time) / length;
   const double dw = 6 * s * (1 - s) / length, ddw = (6 - 12 * s) / (length * length);

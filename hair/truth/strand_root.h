@@ -1,4 +1,4 @@
-// The root of a problem's strand: it keeps its velocity, or follows the motion that it rides on.
+// The root of a problem's strand: it keeps its velocity, or follows a motion.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@ namespace hair {
 
 struct RootMotion {
   Vector3d position, velocity, acceleration;        // m, m/s, m/s^2
-  Vector3d tangent, normal;                         // of length 1
-  Vector3d angular_velocity, angular_acceleration;  // rad/s, rad/s^2: of a strand that turns with its root
+  Vector3d tangent, normal;                         // unit vectors
+  Vector3d angular_velocity, angular_acceleration;  // rad/s, rad/s^2: for a strand that turns with its root
 };
 
 class StrandRoot {
@@ -18,7 +18,7 @@ class StrandRoot {
   // Keeps a reference to the scene, which has one strand, of any model.
   explicit StrandRoot(const Scene& scene);
 
-  // Whether tangent and normal change with time.
+  // True if tangent and normal change with time.
   bool turns() const { return turns_; }
 
   // The times of a motion's keys, at which the acceleration jumps. at() is valid between two of them: from
@@ -29,8 +29,8 @@ class StrandRoot {
   RootMotion at(double time) const;
 
  private:
-  RootMotion start_;                // before it moves
-  const Motion* motion_ = nullptr;  // null: the root rides on nothing
+  RootMotion start_;                // its state before it moves
+  const Motion* motion_ = nullptr;  // null: the root follows no motion
   bool turns_ = false;
   std::size_t next_key_ = 0;  // at the end of the span; motion_->keys.size() in the last span
 };

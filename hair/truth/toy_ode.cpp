@@ -6,7 +6,7 @@ namespace hair {
 
 namespace {
 
-// Any explicit method: what it sees of the toy, it sees exactly.
+// Uses an explicit method: any of them sees the toy exactly.
 Toy exact_toy(const Problem& problem) {
   Toy toy = problem.scene.toys.at(0);
   toy.method = ToyMethod::runge_kutta_4;
@@ -35,7 +35,7 @@ Eigen::VectorXd ToyOde::start() const {
   return y;
 }
 
-// The size of the whole toy, with what it hangs on; and that in the time that it has, or what it has at the
+// The size of the whole toy, with its supports; and this size over the duration, or the velocity at the
 // start.
 Eigen::VectorXd ToyOde::scales() const {
   const Toy& toy = moving_.toy;
@@ -52,7 +52,7 @@ Eigen::VectorXd ToyOde::scales() const {
   for (const particles::Wire& wire : toy.constraints.wires) reach(wire.centre, wire.radius);
   double size = (high - low).matrix().norm();
   for (const particles::Spring& spring : toy.springs) size = std::max(size, spring.rest_length);
-  if (size == 0) size = 1;  // a lone particle: as far as a metre
+  if (size == 0) size = 1;  // a lone particle gets the size of a metre
   Eigen::VectorXd scales(this->size());
   scales.head(this->size() / 2).setConstant(size);
   scales.tail(this->size() / 2).setConstant(std::max(fastest, size / duration_));
@@ -62,7 +62,7 @@ Eigen::VectorXd ToyOde::scales() const {
 void ToyOde::unpack(double t, particles::Input y) {
   const int half = size() / 2;
   state_ = moving_.toy.start;
-  state_.x += t * state_.v;  // of those that are pinned
+  state_.x += t * state_.v;  // for pinned particles
   for (std::size_t k = 0; k < free_.size(); ++k) {
     state_.x.segment<3>(3 * free_[k]) = y.segment<3>(3 * k);
     state_.v.segment<3>(3 * free_[k]) = y.segment<3>(half + 3 * k);

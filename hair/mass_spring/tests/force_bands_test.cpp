@@ -1,4 +1,4 @@
-// STAFF ONLY. The bands of a strand's forces, beside their own products.
+// STAFF ONLY. Compares the bands of a strand's forces with their own products.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -57,8 +57,8 @@ TEST(ForceBands, OfRestCurvatureAreNeverNegative) {
   }
 }
 
-// A frame turns about the strand by tan(phi/2), so that only the last joint's may bend: then the local
-// product is all.
+// A frame turns about the strand by tan(phi/2), so only the last joint may bend: then the local product is
+// exact.
 TEST(ForceBands, OfRestCurvatureAreItsProductsWhereNoFrameTurns) {
   for (double angle : {0.0, 0.4, 1.2, 1.8, 2.6}) {
     Strand strand;

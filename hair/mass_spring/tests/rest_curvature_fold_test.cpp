@@ -1,5 +1,5 @@
-// STAFF ONLY. What hair/mass_spring/rest_curvature.h promises of joints that close up to the fold, and of
-// segments without a direction.
+// STAFF ONLY. The promises of hair/mass_spring/rest_curvature.h for joints near the fold, and for segments
+// without a direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ TEST(RestCurvature, StaysFiniteWhereDirectionsAreLost) {
   EXPECT_EQ(force_of(force, none), VectorXd::Zero(15));
 }
 
-// H2's springs take over: see the header's energy.
+// H2's springs act there: see the header's energy.
 TEST(RestCurvature, AtTheFoldHasTheEnergyOfAStraightStrandsJointAndThatOfItsRest) {
   Strand strand = reference_tests::test_strand(4);
   strand.clamped = true;
@@ -52,8 +52,8 @@ TEST(RestCurvature, AtTheFoldHasTheEnergyOfAStraightStrandsJointAndThatOfItsRest
     }
 }
 
-// A joint closes up to the fold: the largest force and product stay within what the header says. Where the
-// share fades, over 0.31 radians, it changes by at most 1.5 / 0.09 sin(phi) < 7.3 a radian, and frames turn
+// A joint closes up to the fold: the largest force and product stay within the header's bounds. Over 0.31
+// radians the kept part falls to 0; it changes by at most 1.5 / 0.09 sin(phi) < 7.3 a radian, and frames turn
 // by 2 / 0.14.
 TEST(RestCurvature, IsBoundedUpToTheFold) {
   Strand strand = reference_tests::test_strand(6);
@@ -101,7 +101,7 @@ TEST(RestCurvature, WhereJointsCloseAgreesWithCentralDifferences) {
       x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + direction;
     }
     const double k = 2 * strand.bend_rigidity / strand.rest_length.minCoeff();
-    // As far as 0.09 in 1 + cos(phi) is sin(phi) times an angle of 0.2 and more.
+    // A change of 0.09 in 1 + cos(phi) is sin(phi) times an angle of at least 0.2.
     expect_derivatives(f, x, 0.1, 5 * k * 100, 5 * k * 100 / 0.1);
   }
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. What hair/mass_spring/rest_curvature.h promises, but for what happens at the fold.
+// STAFF ONLY. The promises of hair/mass_spring/rest_curvature.h, except those for the fold.
 #include "hair/mass_spring/rest_curvature.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(RestCurvature, IsAtRestInItsRestShape) {
     const RestCurvature force(strand, rest, shape.normal, Products::exact);
     EXPECT_EQ(force.energy(shape.x), 0);
     EXPECT_EQ(force_of(force, shape.x), VectorXd::Zero(shape.x.size()));
-    // Moved by 1 um, it is not.
+    // Moved by 1 um, the strand is not at rest.
     VectorXd moved = shape.x;
     moved[45] += 1e-6;
     EXPECT_GT(force.energy(moved), 0);
@@ -79,7 +79,7 @@ TEST(RestCurvature, IsAtRestInItsRestShape) {
 TEST(RestCurvature, TurnsWithItsRootFrame) {
   const reference_tests::RigidMotion motion = reference_tests::some_motion();
   for (const StrandState& s : clamped_states()) {
-    if (s.name.starts_with("nearly folded")) continue;  // Turned, a fold of 1e-3 is another one to 1e-12.
+    if (s.name.starts_with("nearly folded")) continue;  // turned, a fold of 1e-3 differs by 1e-12
     SCOPED_TRACE(s.name);
     const Vector3d normal = some_normal(s.strand.root_tangent);
     Strand turned = s.strand;
@@ -127,7 +127,7 @@ TEST(RestCurvature, HasASemidefiniteProductThatIsExactAtRest) {
     EXPECT_GE(eigenvalues(S).minCoeff(),
               -64 * kUnit * static_cast<double>(S.rows()) * S.cwiseAbs().maxCoeff());
 
-    if (s.name.starts_with("nearly folded")) continue;  // no shape that hair may rest in
+    if (s.name.starts_with("nearly folded")) continue;  // hair may not rest in this shape
     const VectorXd rest = bend_components(s.x, s.strand.root_tangent, some_normal(s.strand.root_tangent));
     const RestCurvature exact(s.strand, rest, some_normal(s.strand.root_tangent), Products::exact),
         spd(s.strand, rest, some_normal(s.strand.root_tangent), Products::definite);
@@ -136,7 +136,7 @@ TEST(RestCurvature, HasASemidefiniteProductThatIsExactAtRest) {
   }
 }
 
-// All that is stiff in a helix whose root is clamped: springs along it and its curvature.
+// The stiff parts of a helix whose root is clamped: springs along it and its curvature.
 struct Helix {
   RestShape shape;
   Strand strand;
@@ -167,9 +167,8 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
     const int free = 3 * segments;
     const VectorXd all = eigenvalues(
         -(matrix_of(force, shape.x) + stretch_matrix(strand, shape.x)).bottomRightCorner(free, free));
-    // The softest thing that this much hair can do is to bend as a straight beam does in its first mode:
-    // 1.875^4 = 12.36 EI / L^4 for each metre, and so 12.36 EI / (n L^3) for each particle. A helix is
-    // shorter, and stiffer.
+    // The softest motion of this hair is a straight beam's bending in its first mode: 1.875^4 = 12.36 EI /
+    // L^4 per metre, and so 12.36 EI / (n L^3) for each particle. A helix is shorter, and stiffer.
     const double L = strand.rest_length.sum(),
                  softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
     EXPECT_GE(all.minCoeff(), softest) << segments << " segments";
@@ -177,8 +176,8 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
   }
 }
 
-// What the header says of springs with a rest angle: E = sum k (phi - phi_rest)^2 / 2 holds angles, and
-// nothing holds the planes of the bends.
+// The header's statement on springs with a rest angle: E = sum k (phi - phi_rest)^2 / 2 holds angles, but not
+// the planes of the bends.
 TEST(RestCurvature, IsNeededBecauseUnsignedAnglesLeaveAHelixZeroEnergyModes) {
   const int segments = 24, free = 3 * segments;
   const auto [shape, strand] = helix(segments);
@@ -205,7 +204,7 @@ TEST(RestCurvature, IsNeededBecauseUnsignedAnglesLeaveAHelixZeroEnergyModes) {
   }
   const VectorXd all = eigenvalues(K.bottomRightCorner(free, free));
   const double L = strand.rest_length.sum(), softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
-  // 24 lengths and 24 angles hold 48 of 72 unknowns. What rounds is the stretch springs' part.
+  // 24 lengths and 24 angles hold 48 of 72 unknowns. The rounding errors are those of the stretch springs.
   for (int i = 0; i < free - 2 * segments; ++i)
     EXPECT_LE(std::abs(all[i]), std::max(1e-3 * softest, 64 * kUnit * all.maxCoeff())) << i;
 }
@@ -222,7 +221,7 @@ TEST(RestCurvature, DoesNotDependOnTheSampling) {
     for (int i = 0; i < segments; ++i)
       x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * shape.tangent;
     const double exact = strand.bend_rigidity / 2 * kappa * kappa * 0.2;
-    // The last half segment's bend is nobody's.
+    // No joint stores the last half segment's bend.
     errors.push_back(std::abs(force.energy(x) / exact + 0.5 / segments - 1));
   }
   for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.8) << i;

@@ -1,5 +1,5 @@
-// STAFF ONLY. Strands of rigid links, beyond what all bodies promise (hair/simulation/tests/bodies_test.cpp):
-// hair that hangs, twists and lies on a table.
+// STAFF ONLY. Strands of rigid links, in addition to the common properties of bodies
+// (hair/simulation/tests/bodies_test.cpp): hair that hangs, twists and lies on a table.
 #include "hair/rigid_links/rigid_links_body.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ std::unique_ptr<RigidLinksBody> body(const StrandSpec& spec, const Setting& sett
   return std::make_unique<RigidLinksBody>(std::move(strand), spec.root_velocity, setting.method);
 }
 
-// Explicit and implicit steps end at the same place as steps get small, and keep energy to their order.
+// Explicit and implicit steps end at the same place if steps are small, and keep energy to their order.
 TEST(RigidLinksBody, StepsAgreeWhenTheyAreSmall) {
   StrandSpec spec = straight_hair(4, 0.05);
   spec.start = {true, Vector3d(1, 0, 0)};
@@ -50,15 +50,15 @@ TEST(RigidLinksBody, StepsAgreeWhenTheyAreSmall) {
   }
 }
 
-// A root that accelerates: seen from it, the strand has another weight. It comes to rest under the sum of the
-// two.
+// In the frame of an accelerating root, the strand has an additional weight. It comes to rest under the
+// sum of the two.
 TEST(RigidLinksBody, ARootThatAcceleratesAddsToTheWeight) {
   const double a = 9.81, h = 1e-3;
   StrandSpec spec = straight_hair(8);
   spec.root.axis = Vector3d(0, 0, -1);
   const auto still = body(spec, {Vector3d(-a, 0, -9.81), 1e-3}), pulled = body(spec, {.drag = 0});
   LinkStrand strand = link_strand(spec);
-  // Drag would feel the air; both fall freely for a short time instead.
+  // Drag would act against the air; both fall freely for a short time instead.
   const auto free = body(spec, {Vector3d(-a, 0, -9.81), 0});
   Eigen::MatrixXd scratch(0, 0);
   Work work;
@@ -95,7 +95,8 @@ TEST(RigidLinksBody, AClampThatTurnsTurnsTheStrand) {
   EXPECT_LE((Vector3d(Line(*strand).x.tail<3>()) - tip).norm(), 1e-6);
 }
 
-// A hair at a sixtieth of a second, where explicit methods need 1e-6 s: from horizontal to hanging.
+// A hair with steps of a sixtieth of a second, where explicit methods need 1e-6 s: from horizontal to
+// hanging.
 TEST(RigidLinksBody, ASixtiethOfASecondHolds) {
   for (const int elements : {10, 100, 1000}) {
     StrandSpec spec = straight_hair(elements);
@@ -112,9 +113,8 @@ TEST(RigidLinksBody, ASixtiethOfASecondHolds) {
   }
 }
 
-// The tension of its own weight is explicit: hair hangs still at 1/60 s as long as it is at most 0.93 m long
-// (hair/rigid_links/tree_system.h). The tension is that of the root alone, so the limit itself lies a little
-// above.
+// The tension of its own weight is explicit: hair hangs still at 1/60 s if it is at most 0.93 m long
+// (hair/rigid_links/tree_system.h). Only the root has this tension, so the limit itself is a little higher.
 TEST(RigidLinksBody, HoldsTheTensionThatItsBoundSays) {
   const Material material;
   const double h = 1.0 / 60;
@@ -132,13 +132,13 @@ TEST(RigidLinksBody, HoldsTheTensionThatItsBoundSays) {
       EXPECT_LT(steps, 1000) << "the bound is too careful";
     } else {
       EXPECT_EQ(steps, 1000);
-      // A thousandth of its length as a way to fall, times sqrt(g / L) and the mode: about 3 mm/s.
+      // A thousandth of its length as the height of fall, times sqrt(g / L) and the mode: about 3 mm/s.
       EXPECT_LE(Line(*strand).v.cwiseAbs().maxCoeff(), 0.01);
     }
   }
 }
 
-// Hair that has come to rest has no traces of motion left, which would slow each step tenfold.
+// Hair at rest has no tiny numbers left, which would slow each step tenfold.
 TEST(RigidLinksBody, ComesToRestForGood) {
   StrandSpec spec = straight_hair(10);
   spec.start = {true, Vector3d(1, 0, 0)};
@@ -147,7 +147,7 @@ TEST(RigidLinksBody, ComesToRestForGood) {
   for (const double v : Line(*strand).v) EXPECT_TRUE(v == 0 || std::abs(v) > 1e-200) << v;
 }
 
-// GJ phi'^2 / 2 and EI kappa^2 / 2 for each metre, but for the last half of a rod, which nothing bends.
+// GJ phi'^2 / 2 and EI kappa^2 / 2 per metre, except for the last half of a rod, which nothing bends.
 TEST(RigidLinksBody, ATwistAndAnArcHaveTheContinuumsEnergy) {
   StrandSpec spec = straight_hair(20);
   spec.fibre.twist_factor = 0.7;
@@ -183,7 +183,7 @@ TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
   EXPECT_NEAR(BodyState(*strand).q[5], expected, 1e-9 * start);  // (omega h)^4 / 120 a step
 }
 
-// A hair that would fold at its root, under a weight that would bend it by far more.
+// A limit stops a hair whose weight would fold it at its root.
 TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
   StrandSpec spec = straight_hair(20, 0.2);
   spec.root.axis = Vector3d(1, 0, 0);
@@ -208,9 +208,8 @@ TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
   EXPECT_GE(largest, 0.1) << "nothing meets a limit";
 }
 
-// One rod lies on a table and turns about its root. Whatever carries it where, friction's moment is mu m g l
-// / 2, against m l^2
-// / 3: it slows by 3/2 mu g / l.
+// One rod lies on a table and turns about its root. For any distribution of its weight, friction's moment is
+// mu m g l / 2, against m l^2 / 3: it slows by 3/2 mu g / l.
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   const double l = 0.02, mu = 0.3, speed = 20, h = 1e-4;
   const std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, mu}};
@@ -228,7 +227,7 @@ TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   EXPECT_NEAR(rate(*strand), speed - slowing * h * steps, 3 * h * slowing);
   advance(*strand, h, 3 * steps, {}, table);
   EXPECT_LE(std::abs(rate(*strand)), kCreep / l);
-  // A push across it below mu m g / 2 at its tip moves it by creep alone, and a larger one moves it.
+  // A push across it below mu m g / 2 at its tip moves it only by creep, and a larger one moves it.
   const double weight = spec.fibre.material.line_density() * l * 9.81;
   const auto tip = [&] { return Vector3d(Line(*strand).x.tail<3>()); };
   const auto pushed = [&](double part) {
@@ -241,7 +240,7 @@ TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   EXPECT_GT(pushed(0.6), 1e-3);
 }
 
-// An obstacle that moves takes along what lies on it.
+// A moving obstacle takes hair on it along.
 TEST(RigidLinksBody, AMovingTableDragsItsHair) {
   std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, 0.5, Vector3d(0, 0.02, 0)}};
   StrandSpec spec = straight_hair(1, 0.02);

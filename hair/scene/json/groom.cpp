@@ -79,21 +79,21 @@ void keys_of(Keys& keys, GroomedText& text) {
   keys_of(keys, text.group);
 }
 
-// What a groom brings: strands in metres, and the scalp that they grow on.
+// The strands of a groom, in metres, and the scalp on which they grow.
 struct Strands {
   std::vector<Eigen::VectorXd> points;
-  std::vector<std::string> names;  // of each, for errors
+  std::vector<std::string> names;  // one for each strand, for errors
   GroupScalp scalp;                // if the group has dense hair
 };
 
-// Its first point that is where the point before it is; 0: none.
+// The first point that coincides with the previous one; 0 if there is none.
 Eigen::Index first_without_length(const Eigen::VectorXd& x) {
   for (Eigen::Index k = 3; k < x.size(); k += 3)
     if (x.segment<3>(k) == x.segment<3>(k - 3)) return k / 3;
   return 0;
 }
 
-// Joints bend by less than kMostRest, or they would forget it.
+// True if all joints bend by less than kMostRest, so that none loses its frame.
 bool can_rest(const Eigen::VectorXd& x) {
   for (Eigen::Index k = 0; k + 6 < x.size(); k += 3) {
     const Vector3d before = x.segment<3>(k + 3) - x.segment<3>(k);
@@ -159,7 +159,7 @@ Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
     const Eigen::VectorXd& whole = all[hairs[k]];
     reading.expect(groom, 1, points ? *points : whole.size() / 3);
     Eigen::VectorXd x = points ? resampled(whole, *points) : whole;
-    // Of those that it picks the scene needs none in particular.
+    // The scene's choice depends on no particular strand: it skips those that can't be hair.
     if (picked && !is_hair(x, scale)) continue;
     found.names.push_back("strand " + std::to_string(hairs[k]) + " of the groom: ");
     check_strand(groom, found.names.back(), x, scale);
@@ -177,7 +177,7 @@ Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
 // Strands that grow on a head.
 Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
   auto [head, at, style, settings, motion] = read_grown(groom);
-  // Guides are in no clump: what is drawn of them gathers as wisps.
+  // Guides are in no clump: the dense hair around them forms wisps.
   if (dense) style.clump = 0, style.fly_aways = 0;
   reading.expect(groom["strands"], settings.strands, settings.points ? settings.points : style.points);
   settings.strands = reading.made(settings.strands);

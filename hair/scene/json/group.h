@@ -19,7 +19,7 @@ struct GroupText {
 
 void keys_of(Keys& keys, GroupText& group);
 
-// All of the group's strands, without roots, forms, lengths and elements. `object`: the group.
+// Reads all of a strand specification, except roots, forms, lengths and elements. `object`: the group.
 StrandSpec spec_of(const JsonValue& object, const GroupText& group);
 
 }  // namespace hair::json

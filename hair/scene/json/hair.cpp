@@ -81,7 +81,7 @@ StrandSpec with_variation(StrandSpec spec, const RootFrame& frame, const Spread&
   return spec;
 }
 
-// States are written with one kind of coordinates.
+// All states in a file have one kind of coordinates.
 void check_one_model(const JsonValue& object, const Description& hair) {
   const auto differs = [&](const ModelledStrand& strand) {
     return strand.model != hair.modelled.front().model;

@@ -11,7 +11,7 @@ namespace {
 
 class Tables {
  public:
-  // A section stands once, however many keys lead to it.
+  // A section appears once, however many keys lead to it.
   void add(const ObjectKind& object, const std::string& path, const std::string& heading) {
     if (!headings_.insert(heading).second) return;
     const Section& section = object.section();

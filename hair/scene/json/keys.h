@@ -1,5 +1,5 @@
-// The keys of a scene's objects. A key is declared once: its name, unit, bounds, default, and a sentence.
-// What reads an object, the errors that it makes, and the tables of keys follow from the declaration.
+// The keys of a scene's objects. A key is declared once: its name, unit, bounds, default, and a sentence. The
+// code that reads an object, its error messages, and the tables of keys follow from the declaration.
 //
 //   struct Ball {
 //     Vector3d centre;
@@ -7,12 +7,12 @@
 //   };
 //   void keys_of(Keys& keys, Ball& ball) {
 //     keys.vector({.name = "centre", .unit = "m", .needed = true}, ball.centre);
-//     keys.number({.name = "radius", .unit = "m", .least = 0, .most = 1, .what = "of its hull"}, ball.radius);
+//     keys.number({.name = "radius", .unit = "m", .least = 0, .most = 1, .what = "its hull"}, ball.radius);
 //   }
 //   const Ball ball = read<Ball>(object);
 //
-// keys_of is called without an object once, to note the keys; the values are their defaults then. After that
-// it is called for each object that is read, and sets the values that the object has.
+// keys_of is called once without an object, to note the keys and the values, which are the defaults. After
+// that it is called for each object that is read, and sets the values that the object has.
 #pragma once
 
 #include <concepts>
@@ -30,8 +30,8 @@ namespace hair::json {
 
 using Eigen::Vector3d;
 
-inline constexpr double kFar = 1e6;      // of positions in m, velocities in m/s, accelerations in m/s^2
-inline constexpr double kLongest = 1e4;  // m, of lengths and radii
+inline constexpr double kFar = 1e6;      // bounds positions in m, velocities in m/s, accelerations in m/s^2
+inline constexpr double kLongest = 1e4;  // m, bounds lengths and radii
 inline constexpr double kShortest = 1e-7;
 inline constexpr double kLargestSeed = 9007199254740992;  // a double holds all whole numbers up to here
 
@@ -39,12 +39,12 @@ struct KeySpec {
   const char* name;
   const char* unit = "";
   bool needed = false;
-  double least = -kFar, most = kFar;  // of a number, and of each number of a vector
+  double least = -kFar, most = kFar;  // bounds a number, and each number of a vector
   const char* otherwise = nullptr;    // the default in words; null: the value as it is
   const char* what = "";
 };
 
-// The same key, of a length in metres.
+// The same key, for a length in metres.
 constexpr KeySpec a_length(KeySpec key) {
   key.unit = "m";
   key.least = kShortest;
@@ -54,8 +54,8 @@ constexpr KeySpec a_length(KeySpec key) {
 
 struct Section;
 
-// An object that stands under a key, or in the list under it. Of several kinds each one has an addition to
-// its heading.
+// An object under a key, or in the list under it. If there are several kinds, each one's heading has an
+// addition.
 struct ObjectKind {
   const Section& (*section)();
   const char* addition = "";
@@ -63,9 +63,9 @@ struct ObjectKind {
 
 struct NotedKey {
   KeySpec key;
-  std::string otherwise, bounds;  // as the tables say them
+  std::string otherwise, bounds;  // as the tables show them
   std::vector<ObjectKind> objects = {};
-  bool list = false;  // of such objects
+  bool list = false;  // a list of such objects
 };
 
 // All keys of an object.
@@ -101,7 +101,7 @@ class Keys {
     if (noted_) noted_->one_of = true;
   }
 
-  // A value is of the type that is named, or std::optional of it. Without the key it stays as it is.
+  // The named type is that of the value, or of its std::optional. Without the key the value stays as it is.
   template <class Value>  // double
   void number(const KeySpec& key, Value& value) {
     if (has(key, value, [&] { return number_range(key.least, key.most); }))
@@ -142,7 +142,7 @@ class Keys {
   void part(const KeySpec& key, Value& value) {
     if (has(key, Nothing{}, [] { return ""; }, {object<Plain<Value>>()})) value = read<Plain<Value>>(at(key));
   }
-  // What the caller reads: an object of one of these kinds, a list of such objects, or anything else.
+  // The caller reads the value: an object of one of these kinds, a list of such objects, or anything else.
   void any(const KeySpec& key, std::optional<JsonValue>& value, const std::vector<ObjectKind>& objects = {}) {
     if (has(
             key, Nothing{}, [] { return ""; }, objects))
@@ -172,7 +172,7 @@ class Keys {
     std::size_t index;
   };
 
-  // Whether there is an object that has the key. Without an object, notes the key.
+  // True if there is an object that has the key. Without an object, notes the key.
   template <class Value, class Bounds>
   bool has(const KeySpec& key, const Value& value, const Bounds& bounds,
            const std::vector<ObjectKind>& objects = {}, bool list = false) {
@@ -197,7 +197,7 @@ class Keys {
   static std::size_t index_of(const std::optional<Value>&) {
     return 0;
   }
-  static std::string text_of(double number);  // as short as it can be read back
+  static std::string text_of(double number);  // the shortest text that reads back as the same number
   static std::string text_of(const Vector3d& vector);
   static std::string text_of(bool flag) { return flag ? "true" : "false"; }
   static std::string text_of(const std::string& text) { return text; }
@@ -238,7 +238,7 @@ T read(const JsonValue& object) {
 }
 
 // Markdown: a section for the object, with the name, unit, default, bounds and meaning of its keys, and one
-// for each object in it. Headings are paths: "hair[].roots"; `top` is the object's own.
+// for each object in it. Headings are paths: "hair[].roots"; `top` is the path of the object itself.
 std::string key_tables(const ObjectKind& object, const std::string& top);
 
 }  // namespace hair::json

@@ -45,7 +45,7 @@ Motion read_keys(const JsonValue& list) {
       object["time"].fail("is not later than the key before it; give times that increase");
     if (object.has("axis") != object.has("degrees"))
       object.fail("\"axis\" and \"degrees\" go together; give both or none");
-    // Of two ways to turn, a motion takes the shorter.
+    // A motion takes the shorter of two ways to turn.
     if (before && key.axis == before->axis && std::abs(key.degrees - before->degrees) > 180)
       object["degrees"].fail("is more than 180 degrees from the key before it; put keys between them");
     const Eigen::AngleAxisd turn(key.degrees * std::numbers::pi / 180, key.axis);

@@ -1,4 +1,4 @@
-// The parts of a scene's JSON: the keys of each, and what makes a part of the scene of them. All throw
+// Reads the parts of a scene's JSON: the keys of each part, and the functions that make it. All throw
 // BadInput with the JSON path.
 #pragma once
 
@@ -19,17 +19,17 @@
 namespace hair::json {
 
 inline constexpr long kMostParticles = 10'000'000;
-inline constexpr long kMostDensePoints = 50'000'000;  // of strands that are only drawn
-inline constexpr long kMostPoints = 10'000;           // of a strand
+inline constexpr long kMostDensePoints = 50'000'000;  // limits strands that are only drawn
+inline constexpr long kMostPoints = 10'000;           // per strand
 inline constexpr long kMostFrames = 100'000;
 inline constexpr long kMostStates = 1'000'000'000;  // particles times frames
 
-// What is known of a group's strands once they are read.
+// The data of a group's strands once they are read.
 struct GroupRoots {
   int first = 0;                  // its first strand
-  int points = 0;                 // of each strand; 0: they differ
-  const Rider* rider = nullptr;   // what it moves with
-  std::vector<RootFrame> listed;  // of a list of roots, all of them
+  int points = 0;                 // per strand; 0: they differ
+  const Rider* rider = nullptr;   // the motion that the group follows
+  std::vector<RootFrame> listed;  // all of them, if the roots are a list
   bool dense = false;             // it is drawn as dense hair
 };
 
@@ -41,16 +41,16 @@ struct Reading {
   Scene scene;
   std::map<std::string, std::size_t> motions;  // name -> index of the scene's riders
   std::vector<int> rows;                       // the first strand of each group
-  std::vector<GroupRoots> groups;              // of hair
+  std::vector<GroupRoots> groups;              // the groups of hair
   long particles = 0;
   long most_particles = kMostParticles;
-  long most_strands = kMostDensePoints;  // that are made of a group; further ones are only counted
-  long dense_points = 0;                 // of strands that are drawn
+  long most_strands = kMostDensePoints;  // made per group; further ones are only counted
+  long dense_points = 0;                 // points of drawn strands
 
   // Counts particles before memory is allocated for them: at most `most_particles` in a scene.
   void expect(const JsonValue& where, long strands, long of_each);
 
-  // How many of `count` strands of a group are made.
+  // The number of a group's `count` strands that are made.
   int made(long count) const { return static_cast<int>(std::min(count, most_strands)); }
 
   // The rider of the motion that `object` names as "moves_with", or null for no name.
@@ -74,7 +74,7 @@ void add_obstacles(const JsonValue& list, Reading& reading);
 
 std::vector<ObjectKind> kinds_of_hair();
 void add_hair(const JsonValue& list, Reading& reading);
-// One more strand. Throws std::invalid_argument for one that the model can't express.
+// Adds one strand. Throws std::invalid_argument if the model can't express it.
 void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair);
 const Section& groomed_section();
 void add_groomed(const JsonValue& group, Reading& reading);  // a group of "hair" that has "groom"
@@ -87,13 +87,13 @@ void keys_of(Keys& keys, StillText& still);
 void add_still_hair(const JsonValue& list, Reading& reading);
 
 struct SynthesisText {
-  SynthesisDescription made;  // but for guides and children
+  SynthesisDescription made;  // without guides and children
   int strands;
   std::size_t rows = 1;
-  double gathered = 0.6;  // of clumps
+  double gathered = 0.6;  // for clumps
 };
 void keys_of(Keys& keys, SynthesisText& synthesis);
-// Of the last group. scalp: unless its roots are a list.
+// Adds dense hair to the last group. scalp: not used if its roots are a list.
 void add_synthesis(const JsonValue& object, const SynthesisText& synthesis, GroupScalp scalp,
                    Reading& reading);
 

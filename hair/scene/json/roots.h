@@ -39,7 +39,7 @@ struct RootBust {
   std::uint64_t seed = 0;
 };
 
-// One of them is there.
+// Exactly one of them has a value.
 struct Roots {
   std::optional<JsonValue> list;
   std::optional<RootLine> line;
@@ -50,8 +50,8 @@ struct Roots {
 
 void keys_of(Keys& keys, Roots& roots);
 
-// Calls `expect` with the number of roots before making any; it throws for too many, and returns how many are
-// made. A list is made whole. `object`: that which `roots` was read from.
+// Calls `expect` with the number of roots before making any; it throws for too many, and returns the number
+// to make. A list is made whole. `object`: the one that `roots` was read from.
 std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
                                   const std::function<int(const JsonValue& where, long count)>& expect);
 

@@ -1,4 +1,4 @@
-// Where a group's strands grow, as dense hair needs it: the scalp at their roots, and more roots on it.
+// The scalp of a group's strands, for dense hair: its normals at their roots, and more roots on it.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace hair::json {
 
 struct GroupScalp {
-  std::vector<RootFrame> guides;  // of each of the group's strands; axis: the scalp's normal
-  bool combed = false;            // the sides of all roots are how hair is combed there
-  // Evenly over the scalp; none if it has no area.
+  std::vector<RootFrame> guides;  // for each of the group's strands; axis: the scalp's normal
+  bool combed = false;            // the sides of all roots are the directions in which hair is combed
+  // Spreads roots evenly over the scalp; returns none if it has no area.
   std::function<std::vector<RootFrame>(int count, std::uint64_t seed)> more;
 };
 
 // The scalp of roots on a line, a disc, a cap or a bust, with `count` guides.
 GroupScalp scalp_of(const Roots& roots, int count);
 
-// That of roots on a surface which nothing else tells. axis: how hair leaves its root.
+// The scalp of roots on an unknown surface. axis: the direction in which hair leaves its root.
 GroupScalp scalp_of(const std::vector<RootFrame>& roots);
 
 }  // namespace hair::json

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostSteps = 1'000'000;  // a frame
 
 struct SceneText {
-  Scene scene;  // what is not in lists
+  Scene scene;  // without the parts in lists
   std::optional<double> step;
   std::optional<LinksText> links;
   std::optional<JsonValue> hair, obstacles, motions, toys, still_hair;
@@ -41,7 +41,7 @@ void keys_of_hair(Keys& keys, Description& hair) {
             {"full", "filtered", "dropped"}, hair.geometric_term);
   keys.word({.name = "bend_product", .what = "of bending's product"}, {"exact", "definite"},
             hair.bend_product);
-  // Rounding leaves more than less, and a solver that waits for 0 waits forever.
+  // Rounding leaves more than this, and a solver that waits for 0 never ends.
   keys.number({.name = "tolerance",
                .least = 1e-15,
                .most = 1,
@@ -92,7 +92,7 @@ void keys_of(Keys& keys, SceneText& text) {
   keys.part({.name = "render", .what = "how it is drawn"}, scene.look);
 }
 
-// As short as it can be read back.
+// The shortest text that reads back as the same number.
 std::string exact_text(double number) {
   std::array<char, 32> text;
   return {text.data(), std::to_chars(text.begin(), text.end(), number).ptr};
@@ -111,7 +111,7 @@ void set_step(const JsonValue& object, const std::optional<double>& step, Scene&
   scene.hair.step = 1 / (scene.frames_per_second * scene.steps_per_frame);
 }
 
-// Of a scene that names none.
+// Sets the method of a scene that names none.
 void set_usual_method(bool linked, Description& hair) {
   if (!hair.modelled.empty())
     hair.method = hair.modelled.front().model->usual_method;
@@ -119,7 +119,7 @@ void set_usual_method(bool linked, Description& hair) {
     hair.method = Method::implicit_euler;
 }
 
-// What has nothing that it could be for.
+// Refuses keys that have no effect.
 void check_use(const JsonValue& object, const Reading& reading) {
   if (reading.particles == 0) object.fail("there is nothing that moves; give \"hair\" or \"toys\"");
   if (!has_strands(reading.scene)) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMostDense = 1'000'000;
 
-// Of the last group, and of the rows before it that its guides stand in, too.
+// The first row of guides: that of the last group, or of earlier groups if "rows" says so.
 std::size_t first_row(const JsonValue& object, std::size_t count, const Reading& reading) {
   const std::vector<GroupRoots>& groups = reading.groups;
   if (!object.has("rows")) return groups.size() - 1;

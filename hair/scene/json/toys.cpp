@@ -83,7 +83,7 @@ void keys_of(Keys& keys, Feedback& feedback) {
 
 // The common keys of all toys.
 struct ToyText {
-  std::size_t method = 3;  // among those that toys have: runge_kutta_4
+  std::size_t method = 3;  // an index of the toys' methods: runge_kutta_4
   double drag = 0;
 };
 

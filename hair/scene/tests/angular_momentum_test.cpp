@@ -1,9 +1,9 @@
-// STAFF ONLY. What methods do to angular momentum and energy: the numbers of H4's and H6's texts, from
+// STAFF ONLY. The effect of methods on angular momentum and energy: the numbers of H4's and H6's texts, from
 // scenes.
 //
-// H4's text also has 0.6583 for converged backward Euler. No program computes it: on a circle a step turns by
-// b after a step by a, with tan b = sin a / (2 - cos a), from tan b = h Omega at the start, and sin b / (h
-// Omega) of the momentum is left.
+// H4's text also has 0.6583 for converged backward Euler, which no program computes. On a circle a step turns
+// by b after a step by a, with tan b = sin a / (2 - cos a), from tan b = h Omega at the start, and the part
+// sin b / (h Omega) of the momentum remains.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ TEST(AngularMomentum, IsLeftAfterARevolution) {
   EXPECT_NEAR(left_after_a_revolution(Method::predictor_corrector), 0.77662, 5e-6);
 }
 
-// The share of its energy that a hair of 10 segments loses in `seconds`, swinging by 0.1 rad.
+// The part of its energy that a hair of 10 segments loses in `seconds`, swinging by 0.1 rad.
 double lost(double stretch_factor, std::optional<GeometricTerm> term, int seconds) {
   const auto scene_of = [&](const std::string& direction) {
     Scene scene = hair::parse_scene(
@@ -55,8 +55,8 @@ double lost(double stretch_factor, std::optional<GeometricTerm> term, int second
   return 1 - (swinging.measure(swinging.state()).energy() - rest) / before;
 }
 
-// H6's lengths are exact, so that its springs have no geometric term. Filtered, what rounding leaves of it
-// has a positive mean, and drags the more the stiffer the springs are.
+// H6's lengths are exact, so its springs have no geometric term. A filtered term would have the positive
+// mean of its rounding errors, a drag that grows with the springs' stiffness.
 TEST(AngularMomentum, AndEnergyAreNotLostToRoundingByH6) {
   const double soft = lost(1e4, {}, 5), stiff = lost(1e7, {}, 5);
   EXPECT_NEAR(stiff, soft, 0.01 * soft) << "what a step takes does not depend on the stiffness";

@@ -1,4 +1,4 @@
-// STAFF ONLY. Each program that holds this has the stub of one exercise, and the reference's of all others.
+// STAFF ONLY. Each program with this file has the stub of one exercise, and the reference's of all others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,14 +7,14 @@
 #include "hair/scene/playback.h"
 #include "solver/not_implemented.h"
 
-// Whose stub this program has.
+// The exercise whose stub this program has.
 extern const char* const kStub;
 
 namespace reference_tests {
 namespace {
 
-// What the first step, measuring and drawing stop at, or nothing. One hair calls what a thousand do, and only
-// dense hair calls something when it is drawn.
+// The stub that the first step, measuring or drawing calls, or "". One hair calls the same exercises as a
+// thousand, and only dense hair calls one when it is drawn.
 std::string stub_of(hair::Scene scene) {
   scene.steps_per_frame = 1;
   scene.riders.clear();
@@ -28,7 +28,7 @@ std::string stub_of(hair::Scene scene) {
     playback.measure(playback.state());
     if (scene.dense.empty()) return "";
     hair::Scene drawn = scene;
-    drawn.hair.obstacles.clear();  // nobody's exercise, and long to draw
+    drawn.hair.obstacles.clear();  // they call no exercise, and take long to draw
     hair::SceneDrawing(drawn, playback.strands())
         .at(playback.centre_lines(playback.state()), {}, playback.time());
   } catch (const NotImplemented& stub) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. All given code, linked with what stands for exercises that a course leaves out: here for all of
-// them.
+// STAFF ONLY. All given code, linked with the replacements of exercises that are not in a course: here of all
+// exercises.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Scenes that play, with the reference.
+// STAFF ONLY. Scenes that run, with the reference.
 #include "hair/scene/playback.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(Playback, HairMovesAsItsSimulationDoes) {
   EXPECT_EQ(playback.work().solver_steps, simulation.work().solver_steps);
 }
 
-// What a study does for each of its step sizes: nothing of the run before is left.
+// As in a study with several step sizes: nothing of the previous run remains.
 TEST(Playback, RestartedItMovesAsOneMadeAnew) {
   const std::string toy =
       R"("toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true, "velocity": [0, 1, 0]},
@@ -99,7 +99,7 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
 TEST(Playback, AToyFliesAsTheParabolaSays) {
   Playback playback(scene_of(kBall));
   for (int k = 0; k < 6; ++k) ASSERT_FALSE(playback.advance());
-  // Runge and Kutta's method is exact for a parabola: rounding alone is left.
+  // Runge and Kutta's method is exact for a parabola, except for rounding.
   const double t = 0.1;
   EXPECT_NEAR((playback.state().x - Vector3d(t, 0, 3 * t - 9.81 / 2 * t * t)).norm(), 0, 1e-14);
   EXPECT_NEAR(playback.measure(playback.state()).energy(), 10, 1e-13);
@@ -158,12 +158,12 @@ TEST(Motion, SpeedsUpAndSlowsDownBetweenKeysAndRestsOutsideOfThem) {
   EXPECT_NEAR(height(0.075), 27.0 / 32, 1e-15);
   EXPECT_EQ(height(0.1), 1);
   EXPECT_EQ(height(7), 1);
-  // 3 s^2 of the way at first, and as much is missing at last.
+  // The motion covers 3 s^2 of the way at first, and the same part is missing at the end.
   EXPECT_NEAR(height(1e-4), 3e-6, 3e-9);
   EXPECT_NEAR(1 - height(0.1 - 1e-4), 3e-6, 3e-9);
 }
 
-// Roots that ride go on from where the new scene has them, and in the frames that it gives them.
+// Moving roots continue from the new scene's positions and frames.
 TEST(Playback, RestartsWithRootsElsewhere) {
   const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
   Scene moved = scene;
@@ -191,7 +191,7 @@ TEST(Playback, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
       return now.rotation * first.rotation.conjugate() * (x - first.position) + now.position;
     };
     const particles::State state = playback.state();
-    // A step adds to where the root is: rounding of one step is all that there ever is.
+    // A step adds to the root's position: the error is always the rounding of one step.
     EXPECT_NEAR((state.x.segment<3>(0) - way({0.1, 0, 0})).norm(), 0, 1e-15);
     EXPECT_NEAR((state.x.segment<3>(15) - way({0, 0.1, 0})).norm(), 0, 1e-15);
     EXPECT_NEAR((std::get<hair::Sphere>(playback.obstacles()[0].shape).centre - way({0, 0, 0.3})).norm(), 0,
@@ -203,7 +203,7 @@ TEST(Playback, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
               1e-15);  // turned by 90 degrees
 }
 
-// A root that moves with a bust stays where it is on it, and the bust's pose is its motion's.
+// A root that moves with a bust stays at its place on it, and the bust has its motion's pose.
 TEST(Playback, ABustMovesAndTurnsWithTheRootsOnIt) {
   const Scene scene = scene_of(R"("hair": [{"segments": 2, "length": 0.02, "moves_with": "head",
       "roots": {"bust": {"count": 5, "at": [0.1, 0.2, 0.3]}}}],
@@ -217,17 +217,17 @@ TEST(Playback, ABustMovesAndTurnsWithTheRootsOnIt) {
     const hair::Obstacle& bust = playback.obstacles()[0];
     const auto& placed = std::get<hair::PlacedSolid>(bust.shape);
     const hair::Way way = way_at(scene.riders[0].motion, k / 60.0);
-    // Each step turns it by an exponential of its own: rounding of some steps.
+    // Each step turns it by its own exponential: rounding of some steps.
     EXPECT_LE((placed.at - way({0.1, 0.2, 0.3})).norm(), 1e-14);
     EXPECT_LE(placed.rotation.angularDistance(way.rotation), 1e-12);
     const particles::State state = playback.state();
-    // The distance is right to rounding where it is 0: what is on the bust stays on it.
+    // Near 0 the distance is right to rounding: points on the bust stay on it.
     for (int i = 0; i < 5; ++i)
       EXPECT_NEAR(surface_at(bust, state.x.segment<3>(9 * i)).distance, 0, 1e-12) << i;
   }
 }
 
-// Hair that turns with its roots, without anything else that moves it, stays as it is.
+// Hair that turns with its roots, without other forces, keeps its shape.
 TEST(Playback, ClampedRootsTurnWithTheirMotion) {
   const std::string motion = R"({"time": 0}, {"time": 0.1, "axis": [0, 1, 0], "degrees": 90})";
   const Scene scene = hair::parse_scene(
@@ -278,7 +278,7 @@ TEST(Playback, ClothKeepsItsCornersAndSags) {
          "pinned": ["top_left", "bottom_right"]}}])");
   const hair::Toy& toy = scene.toys[0];
   EXPECT_NEAR(toy.particles.mass.sum(), 0.1 * 0.5 * 0.4, 1e-15);
-  // Threads 5 x 5 + 4 x 6, diagonals 2 x 4 x 5, next but one 5 x 4 + 3 x 6.
+  // Threads 5 x 5 + 4 x 6, diagonals 2 x 4 x 5, second neighbours 5 x 4 + 3 x 6.
   EXPECT_EQ(toy.springs.size(), 49U + 40U + 38U);
   Playback playback(scene);
   const Eigen::VectorXd before = playback.state().x;
@@ -304,8 +304,8 @@ TEST(Playback, AStepAllocatesWhatConjGradDoes) {
   EXPECT_EQ(counted(scene), 0);
 }
 
-// The second strand's tip a centimetre off where the link has it: k d^2 / 2, and the same bends and weights
-// with any k. A ball beside them comes after all strands.
+// The second strand's tip is a centimetre away from the link's position: k d^2 / 2, and the same bends and
+// weights with any k. A toy ball comes after all strands.
 TEST(Playback, MeasuresTheEnergyOfLinks) {
   const auto potential = [](const std::string& stiffness) {
     const Scene scene = scene_of(R"("method": "implicit_euler", "hair": [{"segments": 4, "length": 0.08,

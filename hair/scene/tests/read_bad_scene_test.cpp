@@ -1,4 +1,4 @@
-// STAFF ONLY. What is wrong in a scene, and the one line that says so.
+// STAFF ONLY. Mistakes in a scene, each with the one line that reports it.
 #include <gtest/gtest.h>
 
 #include <ostream>

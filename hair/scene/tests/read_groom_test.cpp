@@ -15,7 +15,7 @@
 namespace reference_tests {
 namespace {
 
-// A folder with a scene that names a groom, gone when it goes.
+// A folder with a scene that names a groom. It is removed with this object.
 class Folder {
  public:
   Folder() {
@@ -189,7 +189,7 @@ TEST(GroomScene, GuidesOfAGroomAreDrawnAsDenseHair) {
     EXPECT_EQ(dense.description.guides[i].position, scene.hair.strands[i + 1].state.x.head<3>());
     EXPECT_LE((dense.description.guides[i].axis - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
   }
-  // They grow on the groom's scalp, also beyond the guides.
+  // Children grow on the groom's scalp, also beyond the guides.
   ASSERT_EQ(dense.description.children.size(), 500U);
   for (const hair::RootFrame& child : dense.description.children) {
     EXPECT_NEAR(child.position.z(), 0, 1e-12);
@@ -247,7 +247,7 @@ TEST(GroomScene, ARealGroomMovesLikeHair) {
   hair::Playback playback(scene);
   const auto trouble = playback.advance();
   EXPECT_FALSE(trouble) << *trouble;
-  // In a thirtieth of a second nothing falls by more than g t^2 / 2 = 5.5 mm and a bit of spring.
+  // In a thirtieth of a second nothing falls by more than g t^2 / 2 = 5.5 mm and some stretch.
   EXPECT_LT((playback.state().x - hair::Playback(scene).state().x).cwiseAbs().maxCoeff(), 0.01);
   EXPECT_LT(playback.measure(playback.state()).stretch, 0.05);
 }

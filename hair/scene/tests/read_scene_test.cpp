@@ -1,4 +1,4 @@
-// STAFF ONLY. What a scene's text becomes.
+// STAFF ONLY. Scenes made from texts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -84,7 +84,7 @@ TEST(ReadScene, TheSameTextGivesTheSameBits) {
     EXPECT_EQ(one.hair.strands[i].state.x, two.hair.strands[i].state.x);
 }
 
-// A seed's strands are not another's, and differ by no more than is asked for.
+// The strands of two seeds differ, and within the requested bounds.
 TEST(ReadScene, VariationKeepsItsBounds) {
   const auto scene = [](const std::string& variation) {
     return read(R"({"shows": "a row", "frames": 1, "hair": [{"segments": 5, "length": 1, "variation": {)" +
@@ -104,7 +104,8 @@ TEST(ReadScene, VariationKeepsItsBounds) {
   EXPECT_GE(shortest, 0.8 - 1e-12);
   EXPECT_LE(longest, 1.2 + 1e-12);
   EXPECT_LE(widest, 10 + 1e-6);
-  // 200 even draws come within a tenth of either end but for a chance of 2 * 0.95^200 = 7e-5, once for all.
+  // 200 uniform numbers come within a tenth of either end, except with the probability 2 * 0.95^200 = 7e-5;
+  // the seed is fixed.
   EXPECT_LE(shortest, 0.82);
   EXPECT_GE(longest, 1.18);
   EXPECT_GE(widest, 9);
@@ -149,7 +150,7 @@ TEST(ReadScene, CombedHairGrowsOutOfItsHead) {
   }
 }
 
-// A scene that names no method plays with that of its hair.
+// A scene without a method uses the usual one of its hair.
 TEST(ReadScene, HairWithoutAMethodMovesByItsOwn) {
   const auto method_of = [](const std::string& model, const std::string& more) {
     return hair::parse_scene(R"({"shows": "a hair", "frames": 1, "hair": [{"model": ")" + model +

@@ -1,4 +1,4 @@
-// STAFF ONLY. A key's declaration is all that reading, errors and tables know of it.
+// STAFF ONLY. Reading, errors and tables follow from a key's declaration alone.
 #include <gtest/gtest.h>
 
 #include "hair/io/files/bad_input.h"

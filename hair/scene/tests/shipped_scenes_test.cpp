@@ -38,7 +38,7 @@ TEST(ShippedScenes, AnOutlineShowsAndCallsWhatTheSceneDoesWithFewStrands) {
     for (const hair::DenseHair& dense : outline.dense)
       EXPECT_LE(dense.description.children.size(), 4u) << file;
   }
-  // Four strands of each group: of three lines, a disc and a groom that grows.
+  // Four strands of each group: of three lines, a disc and a grown groom.
   EXPECT_EQ(hair::read_outline(HAIR_SCENES "/wind.json").hair.strands.size(), 12u);
   EXPECT_EQ(hair::read_outline(HAIR_SCENES "/ponytail.json").hair.strands.size(), 4u);
   EXPECT_EQ(hair::read_outline(HAIR_SCENES "/head-of-hair.json").hair.strands.size(), 4u);
@@ -59,7 +59,7 @@ TEST(ShippedScenes, PlayAndMove) {
     }
     hair::Playback playback(scene);
     const particles::State start = playback.state();
-    // The more particles, the fewer frames.
+    // Scenes with more particles run fewer frames.
     const int frames = std::clamp(static_cast<int>(3000 / start.x.size()), 1, 4);
     for (int k = 0; k < frames; ++k) {
       const auto trouble = playback.advance();

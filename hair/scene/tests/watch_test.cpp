@@ -1,5 +1,5 @@
-// STAFF ONLY. What a scene's run warns of, with the reference: scenes whose numbers are finite and wrong, and
-// none of those that ship.
+// STAFF ONLY. The warnings of a scene's run, with the reference: for scenes whose numbers are finite and
+// wrong, and for none of the shipped ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using hair::Watch;
 
 constexpr int kFewStrands = 4;
 
-// Strands of a scene, evenly taken from all.
+// Keeps some of a scene's strands, evenly chosen.
 void thin_out(Scene& scene) {
   if (scene.hair.mesh) return;  // its strands are one system
   std::vector<hair::StrandStart>& all = scene.hair.strands;
@@ -43,7 +43,7 @@ Watch play(const Scene& scene) {
   return playback.watch();
 }
 
-// Scenes that warn, and shall: what their rows in hair/scenes/README.md say.
+// Scenes that must warn, as their rows in hair/scenes/README.md say.
 bool shall_warn(const std::string& scene, Concern concern) {
   if (scene == "extreme")
     return concern == Concern::loss || concern == Concern::unmoved || concern == Concern::energy;
@@ -72,7 +72,7 @@ TEST(Watch, NoOtherShippedSceneWarns) {
   EXPECT_GE(watched, 20);
 }
 
-// A level hair of 30 cm in 30 segments, held by a hinge, with other keys of the scene and of the hair.
+// A level hair of 30 cm in 30 segments, held by a hinge, with additional keys for the scene and the hair.
 Scene level_hair(const std::string& keys, const std::string& of_hair = "") {
   return hair::parse_scene(
       R"({"shows": "a level hair", "hair": [{"segments": 30, "length": 0.3, )" + of_hair +
@@ -135,7 +135,7 @@ TEST(Watch, WarnsOfFrictionThatHoldsHairInItsStretch) {
 
 TEST(Watch, WarnsOfCurlsInLargeSteps) {
   expect_warns(curls("predictor_corrector"), {Concern::energy});
-  // H4 is right, now that its solves end.
+  // H4 is right if its solves end.
   EXPECT_TRUE(play(curls("implicit_euler")).warnings().empty());
 }
 
@@ -155,7 +155,7 @@ TEST(Watch, WarnsOfEnergyFromNowhere) {
                {Concern::energy});
 }
 
-// Of links, of their limits, of helices: as level_hair, clamped.
+// The same as level_hair for links, their limits and helices, clamped.
 Scene level(const std::string& model, const std::string& of_hair, const std::string& keys) {
   return hair::parse_scene(R"({"shows": "a level hair", "hair": [{"model": ")" + model + R"(", )" + of_hair +
                                R"("roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}], )" +
@@ -226,7 +226,7 @@ TEST(Watch, WarnsOfSolvesThatDoNotEnd) {
   }
 }
 
-// Where nothing acts on redundant rods, nothing moves.
+// Redundant rods without forces do not move.
 TEST(Watch, RedundantRodsRest) {
   const std::string square = R"({"shows": "a braced square", "frames": 60, "gravity": [0, 0, 0],
       "toys": [{"particles": [{"position": [0, 0, 0], "mass": 0.1}, {"position": [0.2, 0, 0], "mass": 0.1},

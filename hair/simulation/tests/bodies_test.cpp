@@ -1,4 +1,4 @@
-// STAFF ONLY. What a body of any model promises to those who play it: a test is a property, a row is a model.
+// STAFF ONLY. The promises of bodies of any model to their callers: a test is a property, a row is a model.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,23 +27,23 @@ constexpr double kThinAir = 2e-4;  // N s/m^2
 
 struct Row {
   const char* model;
-  std::vector<int> divisions;  // elements of a curl; the last one is taken where one is enough
-  double on_curve;             // m: how far a point starts from the rest curve
-  double at_rest;              // m: how far all points move in ten seconds without weight
-  double read_again;           // coordinates that were written, relative to them
-  double goes_on;              // m: 20 ms after a state was written
+  std::vector<int> divisions;  // elements of a curl; the last one is used if one is enough
+  double on_curve;             // m: the distance of a point from the rest curve at the start
+  double at_rest;              // m: the motion of all points in ten seconds without weight
+  double read_again;           // relative error of coordinates that are written and read
+  double goes_on;              // m: the difference 20 ms after writing a state
   bool holds_its_root;         // the coordinates have the root's frame and motion
   bool starts_anyhow;          // it can be held in another direction than its root's, and hinged
   int in_a_fall;               // elements of a straight hair
-  long allocations;            // of a step: ConjGrad of the reference has three vectors, and H4 three more
+  long allocations;            // in a step: ConjGrad of the reference has three vectors, and H4 three more
 };
 
 // Between the points of a finely divided curve, a quarter of a millimetre apart, the curve leaves its chord
 // by k l^2 / 8.
 constexpr double kChord = 200 * 6.25e-8 / 8;
 
-// A state of super-helices has no momenta of the step before; a body that starts from it takes accelerations,
-// which are as good to the order of h^2.
+// A state of super-helices does not contain the previous step's momenta. A body that starts from it uses
+// accelerations, which are as good to the order of h^2.
 const Row kRows[] = {
     {.model = "mass_spring",
      .divisions = {24, 48},
@@ -123,7 +123,7 @@ TEST_P(Bodies, StartAtRestOnTheirRestCurve) {
   }
 }
 
-// A helix has curvature and torsion; the strand holds both, and without weight nothing moves.
+// A helix has curvature and torsion; the strand holds both, and without weight it does not move.
 TEST_P(Bodies, RestWithoutWeight) {
   const auto strand = body(curly(), {Vector3d::Zero()});
   const VectorXd x = Line(*strand).x;
@@ -190,15 +190,15 @@ TEST_P(Bodies, ImplicitStepsFeelPointForces) {
   };
   const double before = x_of(middle);
   advance(*strand, 1.0 / 60, 1, forces);
-  // Such a stiffness holds the point: a step moves it by what the force is over the stiffness.
+  // Such a stiffness holds the point: a step moves it by the force over the stiffness.
   EXPECT_LE(std::abs(x_of(middle) - before), 1e-11);
   const PointForce pull{last, Vector3d(1e-6, 0, 0), Eigen::Matrix3d::Zero()};
   advance(*strand, 1.0 / 60, 5, {&pull, 1});
   EXPECT_GT(x_of(last), 1e-3);
 }
 
-// A hair that falls on a ball slides off and hangs beside it, or lies on it if it is clamped, at a sixtieth
-// of a second.
+// A hair that falls on a ball slides off and hangs beside it, or lies on it if it is clamped, with steps of a
+// sixtieth of a second.
 TEST_P(Bodies, StayOutOfABall) {
   const double radius = 0.03, h = 1.0 / 60;
   const Vector3d middle = row_.starts_anyhow ? Vector3d(0.05, 0, -0.05) : Vector3d(0.06, 0, -0.04);
@@ -223,8 +223,8 @@ TEST_P(Bodies, StayOutOfABall) {
       contacts += work.contacts;
       (k < 600 ? deepest : left) = std::max(k < 600 ? deepest : left, work.penetration);
     }
-    // The weight of all presses at most on one point: m n g = k depth. A step's way on a curved surface, v^2
-    // h^2 / 2r with 1 m/s, is cut off.
+    // At most, the weight of all points presses on one: m n g = k depth. A step cuts off a curved surface by
+    // v^2 h^2 / 2r, with v = 1 m/s.
     EXPECT_LE(deepest, strand->points() * 9.81 / (kContactRate * kContactRate) + h * h / (2 * radius))
         << one.friction;
     EXPECT_LE(left, kRestingDepth) << one.friction;
@@ -253,25 +253,26 @@ TEST_P(Bodies, AllocateNothingInAStep) {
 }
 
 struct Load {
-  double gamma;  // weight over what resists bending
-  int elements;  // and twice as many
+  double gamma;  // weight over bending stiffness
+  int elements;  // and twice as many in a second run
 };
 
 struct Hanging {
   const char* model;
   std::vector<Load> loads;
   double step;     // s, times the weight over sqrt(EI rho A)
-  double settled;  // over the length: what 20 steps move a tip that is at rest
+  double settled;  // over the length: the motion of a tip at rest in 20 steps
   double least_order, most_order;
 };
 
-// hair/rigid_links/tree_system.h: 2.8 is the longest step that goes down the energy.
+// hair/rigid_links/tree_system.h: 2.8 is the longest step that decreases the energy.
 const Hanging kHanging[] = {
     {"rigid_links", {{1, 10}, {10, 10}, {100, 20}, {1000, 50}, {3800, 80}}, 2, 1e-13, 1.8, 2.2},
     {"super_helix", {{1, 8}, {10, 8}, {100, 8}}, 1, 1e-12, 1.58, 2.5},
 };
 
-// The heavy elastica from a horizontal clamp. At rest after each step, a step goes down the energy.
+// The heavy elastica from a horizontal clamp. The strand is stopped after each step, so each step decreases
+// the energy.
 TEST(HangingBodies, HaveTheElasticasTipToTheSecondOrder) {
   for (const Hanging& row : kHanging)
     for (const auto& [gamma, elements] : row.loads) {

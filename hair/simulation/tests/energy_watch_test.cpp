@@ -1,6 +1,5 @@
-// STAFF ONLY. The books of energy, of each model and method: what comes in by roots, frames, drag and
-// obstacles is no gain, and what drag and dampers take is no loss; what comes from nowhere, or goes there,
-// is.
+// STAFF ONLY. The energy balance of each model and method: work of roots, frames, drag and obstacles is no
+// gain, and energy taken by drag and dampers is no loss; only energy from no source, or lost to none, counts.
 #include "hair/strand/energy_watch.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +19,8 @@ namespace {
 constexpr double kG = reference_tests::kGravity, kLength = 0.1;
 constexpr double kStep = 1e-4;
 
-// Methods of order one may be off by a few h of a second's motion: what these books may be off where nothing
-// is wrong.
+// Methods of order one may be off by a few h of a second's motion: this is the largest error of a correct
+// balance.
 constexpr double kOrderOne = 0.02;
 
 TEST(EnergyWatch, AGainDoesNotHideBehindALoss) {
@@ -49,7 +48,7 @@ TEST(EnergyWatch, WorkIsNoGainAndIsPartOfTheWhole) {
   EXPECT_EQ(watch.loss(), 0);
 }
 
-// Stretching that the books leave out moves the strand later: what there was at the start is no gain.
+// Stretching that the balance leaves out moves the strand later: its energy at the start is no gain.
 TEST(EnergyWatch, WhatIsAsideAtTheStartMayComeIn) {
   EnergyWatch watch(1, 1, 1);
   watch.begin({.aside = 2});
@@ -59,7 +58,7 @@ TEST(EnergyWatch, WhatIsAsideAtTheStartMayComeIn) {
   EXPECT_DOUBLE_EQ(watch.gain(), 1 / (3 + 5e-7));
 }
 
-// The air would take what is lost: of two losses a while apart it leaves the second.
+// Drag would have taken the lost energy: of two losses some time apart only the second counts.
 TEST(EnergyWatch, LossesFadeWhereAirDrags) {
   EnergyWatch watch(1, 1, 1, 0.5);  // e^-1 is left after a second
   watch.begin({});
@@ -105,7 +104,7 @@ class EnergyOfModels : public testing::TestWithParam<Row> {
   double weight() const { return spec_.fibre.material.line_density() * kLength * kG * kLength; }
   static double energy_of(const Simulation& simulation) { return energy(simulation.body(0)); }
 
-  // The root goes on to the frame that turns by this angle about the vertical.
+  // Moves the root to the frame that is turned by this angle about the vertical.
   static void lead(Simulation& simulation, double h, const Vector3d& velocity, double angle, double spin) {
     const Vector3d tangent(std::cos(angle), std::sin(angle), 0), up = Vector3d::UnitZ();
     simulation.set_root(0, {simulation.body(0).root_position() + h * velocity, tangent,
@@ -151,13 +150,13 @@ TEST_P(EnergyOfModels, AShakenRootGivesNoGain) {
   EXPECT_LE(fine, 0.6 * coarse);  // order one has 0.5, order one half 0.71
 }
 
-// The same in a frame that moves: who is at rest does not matter.
+// The balance is the same in a moving frame.
 TEST_P(EnergyOfModels, AreTheSameInAFrameThatMoves) {
   description_.step = 1.0 / 240;
   const auto books = [&](const Vector3d& velocity) {
     Simulation moving = simulation();
     BodyState state(moving.body(0));
-    // All particles move, or the root, with all that hangs on it.
+    // All particles move, or the root with everything that hangs on it.
     const Eigen::Index moved = row_.model == std::string("mass_spring") ? state.rate.size() / 3 : 1;
     state.rate.head(3 * moved) = velocity.replicate(moved, 1);
     moving.body(0).write(state.q, state.rate);
@@ -182,7 +181,7 @@ TEST_P(EnergyOfModels, WindAndAFrameThatTurnsGiveNoGain) {
   EXPECT_LE(turned.watch().worst(Concern::energy), kOrderOne);
 }
 
-// Without weight a stiff strand that is turned faster and faster has energy from its root alone.
+// Without weight a stiff strand that is turned faster and faster gets energy from its root alone.
 TEST_P(EnergyOfModels, ARootThatSpinsUpGivesNoGain) {
   spec_.fibre.bend_factor = 100;
   if (row_.model != std::string("mass_spring")) spec_.fibre.twist_factor = 100;
@@ -200,7 +199,7 @@ TEST_P(EnergyOfModels, ARootThatSpinsUpGivesNoGain) {
   EXPECT_LE(spun.watch().worst(Concern::energy), kOrderOne);
 }
 
-// A ball hits hair at 2 m/s: what makes a part of it as fast comes from there.
+// A ball hits hair at 2 m/s: the energy of the fast part comes from the ball.
 TEST_P(EnergyOfModels, AnObstacleGivesNoGain) {
   description_.obstacles = {{Sphere{Vector3d(0.07, -0.021, 0), 0.02}, 0.3, Vector3d(0, 2, 0)}};
   Simulation hit = simulation();
@@ -212,7 +211,7 @@ TEST_P(EnergyOfModels, AnObstacleGivesNoGain) {
   EXPECT_LE(hit.watch().worst(Concern::contact_energy), kOrderOne);
 }
 
-// Where nothing happens, there are roundings alone.
+// Without motion there are only rounding errors.
 TEST_P(EnergyOfModels, RoundingIsNeither) {
   description_.gravity.setZero();
   description_.step = 1.0 / 240;
@@ -224,7 +223,7 @@ TEST_P(EnergyOfModels, RoundingIsNeither) {
   expect_balanced(still, 1e-9);
 }
 
-// In thick air all energy goes by right.
+// In thick air drag takes all energy, and this is no loss.
 TEST_P(EnergyOfModels, DragTakesNoLoss) {
   description_.drag = 1e-2;
   Simulation slow = simulation();
@@ -233,7 +232,7 @@ TEST_P(EnergyOfModels, DragTakesNoLoss) {
   expect_balanced(slow, kOrderOne);
 }
 
-// So it does by dampers.
+// Dampers take all energy, too.
 TEST_P(EnergyOfModels, RelaxationTakesNoLoss) {
   if (row_.model == std::string("mass_spring")) GTEST_SKIP() << "masses and springs have no dampers";
   spec_.fibre.relaxation_time = 1;
@@ -244,7 +243,8 @@ TEST_P(EnergyOfModels, RelaxationTakesNoLoss) {
   expect_balanced(slow, kOrderOne);
 }
 
-// Who is thrown by a hand between two steps starts anew; and who is not watched is not asked.
+// A strand that the caller moves between two steps starts a new balance; a strand that is not watched has
+// none.
 TEST_P(EnergyOfModels, BeginAnewWithAnotherState) {
   Simulation thrown = simulation();
   ASSERT_FALSE(thrown.advance(10));

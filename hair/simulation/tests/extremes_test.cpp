@@ -1,11 +1,11 @@
-// STAFF ONLY. Stiff and extreme strands: the reference stays finite where its method promises to, and where
-// it can't, the simulation says which strand broke, at which step and in which stage. Never NaN in silence,
-// never a hang.
+// STAFF ONLY. Stiff and extreme strands: the reference stays finite where its method promises it. Otherwise
+// the simulation reports which strand broke, at which step and in which stage. It never gives NaN without a
+// report, and never hangs.
 //
-// What the methods promise. H4 with definite products and H6 solve symmetric positive definite systems, and
-// never break, whatever the step, as long as the arithmetic can tell: rounding is 2^-53 of the largest entry,
+// The methods' promises: H4 with definite products and H6 solve symmetric positive definite systems, and
+// never break, with any step, as long as numbers have enough digits: rounding is 2^-53 of the largest entry,
 // about k h^2, and must be far below the smallest, a mass. Explicit methods break as soon as h is above their
-// limit, which for forward Euler is none at all without damping.
+// limit; without damping, forward Euler breaks at any step.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ Eigen::VectorXd zigzag(int n, double length) {
   return x;
 }
 
-// Curls that methods must live with.
+// Curls that methods must not break.
 std::vector<Case> extreme_curls() {
   std::vector<Case> all;
   const auto add = [&](const std::string& name, auto change) {
@@ -53,7 +53,7 @@ std::vector<Case> extreme_curls() {
   return all;
 }
 
-// Strands that methods must live with, of hair `stiffer` times as stiff in stretching and bending.
+// Strands that methods must not break, of hair `stiffer` times as stiff in stretching and bending.
 std::vector<Case> extreme_strands(double stiffer) {
   hair::Material material;
   material.young_modulus *= stiffer;
@@ -99,7 +99,7 @@ bool all_finite(const particles::State& state) {
   return state.x.allFinite() && state.v.allFinite();
 }
 
-// Takes the steps one by one: NaN or an infinity without a report is a failure. Returns whether it broke.
+// Takes the steps one by one: NaN or an infinity without a report is a failure. Returns true if it broke.
 bool breaks(const Case& extreme, Description description, int steps) {
   description.gravity = kG * kDown;
   const std::string name =
@@ -121,7 +121,7 @@ bool breaks(const Case& extreme, Description description, int steps) {
 constexpr double kStiffer[] = {1, 1e3, 1e6};
 constexpr double kStepLengths[] = {1e-6, 1e-4, 1e-2, 0.1};
 
-// Whether masses stand out of the rounding of k h^2 by 2^10.
+// True if masses exceed the rounding of k h^2 by 2^10.
 bool is_within_reach(const hair::Strand& strand, double h) {
   if (strand.segments() == 0) return true;
   const double k = strand.stretch_rigidity / strand.rest_length.minCoeff();
@@ -138,7 +138,7 @@ TEST(Extremes, ImplicitEulerNeverBreaks) {
         ++within_reach;
         EXPECT_FALSE(broke) << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
       }
-  EXPECT_GT(within_reach, 150);  // of 192
+  EXPECT_GT(within_reach, 150);  // out of 192
 }
 
 TEST(Extremes, ThePredictorCorrectorNeverBreaksAndKeepsLengths) {
@@ -154,13 +154,13 @@ TEST(Extremes, ThePredictorCorrectorNeverBreaksAndKeepsLengths) {
         EXPECT_FALSE(broke) << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
         Simulation simulation(description);
         simulation.advance(5);
-        // 2^-51 x / l0 is what coordinates of up to 50 m can say of the shortest segment.
+        // 2^-51 x / l0 is the precision of the shortest segment's length for coordinates of up to 50 m.
         const double x = simulation.state(0).x.cwiseAbs().maxCoeff();
         const double rounding = strand.segments() == 0 ? 0 : 0x1p-50 * x / strand.rest_length.minCoeff();
         EXPECT_LE(hair::largest_stretch(simulation.strand(0), simulation.state(0).x), 1e-10 + rounding)
             << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
       }
-  EXPECT_GT(within_reach, 150);  // of 192
+  EXPECT_GT(within_reach, 150);  // out of 192
 }
 
 TEST(Extremes, CurlsNeverBreak) {
@@ -171,9 +171,9 @@ TEST(Extremes, CurlsNeverBreak) {
             << extreme.name << ", " << name_of(method) << ", h = " << h;
 }
 
-// Without the geometric term nothing holds a taut hair across its length but the explicit force, with a limit
-// of its own; with exact derivatives the system is indefinite in compression, and ConjGrad ends early.
-// Neither is a promise. What must hold is that nothing is silent.
+// Without the geometric term only the explicit force holds a taut hair laterally, with a limit of its own;
+// with exact derivatives the system is indefinite in compression, and ConjGrad ends early. There is no
+// promise for either. But every break must be reported.
 TEST(Extremes, OtherJacobiansAreNeverNaNInSilence) {
   for (const double stiffer : kStiffer)
     for (const Case& extreme : extreme_strands(stiffer))
@@ -193,10 +193,9 @@ TEST(Extremes, ExplicitMethodsBreakAloud) {
         for (const double h : kStepLengths) breaks(extreme, alone(extreme.start, method, h), 200);
 }
 
-// At hair's own stiffness: the fastest axial motion has w = 2 sqrt(k/m) sin(19 pi / 40), 0.997 of 2 c / l.
+// At hair's own stiffness, the fastest axial motion has w = 2 sqrt(k/m) sin(19 pi / 40), 0.997 of 2 c / l.
 // Symplectic Euler's limit is 2 / w, RK4's 2.83 / w, and forward Euler has none. Above it energy grows
-// without bound as long as springs are linear along the hair; what comes then is another story, and need not
-// break.
+// without bound as long as springs are linear along the hair; later the strand need not break.
 TEST(Extremes, ExplicitMethodsHoldBelowTheirLimitAndGainEnergyAboveIt) {
   const hair::Material material;
   const double w = 0.997 * 2 * std::sqrt(material.young_modulus / material.density) / 0.01;
@@ -228,7 +227,7 @@ TEST(Extremes, TenThousandParticles) {
     Simulation simulation(std::move(description));
     EXPECT_FALSE(simulation.advance(10)) << name_of(method);
     EXPECT_EQ(simulation.work().unconverged, 0) << name_of(method);
-    // The far end falls freely: what happens at the root has not come there.
+    // The far end falls freely: the motion of the root has not reached it.
     const double t = 10 * h;
     EXPECT_NEAR(particle(simulation, 9'999)[2], -kG * t * t / 2, 0.2 * kG * t * t / 2) << name_of(method);
     if (method == Method::predictor_corrector) {

@@ -97,8 +97,8 @@ TEST(GuideFrames, TurnWithTheGuide) {
   }
 }
 
-// H9's part and this one together: force against the energy of frames that turn by the least rotation,
-// product against force where links are at rest, symmetric and definite elsewhere.
+// H9's part and this one together: the force is compared with the energy of frames that turn by the least
+// rotation, and the product with the force for links at rest; elsewhere it is symmetric and definite.
 TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   const std::vector<StaticLink> links = {{1, 2, Vector3d(0.3, 0.2, -0.5), 1, 2, 9, 9}};
   const VectorXd largest = VectorXd::Zero(1), x = scattered_vector(9, 3);
@@ -139,7 +139,7 @@ TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   EXPECT_LE(about.cross(c0).norm(), 1e-12) << "the torque that is left is a twist about the chord";
 }
 
-// A mesh without stiffness couples nothing: strands move as by themselves, to what solves leave (1e-10).
+// A mesh without stiffness couples nothing: strands move as without it, up to the solves' residuals (1e-10).
 TEST(LinkedGuides, WithoutStiffnessMoveAsByThemselves) {
   const hair::Description alone = guides(3, Vector3d(1, 0, 1));
   hair::Simulation one(alone), other(linked(alone, {0, 1, 2, hair::StripLaw{0.001, 0, 0}}));
@@ -191,7 +191,7 @@ TEST(LinkedGuides, BreakTheSameWayEachTime) {
   EXPECT_GT((first - positions(unlinked)).norm(), 1e-4) << "links do something";
 }
 
-// In the first step links were new: what they would hold where it ended, and don't, is what has worn off.
+// In the first step links were new: the record has the energy that they would hold at its end, and don't.
 TEST(LinkedGuides, RecordTheEnergyThatLinksLose) {
   hair::Description hair = linked(guides(2), {0.001, 0.01, 0.3});
   hair.strands[1].state.v.tail<24>() = scattered_vector(24, 1);
@@ -218,8 +218,8 @@ TEST(LinkedGuides, RecordTheEnergyThatLinksLose) {
   }
 }
 
-// Guides whose links are stretched to twice their length at the start, and give them what they hold. Implicit
-// Euler damps, and frames are right to first order: what is off in a second of motion goes with h.
+// Guides whose links start at twice their length, and give them this energy. Implicit Euler damps, and frames
+// are right to first order: the error in a second of motion is proportional to h.
 TEST(LinkedGuides, WhatLinksGiveIsNoGain) {
   hair::Description hair = linked(guides(4), {0.005, 100, 100});
   hair.step = 1e-3;
@@ -231,8 +231,8 @@ TEST(LinkedGuides, WhatLinksGiveIsNoGain) {
   EXPECT_LE(simulation.watch().worst(hair::Concern::energy), 0.02);
 }
 
-// Guides of a bar that turns to and fro: roots move and turn, each with another velocity, and links take it
-// along.
+// Guides of a bar that turns back and forth: roots move and turn, each with another velocity, and links
+// transmit it.
 TEST(LinkedGuides, WhatRootsGiveThroughLinksIsNoGain) {
   hair::Description hair = linked(guides(4), {0.02, 100, 100});
   hair.step = 1e-3;
@@ -253,7 +253,8 @@ TEST(LinkedGuides, WhatRootsGiveThroughLinksIsNoGain) {
   EXPECT_LE(simulation.watch().worst(hair::Concern::energy), 0.02);
 }
 
-// What a link no longer holds since it wore is neither a gain nor a loss, and touching has a row of its own.
+// The energy that a worn link no longer holds is neither a gain nor a loss, and steps with contacts have a
+// row of their own.
 TEST(LinkedEnergy, AddsUpWhatNothingGave) {
   hair::LinkedEnergy books({});
   books.after_step({.links_before = 1, .links_after = 0.5});
@@ -275,7 +276,7 @@ TEST(LinkedEnergy, AddsUpWhatNothingGave) {
   EXPECT_EQ(books.gain() + books.contact_gain(), 0);
 }
 
-// A particle belongs to the side where it first touched, wherever it is later, until it is far away.
+// A particle belongs to the side on which it first touched, wherever it is later, until it is far away.
 TEST(StripContacts, RememberTheSide) {
   hair::ControlMesh mesh;
   mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
@@ -297,8 +298,9 @@ TEST(StripContacts, RememberTheSide) {
   EXPECT_EQ(side_at(0.05), 1);
 }
 
-// A step that takes a particle farther than the strip's thickness: if it is still near the strip, it belongs
-// to where it came from; if not, it went through, and is counted. What moves past the strip's edge is not.
+// A step that moves a particle farther than the strip's thickness: if it is still near the strip, it belongs
+// to its old side; if not, it went through, and is counted. A particle that passes the strip's edge is not
+// counted.
 TEST(StripContacts, CountWhatGoesThroughInOneStep) {
   hair::ControlMesh mesh;
   mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
@@ -331,7 +333,7 @@ TEST(StripContacts, CountWhatGoesThroughInOneStep) {
   EXPECT_EQ(contacts.passes(0) + contacts.passes(1), 0);
 }
 
-// Two guides with a strip between them, and a third across their way, 4 mm beside it, that moves towards it,
+// Two guides with a strip between them, and a third across their way, 4 mm from it, that moves towards it,
 // m/s.
 hair::Description hair_before_a_strip(double speed, const std::optional<hair::StripLaw>& law) {
   hair::Description hair = guides(3);
@@ -348,8 +350,8 @@ hair::Description hair_before_a_strip(double speed, const std::optional<hair::St
   return hair;
 }
 
-// A guide whose root moves on is pulled against the strip between two others that lie across its way: it
-// stays outside, and without the strip it passes.
+// A guide with a moving root is pulled against the strip between two others across its way: it stays outside,
+// and without the strip it passes.
 TEST(LinkedGuides, StripsKeepHairOut) {
   for (const bool strips : {true, false}) {
     hair::Simulation simulation(
@@ -368,8 +370,8 @@ TEST(LinkedGuides, StripsKeepHairOut) {
   }
 }
 
-// In a step it moves by 13 mm, four times the strip's thickness: the strip sees nothing of it, and a warning
-// says so.
+// In a step it moves by 13 mm, four times the strip's thickness: the strip does not notice it, and a warning
+// reports this.
 TEST(LinkedGuides, WarnOfStepsThatAreTooLongForStrips) {
   hair::Simulation simulation(hair_before_a_strip(3, hair::StripLaw{0.003, 50, 0.2}));
   ASSERT_FALSE(simulation.advance(3));

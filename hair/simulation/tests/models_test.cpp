@@ -1,4 +1,4 @@
-// STAFF ONLY. The tables of models and methods, and bodies as those who play them see them.
+// STAFF ONLY. The tables of models and methods, and bodies as their callers use them.
 #include "hair/simulation/models.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(Models, EachIsFoundByItsName) {
 
 struct Inexpressible {
   const char* model;
-  void (*change)(StrandSpec& spec);  // of a curl
+  void (*change)(StrandSpec& spec);  // changes a curl
   const char* why;
 };
 
@@ -134,7 +134,7 @@ TEST(Models, ASpecifiedStrandMovesAsTheSameStrandInSegments) {
   EXPECT_EQ(again, q);
 }
 
-// Two particles that nothing joins: the root, and one that a point force pulls at.
+// Two separate particles: the root, and one that a point force pulls.
 Description loose_particle(Method method) {
   Description description;
   description.method = method;
@@ -164,7 +164,7 @@ TEST(MassSpringBody, ImplicitStepsFeelThePointForcesAndTheirStiffness) {
   ASSERT_FALSE(body.step({h, 1e-12, {}, {&force, 1}}, scratch, work));
   const Vector3d after = v + h * (f - h * k * v) / (m + h * h * k);
   EXPECT_NEAR((simulation.state(0).v.tail<3>() - after).norm(), 0, 1e-11 * v.norm());
-  // Without forces it goes on as it is.
+  // Without forces its velocity does not change.
   ASSERT_FALSE(body.step({h, 1e-12, {}, {}}, scratch, work));
   EXPECT_NEAR((simulation.state(0).v.tail<3>() - after).norm(), 0, 1e-11 * v.norm());
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. Wavy and curly hair that moves: it stays as it is without a reason to move, and comes back.
+// STAFF ONLY. Wavy and curly hair: it keeps its shape without forces, and returns to it.
 
 #include <gtest/gtest.h>
 
@@ -33,14 +33,14 @@ TEST(RestShapeMotion, WithoutGravityWavesAndCurlsStayPut) {
       const bool implicit = method == Method::implicit_euler || method == Method::predictor_corrector;
       Simulation simulation(alone(hair::start_at_rest({}, shape), method, implicit ? 1.0 / 240 : 1e-7));
       ASSERT_FALSE(simulation.advance(100)) << name_of(method);
-      // Rounding of x changes lengths by 2^-53 x and pulls with EA / l0 times that, 1e-12 N; an explicit
-      // method moves a particle of 2.5e-8 kg by 1e-14 m within its 1e-5 s, an implicit one by what bending
-      // gives way.
+      // Rounding of x changes lengths by 2^-53 x and causes forces of EA / l0 times that, 1e-12 N. An
+      // explicit method moves a particle of 2.5e-8 kg by 1e-14 m within its 1e-5 s, an implicit one by as
+      // much as bending yields.
       EXPECT_LE(farthest(simulation.state(0).x - shape.x), 1e-10 * kLength) << name_of(method);
     }
 }
 
-// What drag leaves of a swing: with 1e-3 N s/m^2 a hair of 1e-5 kg/m forgets a velocity in 10 ms.
+// Drag damps the swing: with 1e-3 N s/m^2 a hair of 1e-5 kg/m loses its velocity in 10 ms.
 Description damped(const hair::RestShape& shape, Method method, double gravity) {
   Description description = alone(hair::start_at_rest({}, shape), method, 1.0 / 240);
   description.drag = 1e-3;
@@ -84,7 +84,7 @@ TEST(RestShapeMotion, ACurlFollowsItsRootsFrame) {
   }
 }
 
-// The most energy that a level curl of 30 segments has beyond that at first in 2 s, in m g L.
+// The largest energy of a level curl of 30 segments in 2 s, less that at the start, in m g L.
 double most_gained(Method method, double step) {
   Description description = alone(
       hair::start_at_rest({}, hair::curly_shape(30, 0.3, 0.01, 0.02,
@@ -107,8 +107,8 @@ double most_gained(Method method, double step) {
   return most;
 }
 
-// There is no theorem. Measured: 2.0e-2 at 1/60, where a step is long beside a curl's bounces, and nothing
-// from 1/90 on. The bound at 1/60 is twice that; at 1/120, the one of straight hair.
+// There is no theorem. Measured: 2.0e-2 at 1/60, where a step is long compared with a curl's bounces, and 0
+// from 1/90 on. The bound at 1/60 is twice that; at 1/120, that of straight hair.
 TEST(RestShapeMotion, ACurlGainsEnergyOnlyFromLongSteps) {
   EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 60), 0.04);
   EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 120), 0.01);

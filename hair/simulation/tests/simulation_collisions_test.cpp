@@ -1,5 +1,5 @@
 // STAFF ONLY. The given simulation among obstacles: they push hair out and along, hold it by friction, and
-// leave H6's lengths and velocities as H6 promises.
+// preserve H6's lengths and velocities as H6 promises.
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ TEST(SimulationCollisions, NoParticleIsInsideAnObstacleAfterAStep) {
   }
 }
 
-// With H6 segments keep their lengths in contact, too. What is left is what pushing a particle out by
-// kDeepEnough, 1e-7 m, does to a segment of 1 cm, on either side.
+// With H6 segments keep their lengths in contact, too. The error is the effect of pushing a particle out by
+// kDeepEnough, 1e-7 m, on a segment of 1 cm, on either side.
 TEST(SimulationCollisions, LengthsAndObstaclesAgree) {
   Description description =
       alone(straight_hair(12, 0.12, Vector3d::UnitX()), Method::predictor_corrector, 1.0 / 240);
@@ -61,13 +61,13 @@ TEST(SimulationCollisions, AHairThatFallsToTheGroundComesToRest) {
   ASSERT_FALSE(simulation.advance(480));
   const particles::State& state = simulation.state(0);
   EXPECT_LE(state.v.cwiseAbs().maxCoeff(),
-            0.05 * std::sqrt(2 * kG * 0.02));  // of the speed that it fell with
+            0.05 * std::sqrt(2 * kG * 0.02));  // a part of its speed at the end of the fall
   EXPECT_NEAR(particle(simulation, 10)[2], -0.02, 1e-6);
 }
 
 // --- Motion ---
 
-// A segment that neither stretches nor bends: its tip is a particle that only gravity and obstacles move.
+// A segment that resists neither stretching nor bending: only gravity and obstacles move its tip.
 StrandStart free_particle(const Vector3d& root, const Vector3d& tip) {
   StrandStart start = straight_hair(1, (tip - root).norm());
   start.strand.stretch_rigidity = start.strand.bend_rigidity = 0;
@@ -75,13 +75,13 @@ StrandStart free_particle(const Vector3d& root, const Vector3d& tip) {
   return start;
 }
 
-// All but H6, which keeps the segment's length.
+// All methods except H6, which keeps the segment's length.
 std::vector<Method> methods_that_stretch() {
   return {kMethods.begin(), kMethods.end() - 1};
 }
 
-// The tip is 2 cm before the front of what comes along x at 3 m/s: after 0.1 s it is where the front is, as
-// fast.
+// The tip is 2 cm in front of an obstacle that moves along x at 3 m/s: after 0.1 s it is at the obstacle's
+// front, with its velocity.
 TEST(SimulationCollisions, WhatMovesPushesHairAlong) {
   const Vector3d velocity(3, 0, 0);
   const hair::Obstacle fronts[] = {{hair::Plane{Vector3d::Zero(), Vector3d::UnitX()}},
@@ -98,7 +98,7 @@ TEST(SimulationCollisions, WhatMovesPushesHairAlong) {
       EXPECT_LE((particle(simulation, 1) - Vector3d(0.3, 0, 0)).norm(), 100 * 0x1p-52) << name_of(method);
       EXPECT_LE((simulation.state(0).v.tail<3>() - velocity).norm(), 4 * 0x1p-52) << name_of(method);
 
-      // It goes on without what pushed it.
+      // The tip moves on without the obstacle.
       simulation.set_obstacle_velocity(0, Vector3d::Zero());
       ASSERT_FALSE(simulation.advance(100));
       EXPECT_LE((particle(simulation, 1) - Vector3d(0.6, 0, 0)).norm(), 200 * 0x1p-52) << name_of(method);
@@ -109,7 +109,7 @@ TEST(SimulationCollisions, WhatMovesPushesHairAlong) {
 
 // --- Friction ---
 
-// Down a slope of tangent 1/2.
+// A slope of tangent 1/2, and its direction downhill.
 const Vector3d kSlopeNormal = Vector3d(1, 0, 2) / std::sqrt(5), kDownhill = Vector3d(2, 0, -1) / std::sqrt(5);
 
 Description on_slope(StrandStart start, Method method, double friction) {
@@ -119,10 +119,10 @@ Description on_slope(StrandStart start, Method method, double friction) {
   return description;
 }
 
-// Wherever on the slope it is, a hair across it that starts at rest stays there if tan < mu. Each step pushes
-// it out by some depth along the normal and takes its way downhill, tan depth, back. What a step leaves is
-// rounding, of numbers below 1; what is within rounding of the surface may fall for a step, g h^2, until it
-// is pushed out.
+// A hair across the slope that starts at rest stays at its place if tan < mu. Each step pushes it out by some
+// depth along the normal and takes back its downhill motion, tan depth. A step leaves rounding errors, of
+// numbers below 1; a particle within rounding of the surface may fall for a step, g h^2, until it is pushed
+// out.
 TEST(SimulationCollisions, WithinTheConeOfFrictionHairStaysWhereItIs) {
   const int steps = 240;
   for (const double downhill : {-0.4, 0.4})
@@ -144,8 +144,8 @@ TEST(SimulationCollisions, WithinTheConeOfFrictionHairStaysWhereItIs) {
     }
 }
 
-// Steeper than friction holds, a particle slides with the acceleration g (sin - mu cos): from rest,
-// symplectic Euler's n steps take it h^2 n (n + 1) / 2 of that, and so do those of implicit Euler.
+// On a steeper slope, a particle slides with the acceleration g (sin - mu cos): from rest, symplectic Euler's
+// n steps move it by h^2 n (n + 1) / 2 of that, and so do those of implicit Euler.
 TEST(SimulationCollisions, OutsideTheConeOfFrictionAParticleSlides) {
   const double mu = 0.2, h = 1.0 / 240, n = 96;
   const double slide = kG * (1 - 2 * mu) / std::sqrt(5) * h * h * n * (n + 1) / 2;
@@ -162,8 +162,8 @@ TEST(SimulationCollisions, OutsideTheConeOfFrictionAParticleSlides) {
 // --- H6 ---
 
 // A hair hits a slope and lies on it. Pushed out by d = h v, a tip on the surface loses the velocity v; each
-// round of mending leaves as much of v as of d. It ends with d at most kDeepEnough, 1e-7 m, and so v at most
-// 1e-7 / h.
+// round of corrections leaves the same part of v as of d. It ends with d at most kDeepEnough, 1e-7 m, and so
+// v at most 1e-7 / h.
 TEST(SimulationCollisions, WithH6VelocitiesInContactStretchNothing) {
   const double h = 1.0 / 240;
   StrandStart start = straight_hair(1, 0.1, Vector3d::UnitX());

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the given simulation makes of a description's options for implicit methods.
+// STAFF ONLY. The effect of a description's options for implicit methods in the given simulation.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Eigen::VectorXd product(const particles::Force& force, const particles::State& a
   return df;
 }
 
-// A spring of length l whose one end moves across it by 1 gives the force -k (1 - l0/l), if that is the term.
+// If one end of a spring of length l moves across it by 1, the force is -k (1 - l0/l) with the full term.
 TEST(SimulationDescription, SpringsTurnAsTheGeometricTermSays) {
   const auto stiffness_across = [](int segments, double stretch, hair::GeometricTerm term) {
     StrandStart start = straight_hair(segments, 0.5);
@@ -45,7 +45,7 @@ TEST(SimulationDescription, SpringsTurnAsTheGeometricTermSays) {
     }
 }
 
-// Bent hair, away from its rest: there the two products differ.
+// The two products differ for bent hair, away from its rest shape.
 TEST(SimulationDescription, BendsHaveTheProductThatItAsksFor) {
   StrandStart curl = hair::start_at_rest({}, hair::curly_shape(12, 0.1, 0.01, 0.03, {}));
   curl.strand.stretch_rigidity = 0;

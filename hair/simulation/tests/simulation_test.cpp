@@ -1,5 +1,5 @@
-// STAFF ONLY. The given simulation with the reference's exercises: it does what its description says, and
-// says when a strand breaks.
+// STAFF ONLY. The given simulation with the reference's exercises: it follows its description, and reports
+// when a strand breaks.
 
 #include "hair/simulation/simulation.h"
 
@@ -19,7 +19,7 @@
 namespace reference_tests {
 namespace {
 
-// Particles that nothing holds together fall as each method says, exactly: gravity is constant.
+// Free particles fall exactly as each method says, because gravity is constant.
 TEST(Simulation, FreeParticlesFallAsTheirMethodSays) {
   const double h = 0.01, n = 20;
   const auto fallen = [&](Method method) {
@@ -72,7 +72,7 @@ TEST(Simulation, StrandsDoNotFeelEachOther) {
   }
 }
 
-// The same wind, whatever the number of segments: the tip of a light, limp hair leans as far.
+// The effect of wind does not depend on the number of segments: the tip of a light, limp hair leans as far.
 TEST(Simulation, DragIsForEachMetreOfHair) {
   const auto force_of = [](int segments) {
     Description description = alone(straight_hair(segments, 0.1), Method::implicit_euler, 0.001);
@@ -107,7 +107,7 @@ TEST(Simulation, ForwardEulerBreaksOnHairAndSaysWhere) {
   EXPECT_EQ(blow_up->stage, hair::Stage::integration);
   EXPECT_STREQ(stage_name(blow_up->stage), "integration");
 
-  // That is the end.
+  // The simulation stays as it is.
   const particles::State broken = simulation.state(0);
   const auto again = simulation.step();
   ASSERT_TRUE(again);

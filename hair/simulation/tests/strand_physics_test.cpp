@@ -1,4 +1,4 @@
-// STAFF ONLY. What strands do that theory knows in closed form, or that energy forbids.
+// STAFF ONLY. Strands against closed forms, and against bounds from energy.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ hair::Measures measures(const Simulation& simulation) {
                        simulation.state(0));
 }
 
-// A hair that hangs at rest: segment i carries the weight of all that is below its middle.
+// A hair that hangs at rest: segment i carries the weight of the part below its middle.
 StrandStart hanging_hair(int segments, double length, const hair::Material& material = {}) {
   StrandStart start = straight_hair(segments, length, kDown, material);
   const hair::Strand& strand = start.strand;
@@ -34,8 +34,8 @@ StrandStart hanging_hair(int segments, double length, const hair::Material& mate
   return start;
 }
 
-// A hair that turns about its root as a whole: sum m r^2 w, wherever it is. There, a lever is known to 2^-51
-// m, and again in the velocity.
+// A hair that turns about its root as a whole: sum m r^2 w, at any position. A lever is accurate to 2^-51 m
+// there, and again in the velocity.
 TEST(StrandPhysics, AngularMomentumIsAboutTheRoot) {
   StrandStart start = straight_hair(10, 0.1);
   const Vector3d root(3, -2, 1), turn(0, 7, 0);
@@ -59,14 +59,14 @@ TEST(StrandPhysics, StretchUnderItsOwnWeightIsRhoGLSquaredOver2EForAnyNumberOfSe
     const StrandStart start = hanging_hair(n, length, soft);
     EXPECT_NEAR(-start.state.x[3 * n + 2] - length, expected, 1e-13) << n;
 
-    // It is where forces balance: no particle is pulled by more than rounding of the root's pull, ρ g L A.
+    // It is at the balance: no particle has a force above the rounding of the root's, ρ g L A.
     Description description = alone(start, Method::implicit_euler, 0.01);
     description.gravity = kG * kDown;
     const Simulation simulation(std::move(description));
     Eigen::VectorXd f = Eigen::VectorXd::Zero(3 * n + 3);
     simulation.force(0).add_force(start.state.x, start.state.v, f);
     const double weight = kG * start.strand.mass.sum();
-    // A length is known to 2^-53 of x, a spring's force to that times EA / l0.
+    // A length is accurate to 2^-53 of x, and a spring's force to that times EA / l0.
     EXPECT_LE(f.tail(3 * n).cwiseAbs().maxCoeff(),
               8 * 0x1p-53 * (weight + start.strand.stretch_rigidity * length / (length / n)))
         << n;
@@ -76,7 +76,7 @@ TEST(StrandPhysics, StretchUnderItsOwnWeightIsRhoGLSquaredOver2EForAnyNumberOfSe
 TEST(StrandPhysics, AHangingHairStaysAtRest) {
   for (Method method : kMethods) {
     const bool implicit = method == Method::implicit_euler || method == Method::predictor_corrector;
-    // H6 has no stretch: it hangs straight down at its rest lengths.
+    // H6 has no stretch: the hair hangs straight down at its rest lengths.
     Description description =
         alone(method == Method::predictor_corrector ? straight_hair(10, 0.1) : hanging_hair(10, 0.1), method,
               implicit ? 1.0 / 240 : 1e-7);
@@ -85,7 +85,7 @@ TEST(StrandPhysics, AHangingHairStaysAtRest) {
     Simulation simulation(std::move(description));
     ASSERT_FALSE(simulation.advance(100)) << name_of(method);
     const double fall = kG * simulation.time();
-    // A solve to 1e-10 of a right-hand side of a (f + ...) leaves so much of what gravity gives in a step,
+    // A solve to 1e-10 of a right-hand side of a (f + ...) leaves this part of gravity's effect in a step,
     // and rounding leaves 2^-53 EA / (m g) = 3e-7 of gravity.
     EXPECT_LE(simulation.state(0).v.cwiseAbs().maxCoeff(), 1e-4 * fall) << name_of(method);
     EXPECT_LE((simulation.state(0).x - x).cwiseAbs().maxCoeff(), 1e-6 * 0.1) << name_of(method);
@@ -122,9 +122,9 @@ TEST(StrandPhysics, AxialModesSwingWithTheirFrequencies) {
   }
 }
 
-// A root that is flung away at v strains the hair by v / c behind a front that runs at c = sqrt(E / rho): 6.6
-// % at 100 m/s. The root's way, v t, is all stretch of the part that the front has reached, which is c t
-// long.
+// A root that is flung away at v strains the hair by v / c behind a front that moves at c = sqrt(E / rho):
+// 6.6 % at 100 m/s. The root's displacement, v t, is the stretch of the part that the front has reached,
+// which is c t long.
 TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
   const int n = 400;
   const hair::Material material;
@@ -139,7 +139,7 @@ TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
   // less than the ringing.
   const double length = particle(simulation, 20)[2] - particle(simulation, 120)[2];
   EXPECT_NEAR(length / 0.1 - 1, v / c, 0.02 * v / c);
-  // Ahead of it nothing has moved.
+  // The part ahead of the front has not moved.
   EXPECT_LE(std::abs(particle(simulation, 260)[2] + 0.26), 1e-6);
 }
 
@@ -167,11 +167,11 @@ TEST(StrandPhysics, ASwingingHairKeepsItsLengthsWithThePredictorCorrector) {
   }
 }
 
-// --- Energy, in units of m g L: what a hair that stands has above one that is level ---
+// --- Energy, in units of m g L: the difference between standing and level hair ---
 
 struct EnergyGain {
-  double most = 0;             // above what it was at first
-  double without_stretch = 0;  // the same, of all but stretching
+  double most = 0;             // above that at the start
+  double without_stretch = 0;  // the same, without stretching
   double in_the_end = 0;
 };
 
@@ -198,7 +198,7 @@ std::vector<Description> falling_hairs(Method method, double step) {
     for (const bool limp : {false, true}) {
       Description description =
           alone(straight_hair(12, 0.12, stands ? Vector3d::UnitZ() : Vector3d::UnitX()), method, step);
-      // A push, without which it stands for ever: it brings 4e-4 / 2 m g L.
+      // A push moves it out of its unstable balance: it adds 4e-4 / 2 m g L.
       if (stands) description.strands[0].state.v.tail(36) = Vector3d(0.012, 0.018, 0).replicate(12, 1);
       if (limp) description.strands[0].strand.bend_rigidity = 0;
       description.gravity = kG * kDown;
@@ -207,8 +207,8 @@ std::vector<Description> falling_hairs(Method method, double step) {
   return all;
 }
 
-// What bounds the energy of H6 is that lengths are right and the filter dissipates; there is no theorem.
-// 1/100 of what falls is far below what one relaxation sweep alone would add, 0.16.
+// H6 has no theorem on energy: right lengths and the dissipation of the filter bound it. 1/100 of the fall's
+// energy is far below the 0.16 that a single relaxation sweep would add.
 TEST(StrandPhysics, WithThePredictorCorrectorAFallGainsNoEnergy) {
   for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 960})
     for (Description& description : falling_hairs(Method::predictor_corrector, step)) {
@@ -218,8 +218,8 @@ TEST(StrandPhysics, WithThePredictorCorrectorAFallGainsNoEnergy) {
     }
 }
 
-// One linearisation stretches what turns, by (angle in a step)^2 / 2, and the stretch of a stiff hair has a
-// lot of energy for a moment: 300 m g L at h = 1/240. But motion does not live on it.
+// One linearisation stretches turning hair by (angle in a step)^2 / 2, and the stretch of a stiff hair has a
+// large energy for a moment: 300 m g L at h = 1/240. But the motion never receives this energy.
 TEST(StrandPhysics, WithImplicitEulerAFallGainsNoEnergyBesideThatOfStretching) {
   for (const double step : {1.0 / 240, 1.0 / 960})
     for (Description& description : falling_hairs(Method::implicit_euler, step)) {

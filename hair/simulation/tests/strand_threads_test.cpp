@@ -1,4 +1,4 @@
-// STAFF ONLY. Threads over strands: nothing that a simulation returns depends on how many there are.
+// STAFF ONLY. Threads over strands: no result of a simulation depends on their number.
 #include "hair/simulation/strand_threads.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY. A ball as a placed solid: what holds for a sphere holds for it.
+// STAFF ONLY. A ball as a placed solid, for which the properties of a sphere must hold.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace hair {
 
-// Not at its own origin, so that turning moves it.
+// Its centre is not its own origin, so that turning moves it.
 class BesideOrigin : public Solid {
  public:
   explicit BesideOrigin(double radius = 0.1) : radius_(radius) {}

@@ -1,4 +1,4 @@
-// STAFF ONLY. Strands that are super-helices, beyond what all bodies promise
+// STAFF ONLY. Super-helices, in addition to the common properties of bodies
 // (hair/simulation/tests/bodies_test.cpp).
 #include "hair/super_helix/super_helix_body.h"
 
@@ -23,7 +23,7 @@ std::unique_ptr<SuperHelixBody> body(const StrandSpec& spec,
   return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity);
 }
 
-// Of a wave each element has the mean curvature: it turns as the wave does, and ends near it, to the second
+// For a wave each element has the mean curvature: it turns with the wave, and ends near it, to the second
 // order.
 TEST(SuperHelixBody, FollowsAWaveToTheSecondOrder) {
   StrandSpec spec = straight_hair(20, 0.12);
@@ -59,7 +59,7 @@ TEST(SuperHelixBody, FollowsItsRoot) {
   EXPECT_EQ(strand->root_position(), steps * h * velocity);
 }
 
-// Overdamped, what is bent returns like exp(-t / tau).
+// Overdamped bends return like exp(-t / tau).
 TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
   StrandSpec spec = straight_hair(1, 0.05);
   spec.fibre.relaxation_time = 2;
@@ -71,7 +71,7 @@ TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
   EXPECT_NEAR(BodyState(*strand).q[6], 5 / std::numbers::e, 0.01 * 5);
 }
 
-// Drag takes energy away, and nothing else gives any.
+// Drag takes energy, and no force gives any.
 TEST(SuperHelixBody, DragTakesEnergy) {
   const auto strand = body(curl(5), {Vector3d(0, 0, -9.81), 2e-4});
   double before = energy(*strand);
@@ -83,8 +83,8 @@ TEST(SuperHelixBody, DragTakesEnergy) {
   }
 }
 
-// Kirchhoff's rod by two models that share nothing but its constants. Where a level curl sags, it bends to
-// and fro with each turn, so that an element should be a small part of a turn.
+// Kirchhoff's rod by two models that share only its constants. A sagging level curl bends back and forth with
+// each turn, so an element should be a small part of a turn.
 TEST(SuperHelixBody, FallsAsRigidLinksDo) {
   StrandSpec spec = curl(24);
   spec.root.axis = Vector3d(1, 0, 0);
@@ -110,7 +110,7 @@ TEST(SuperHelixBody, ADrawnStrandRestsNearItsPoints) {
   for (int i = 0; i < spec.elements; ++i)
     spec.length += (shape.x.segment<3>(3 * i + 3) - shape.x.segment<3>(3 * i)).norm();
   const auto strand = body(spec);
-  // Of the second order in a piece's angle, 0.2 rad: 1 % of the length.
+  // The error is of second order in a piece's angle, 0.2 rad: 1 % of the length.
   EXPECT_LE((tip(*strand) - Vector3d(shape.x.tail<3>())).norm(), 0.02 * spec.length);
 }
 

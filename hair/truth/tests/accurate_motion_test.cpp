@@ -1,4 +1,4 @@
-// STAFF ONLY. Accurate motions are those of closed forms, keep energies, and end when they are told to.
+// STAFF ONLY. Accurate motions equal closed forms, keep energies, and end when they are interrupted.
 #include "hair/truth/accurate_motion.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 using hair::AccurateMotion;
 using hair::Problem;
 
-// Steps are a few hundred, and each may be off by 1e-12 of the size: 1e-9 leaves room for what sums up.
+// There are a few hundred steps, and each may be off by 1e-12 of the size: 1e-9 allows for their sum.
 constexpr double kOff = 1e-9;
 
 TEST(AccurateMotion, OfADampedSpringIsTheClosedForm) {
@@ -78,14 +78,14 @@ TEST(AccurateMotion, AgreesTheBetterTheTighterTheTolerance) {
   double before = motion_of(problem, 1e-5).agreement;
   for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
     const double agreement = motion_of(problem, tolerance).agreement;
-    // A hundredth of the tolerance; a fifth is the least that orders 1 to 12 make of it.
+    // A hundredth of the tolerance; orders 1 to 12 reduce the error to at most a fifth.
     EXPECT_LT(agreement, before / 5) << "at " << tolerance;
     before = agreement;
   }
   EXPECT_LE(before, hair::kLeastError);
 }
 
-// y' = -y, which someone interrupts when it is asked for the 20th time.
+// y' = -y, interrupted at the 20th evaluation.
 class Interrupting : public hair::Ode {
  public:
   explicit Interrupting(std::atomic<bool>& interrupted) : interrupted_(interrupted) {}

@@ -1,4 +1,4 @@
-// STAFF ONLY. A motion that was kept is the same bit by bit, and no other's.
+// STAFF ONLY. A kept motion is the same bit by bit, and belongs to its problem alone.
 #include "hair/truth/motion_cache.h"
 #include "hair/io/files/read_file.h"
 
@@ -61,7 +61,7 @@ TEST_F(MotionCache, GivesBackTheSameBits) {
   EXPECT_EQ(first.cpu_seconds, second.cpu_seconds);
 }
 
-// A key is made of forces at states that the motion never comes to.
+// A key contains forces at states that the motion never reaches.
 TEST_F(MotionCache, ChangesNothing) {
   Problem hard = level_strand(200);
   hard.duration = 1e-3;  // tensions grow from nothing
@@ -71,7 +71,7 @@ TEST_F(MotionCache, ChangesNothing) {
   expect_same(alone, hair::accurate_motion(hard, {hair::kTightest, folder_}, interrupted).value());
 }
 
-// As near as two tolerances are that a person gives.
+// Tolerances as near to each other as people give them.
 TEST_F(MotionCache, KnowsTolerancesApart) {
   const std::atomic<bool> interrupted = false;
   for (const double tolerance : {1e-6, 1.4e-6, 1.4001e-6})
@@ -134,7 +134,7 @@ TEST(MotionKey, ChangesWithAllThatAMotionDependsOn) {
   EXPECT_EQ(keys.size(), changes.size() + 2);
 }
 
-// The same problem, and forces that are another code's.
+// The same problem with forces of other code.
 TEST(MotionKey, ChangesWithTheForces) {
   const Problem problem = level_strand();
   Problem bent = problem;

@@ -16,7 +16,7 @@ namespace {
 using Eigen::VectorXd;
 using hair::AccurateMotion, hair::Method, hair::Problem, hair::StrandSpec, hair::Vector3d;
 
-// Level, of rods of 2 cm, ten thousand times as easy to bend and to twist as hair.
+// Level, made of rods of 2 cm, ten thousand times as easy to bend and to twist as hair.
 StrandSpec soft(int elements) {
   StrandSpec spec;
   spec.elements = elements;
@@ -27,7 +27,7 @@ StrandSpec soft(int elements) {
   return spec;
 }
 
-// So that they bend and twist.
+// A curl, so that its rods bend and twist.
 StrandSpec soft_curl(int elements) {
   StrandSpec spec = soft(elements);
   spec.form = hair::Curly{0.01, 0.05};
@@ -45,7 +45,7 @@ Problem problem_of(const hair::Scene& scene, double duration) {
   return hair::make_problem(scene, {.strand = 0, .duration = duration, .segments = {}});
 }
 
-// The largest distance of a point from the accurate motion, at any moment, of a method with so many steps a
+// The largest distance of a point from the accurate motion, at any moment, for a method with so many steps a
 // moment.
 double error_of(const Problem& problem, const AccurateMotion& motion, Method method, int steps) {
   hair::Scene scene = problem.scene;
@@ -79,8 +79,8 @@ TEST(LinksOde, StartsWhereItsBodyStarts) {
   }
 }
 
-// In air that drags, with wind. Runge and Kutta's steps are no part of CVODE's; of order 4, the error is c
-// h^4, so that two steps know c: what is left by the finer one is a fifteenth of their difference.
+// In air with drag and wind. Runge and Kutta's steps are independent of CVODE's; with order 4, the error is c
+// h^4, so two step sizes give c: the finer one's error is a fifteenth of their difference.
 TEST(LinksOde, MovesAsRungeAndKuttaSay) {
   hair::Scene scene = scene_of(soft_curl(6));
   scene.hair.drag = 2e-4;
@@ -105,8 +105,8 @@ TEST(LinksOde, KeepsTheEnergyWithoutDrag) {
     EXPECT_LE(std::abs(playback.measure(state).energy() - start), 1e-8 * kinetic) << "of " << kinetic << " J";
 }
 
-// A rod whose hinge starts with v across it: seen from the hinge, its middle is struck by -m v, and so it
-// turns with m v (L/2) / (m L^2/3 + m r^2/4) for ever, because the hinge moves on steadily.
+// A rod whose hinge starts with v across it: in the hinge's frame, its middle gets the impulse -m v, and so
+// it turns with m v (L/2) / (m L^2/3 + m r^2/4) for ever, because the hinge moves on steadily.
 TEST(LinksOde, ABlowAtTheRootTurnsARodAsInTheClosedForm) {
   StrandSpec spec = soft(1);
   spec.clamped = false;
@@ -127,8 +127,8 @@ TEST(LinksOde, ABlowAtTheRootTurnsARodAsInTheClosedForm) {
   }
 }
 
-// The root's own motion is of first order in steps, which go to where the root is at their end at a steady
-// velocity.
+// The root's own motion has a first-order error in steps, which move to the root's position at their end with
+// a constant velocity.
 TEST(LinksOde, ARootThatIsCarriedAndTurnedLeadsItAsItLeadsSteps) {
   hair::Scene scene = scene_of(soft_curl(5));
   scene.riders = carried_strand().scene.riders;

@@ -1,4 +1,4 @@
-// STAFF ONLY. What is too hard to stretch moves as what does not stretch.
+// STAFF ONLY. A strand that is too stiff to stretch moves like one that does not stretch.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,8 +31,8 @@ TEST(RigidStrand, KeepsItsLengths) {
   }
 }
 
-// To first order in 1/EA what springs leave of the limit is what tensions stretch them by: ten times the EA,
-// a tenth. And the agreement of a rigid strand's motion covers what it leaves out.
+// To first order in 1/EA, the distance from the limit is the stretch by tensions: ten times the EA, a
+// tenth of it. And the agreement of a rigid strand's motion covers this distance.
 TEST(RigidStrand, IsTheLimitOfThoseThatStretchAndSaysHowFarItIs) {
   constexpr double kSoft = 0.003, kHard = 0.03, kHardest = 101;
   for (Problem (*make)(double) : {level_strand, carried_strand}) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. A strand as CVODE sees it: its matrix is the derivative, and its root is where its rider is.
+// STAFF ONLY. A strand's equations: the matrix is the derivative, and the root is at its rider's position.
 #include "hair/truth/strand_ode.h"
 
 #include <gtest/gtest.h>
