@@ -37,7 +37,7 @@
 //   q"_i = (s^'I^A s^)^-1 (Q - s^'I^A iX(i-1) a^_(i-1) - s^'(Z^A + I^A c^))                            (4.27)
 //
 // With a spherical joint s^ has three columns, and s^'I^A s^ is a matrix of 3 x 3. Wherever s^'I^A s^ stands
-// in (4.27) to (4.29), the link's `stiffening` is added to it; link.h says why.
+// in (4.27) to (4.29), the link's `stiffening` is added to it; link.h explains why.
 //
 // Slips in the lecture's transcript: the second term in the numerator of (4.27) holds the parent's
 // acceleration a^_(i-1), not s^_(i-1); in the line above (4.27), Z^' is Z^A; the text before (4.27) and the

@@ -74,7 +74,7 @@ struct StripContact {
 //   shares = the barycentric coordinates of the point's projection into the triangle's plane
 //   weight = max(0, 1 - sum over j of shares_j |T . T_j|)
 //
-// T, T_j: tangents of the point and of the corners, of length 1, or 0. Returns false, and leaves anything in
+// T, T_j: tangents of the point and of the corners, of length 1, or 0. Returns false, with any contents in
 // `contact`, if N is 0, a share is negative, or the point is `thickness` or more away from the plane.
 //
 // The lecture's weight is 1 - Ta.Tb. A hair has no preferred end, so the sign of its tangent must not matter:

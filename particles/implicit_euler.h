@@ -53,9 +53,8 @@ void implicit_rhs(const Force& force, const Particles& particles, const State& s
 
 // Solves matrix dv = rhs by one call of ConjGrad, which may take `most_steps` iterations, and writes dv.
 // `tolerance` is relative: ConjGrad is asked for a residual of at most tolerance * ||rhs||. rhs is not
-// changed; it is an Output because ConjGrad wants a double*. Where ConjGrad gives up, since the matrix is not
-// positive definite or a number is not finite, or where it needs more iterations, the report says that it has
-// not converged, and dv is the last x of ConjGrad.
+// changed; it is an Output because ConjGrad wants a double*. If the matrix is not positive definite, a number
+// is not finite, or ConjGrad needs more iterations, `converged` is false, and dv is ConjGrad's last x.
 SolveReport solve_plain(implicitMatrix& matrix, Output rhs, double tolerance, int most_steps, Output dv);
 
 // One step of h seconds, h > 0: dv by solve_implicit with a = b = h, then v += dv and x += h v, with the new

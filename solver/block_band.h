@@ -18,7 +18,7 @@ class BlockBand {
 
   int rows() const { return static_cast<int>(memory_.rows() / 3); }  // n, in blocks
 
-  // Block (i, i - back), 0 <= back <= min(kReach, i). Of a block on the diagonal (back = 0) only the lower
+  // Block (i, i - back), 0 <= back <= min(kReach, i). For a block on the diagonal (back = 0) only the lower
   // half is used.
   auto block(int i, int back) { return memory_.block<3, 3>(3 * i, 3 * back); }
   auto block(int i, int back) const { return memory_.block<3, 3>(3 * i, 3 * back); }

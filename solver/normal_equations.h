@@ -38,8 +38,8 @@ std::unique_ptr<implicitMatrix> normal_matrix(int rows, int cols, implicitMatrix
 //   x        cols values, output only
 //   b        rows values, not changed
 //   epsilon  bounds ||A'(b - Ax)||^2, the SQUARED residual norm of the normal equations
-//   steps    as ConjGrad's, which also says what happens when A'A is singular or a value is not finite
-//   returns  what ConjGrad returns: ||A'(b - Ax)||^2
+//   steps    as in ConjGrad; its header covers a singular A'A and values that are not finite
+//   returns  ConjGrad's result: ||A'(b - Ax)||^2
 //
 // Takes 1 + steps + floor(steps / 64) products with A, and one more product than that with A'.
 double solve_normal_equations(int rows, int cols, implicitMatrix* A, implicitMatrix* A_transposed, double x[],

@@ -53,7 +53,7 @@ struct Groom {
   std::vector<Eigen::VectorXd> strands;  // 3n numbers each, n >= 1, from the root to the tip; in the file's
                                          // unit. n = 1: a bald root, where no hair grows
   GroomLook look = {};
-  // The parts of its file that say more of it, and have no place here: "nx of each vertex".
+  // Other parts of its file, which are not kept here: "nx of each vertex".
   std::vector<std::string> not_read = {};
 };
 

@@ -1,4 +1,4 @@
-// Grooms from files and into files: the name's ending says which format.
+// Grooms from files and into files: the name's ending selects the format.
 //
 //   ending   bald roots   look   text
 //   .hair    yes          yes    yes     (hair_file.h)

@@ -28,8 +28,7 @@ struct Program {
 // Returns its process id. Throws std::system_error, with the program's path, if it can't be started.
 pid_t start_program(const Program& program);
 
-// Waits until something has happened. Returns false if the program ended before; exit_code_of still tells
-// how.
+// Waits until something has happened. Returns false if the program ended before (exit_code_of tells how).
 bool wait_until(const std::function<bool()>& happened, pid_t process);
 
 // Waits until it has ended. Returns its exit code, or nothing if a signal ended it.

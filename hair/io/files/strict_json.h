@@ -29,7 +29,7 @@ using JsonDocument = std::shared_ptr<const nlohmann::json>;
 JsonDocument read_document(const std::filesystem::path& file);
 JsonDocument parse_document(const std::string& text, const std::string& name);
 
-// Bounds as errors say them: "0 to 0.9", "1 to 1000"; and words, "none, band".
+// Bounds as errors show them: "0 to 0.9", "1 to 1000"; and words, "none, band".
 std::string number_range(double lowest, double highest);
 std::string whole_range(long lowest, long highest);
 std::string listed(std::span<const std::string_view> words);

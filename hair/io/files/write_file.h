@@ -6,7 +6,7 @@
 
 namespace hair {
 
-// Writes to a temporary name beside `file` and renames it. Makes missing folders. If anything fails, removes
+// Writes to a temporary name next to `file` and renames it. Makes missing folders. If anything fails, removes
 // the temporary file, leaves an earlier `file` unchanged, and throws BadInput with the path and the reason.
 // Several processes may write the same file: the last one wins.
 void write_file(const std::filesystem::path& file, std::string_view bytes);

@@ -1,4 +1,4 @@
-// The legend beside a plot: a name for each look.
+// The legend next to a plot: a name for each look.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // A self-contained page of headings, text, figures and tables: one HTML file, readable without scripts and by
-// a screen reader; where it shows pictures, with their files beside it. Also tables as CSV.
+// a screen reader; pictures are files in its folder. Also tables as CSV.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct Page {
   std::string title;
   std::vector<std::string> paragraphs = {};  // the topic, the machine, the versions
   std::vector<Section> sections = {};
-  bool picture_files = false;  // figures show picture files that lie beside the page
+  bool picture_files = false;  // figures show picture files in the page's folder
 };
 
 // Text is escaped; figures are inserted unchanged.

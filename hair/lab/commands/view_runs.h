@@ -1,4 +1,4 @@
-// `hairlab view` without its command line (play.h says why).
+// `hairlab view` without its command line (play.h explains why).
 #pragma once
 
 #include <filesystem>

@@ -67,7 +67,7 @@ class Judge {
   Outcome outcome_;
 };
 
-// Makes the steps, and looks at equally spaced moments until a look says that the hair has blown up.
+// Makes the steps, and looks at equally spaced moments until a look shows that the hair has blown up.
 Outcome observed(Simulation& simulation, long steps, const std::function<bool(Judge& judge)>& look);
 
 }  // namespace hair

@@ -19,7 +19,7 @@ struct Repeats {
   int least = 3;          // but at least this often,
   double too_long = 0.2;  // s, if it takes no longer than this
   double warm = 0.05;     // s: a run that takes this long needs no separate warm-up
-  double clock = 1e-3;    // s between two readings of the clock: shorter runs are played many times in a row
+  double clock = 1e-3;    // s between two readings of the clock: shorter runs are repeated in a row
 };
 
 class MethodRunner {
@@ -35,12 +35,12 @@ class MethodRunner {
                                const std::atomic<bool>& interrupted);
 
  private:
-  // Plays once and records errors and time, or the reason why it did not reach its end. All return false if
+  // Runs once and records errors and time, or the reason why it did not reach its end. All return false if
   // interrupted.
   bool compare(const Scene& scene, const std::atomic<bool>& interrupted, MethodRun& run);
   bool repeat(const Scene& scene, const Repeats& repeats, const std::atomic<bool>& interrupted,
               MethodRun& run);
-  // Plays from the start, `times` times, `advances` moments each: the total CPU time, s.
+  // Runs from the start, `times` times, `advances` moments each: the total CPU time, s.
   std::optional<double> play(const Scene& scene, int times, int advances,
                              const std::atomic<bool>& interrupted);
   void count(MethodRun& run) const;

@@ -50,7 +50,7 @@ TEST(StabilityDistance, ABoundaryBelowTheMapIsZero) {
   EXPECT_EQ(boundary, (std::vector<double>{0, 2, kInfinity}));
 }
 
-// A map of two columns whose cells are all of one class, beside a limit.
+// A map of two columns whose cells are all of one class, compared with a limit.
 std::string said_of(hair::Fate fate, double limit) {
   hair::StabilityMap map;
   map.method.id = map.method.name = "method";
