@@ -18,8 +18,8 @@ TEST(RootsBetween, LieOnTheScalpWithItsNormals) {
   const std::vector<RootFrame> scalp = roots_on_ball(400, ball, 2);
   const std::vector<RootFrame> roots = roots_between(scalp, 3000, 1);
   ASSERT_EQ(roots.size(), 3000U);
-  // Each root has so much area, and a triangle of even roots the side 1.07 sqrt(area). None that is thrice as
-  // long is left, and the middle of a triangle is side^2 / 6 ball below the ball.
+  // Each root has this area, and a triangle of evenly spaced roots the side 1.07 sqrt(area). No triangle
+  // three times as long remains, and the middle of a triangle is side^2 / 6 ball below the ball.
   const double area = 2 * M_PI * ball * ball * (1 - std::cos(2)) / 400, side = 3 * 1.07 * std::sqrt(area);
   for (const RootFrame& root : roots) {
     EXPECT_NEAR(root.position.norm(), ball, side * side / (6 * ball));
@@ -28,8 +28,8 @@ TEST(RootsBetween, LieOnTheScalpWithItsNormals) {
   }
 }
 
-// Each triangle gets its share, to one: a quarter of a square gets a quarter, but for one in each triangle
-// that it cuts.
+// Each triangle gets its part of the roots, rounded: a quarter of a square gets a quarter, except for one
+// root in each triangle that it cuts.
 TEST(RootsBetween, AreEvenlySpread) {
   std::vector<RootFrame> square;
   for (int i = 0; i <= 10; ++i)

@@ -135,8 +135,8 @@ TEST(Synthesis, AFrameAllocatesNothing) {
   }
 }
 
-// Strands of a clump end nearer to each other than they begin; a tip goes the part `gathered` of the way to a
-// common one, where guides are straight and parallel.
+// Strands of a clump end nearer to each other than they begin; if guides are straight and parallel, a tip
+// moves by the part `gathered` towards a common one.
 TEST(Synthesis, ClumpsGatherTips) {
   SynthesisDescription description{
       .guides = roots_on_disc(80, 0.1), .children = roots_on_disc(1000, 0.08), .points = kPoints};
@@ -159,11 +159,11 @@ TEST(Synthesis, ClumpsGatherTips) {
   }
   std::sort(tips.begin(), tips.end());
   const auto places = std::unique(tips.begin(), tips.end()) - tips.begin();
-  // As many as chance makes: 40, and 6 times the square root of that beside it.
+  // The expected number is 40, with 6 standard deviations of its square root.
   EXPECT_NEAR(static_cast<double>(places), 40, 38);
 }
 
-// About the part of the strands that is asked for goes its own way, and no others.
+// About the requested part of the strands are fly-aways, and no others.
 TEST(Synthesis, FlyAwaysAreFew) {
   SynthesisDescription description = head(SynthesisMode::blend);
   const VectorXd guides = head_guides(description);
@@ -175,11 +175,11 @@ TEST(Synthesis, FlyAwaysAreFew) {
   for (std::size_t child = 0; child < 2000; ++child)
     moved +=
         point_of(after, child * kPoints + kPoints - 1) != point_of(before, child * kPoints + kPoints - 1);
-  // 200 of 2000, with a deviation of 13.4: six of them.
+  // 200 of 2000, with a standard deviation of 13.4: six of them.
   EXPECT_NEAR(moved, 200, 81);
 }
 
-// No child with a point in view is left out, and those that are in view are what they are without a view.
+// No child with a point in view is left out, and the view does not change the children in it.
 TEST(Synthesis, LeavesOutWhatIsOutOfView) {
   const std::vector<Plane> view = {{Vector3d(0.05, 0, 0), Vector3d(1, 0, 0)},
                                    {Vector3d(0, 0, 0.02), Vector3d(0, 0.6, 0.8)}};
@@ -242,7 +242,7 @@ TEST(Synthesis, IdleGuidesHaveNoEffect) {
           .children;
     };
     const int children = make(before);
-    // As if they had stayed where they were at the start, straight along their normals.
+    // Idle guides may have any points: here they are straight along their normals.
     for (int guide = 0; guide < 150; ++guide)
       if (!synthesis.guide_in_use()[guide])
         for (int i = 1; i < kPoints; ++i)
@@ -290,7 +290,7 @@ TEST(Synthesis, SaysWhatItCanNotTake) {
       std::invalid_argument);
 }
 
-// Near neighbours have nearly the same side, up to the poles' other end.
+// Near neighbours have nearly the same side, up to the pole's opposite.
 TEST(SideAlongScalp, DoesNotJump) {
   const Vector3d pole(0, 0.6, 0.8);
   for (const RootFrame& root : roots_on_ball(500, 1, 2.5)) {

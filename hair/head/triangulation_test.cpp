@@ -44,7 +44,7 @@ std::pair<Vector2d, double> circle_of(const Triangulation& triangulation,
 
 TEST(Triangulation, NoPointLiesInACircleThroughCorners) {
   const Triangulation triangulation = hair::triangulate(points_by_chance(300));
-  ASSERT_GT(triangulation.triangles.size(), 550u);  // Euler: 2 n - 2 - those on the rim
+  ASSERT_GT(triangulation.triangles.size(), 550u);  // Euler: 2 n - 2 less the number on the rim
   for (const Triangulation::Triangle& triangle : triangulation.triangles) {
     ASSERT_GT(area_of(triangulation, triangle), 0);
     const auto [centre, radius] = circle_of(triangulation, triangle);
@@ -64,13 +64,13 @@ TEST(Triangulation, CoversWhatLiesBetweenPoints) {
     double area = 0;
     for (const Triangulation::Triangle& triangle : triangulation.triangles)
       area += area_of(triangulation, triangle);
-    // At each of four sides a circle of 1000 widths through far corners may hold others: a segment of 2/3 /
-    // 8000.
+    // On each of the four sides, a circle through far corners, 1000 widths wide, may hold other points: a
+    // segment of 2/3 / 8000.
     EXPECT_NEAR(area, count == 3 ? 0.5 : 1, 4e-4) << count << " points";
   }
 }
 
-// Grids, where four points lie on each circle.
+// Grids have four points on each circle.
 TEST(Triangulation, OfAGridHasTwoTrianglesInEachSquare) {
   std::vector<Vector2d> points;
   for (int i = 0; i < 20; ++i)

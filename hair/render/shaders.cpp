@@ -45,9 +45,9 @@ void main() {
 // is interpolated. All other objects: a depth map.
 const std::string kShadow = R"(
 uniform mat4 to_light;
-uniform float opacity;    // of a strand in a texel that it meets
-uniform vec4 layers;      // where the layers end, in the map's depth
-uniform float bias, skip, away;  // so that no surface and no strand shades itself: in depth, and along its normal
+uniform float opacity;    // one strand's, in a texel that it meets
+uniform vec4 layers;      // the ends of the layers, in the map's depth
+uniform float bias, skip, away;  // against shadows on oneself: in depth, and along the normal
 uniform sampler2D hair_depth, hair_count, solid_depth;
 bool outside(vec2 map) {
   return any(lessThan(map, vec2(0.0))) || any(greaterThan(map, vec2(1.0)));
