@@ -1,5 +1,5 @@
-# STAFF ONLY. Run PROGRAM and compare all that it prints with EXPECTED, or, if that ends in "...", how it
-# begins.
+# STAFF ONLY. Runs PROGRAM and compares its whole output with EXPECTED, or, if that ends in "...", the
+# output's beginning.
 execute_process(COMMAND "${PROGRAM}" OUTPUT_VARIABLE output ERROR_VARIABLE error RESULT_VARIABLE result)
 if(NOT result EQUAL 0 OR NOT error STREQUAL "")
   message(FATAL_ERROR "${PROGRAM} ended with ${result}, saying: ${error}")

@@ -5,7 +5,9 @@
 #       grader::asked<Calls, function>(arguments...) of the header ASKED. reference/<ID>/asked.h replaces it.
 function(hair_definitions OUT ID ASKED)
   string(TOLOWER ${ID} space)
-  set(text "// STAFF ONLY. ${ID}'s functions, asked of somebody else. Made by grader/cmake/definitions.cmake.\n#include \"reference/${ID}/calls.h\"\n#include \"${ASKED}\"\n")
+  string(CONCAT text
+         "// STAFF ONLY. ${ID}'s functions, asked of somebody else. Made by grader/cmake/definitions.cmake.\n"
+         "#include \"reference/${ID}/calls.h\"\n#include \"${ASKED}\"\n")
   if(EXISTS "${PROJECT_SOURCE_DIR}/reference/${ID}/asked.h")
     string(APPEND text "#include \"reference/${ID}/asked.h\"\n")
   else()
@@ -26,7 +28,9 @@ function(hair_definitions OUT ID ASKED)
       endforeach()
       list(JOIN declared ", " declared)
       list(JOIN passed ", " passed)
-      string(APPEND text "\ngrader::ResultOf<${name}> ${name}(${declared}) {\n  return grader::asked<grader::${space}::Calls, ${name}>(${passed});\n}\n")
+      string(APPEND text
+             "\ngrader::ResultOf<${name}> ${name}(${declared}) {\n"
+             "  return grader::asked<grader::${space}::Calls, ${name}>(${passed});\n}\n")
     endforeach()
   endif()
   file(CONFIGURE OUTPUT "${OUT}" CONTENT "${text}" @ONLY)

@@ -29,7 +29,8 @@ endfunction()
 
 # Tests compile in a quarter less time with less optimisation than the tested code.
 set(HAIR_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
-hair_precompiled(test PROGRAM HEADERS ${HAIR_USUAL_HEADERS} <gtest/gtest.h> LIBRARIES GTest::gtest Eigen3::Eigen)
+hair_precompiled(test PROGRAM HEADERS ${HAIR_USUAL_HEADERS} <gtest/gtest.h> LIBRARIES GTest::gtest
+                 Eigen3::Eigen)
 if(HAIR_PRECOMPILED)
   target_compile_options(hair_precompiled_test PRIVATE ${HAIR_TEST_OPTIONS})
 endif()

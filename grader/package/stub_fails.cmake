@@ -2,7 +2,8 @@
 # line.
 execute_process(COMMAND "${PROGRAM}" RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT result EQUAL 1)
-  message(FATAL_ERROR "with a stub the checks ended with ${result}; they must fail, with 1. They print:\n${output}")
+  message(FATAL_ERROR
+          "with a stub the checks ended with ${result}; they must fail, with 1. They print:\n${output}")
 endif()
 list(JOIN SENTENCES "\n" expected)
 if(NOT output STREQUAL "${expected}\n")

@@ -1,5 +1,5 @@
-#   hair_categories(OUT ID)  OUT is a file of C++ initializers, one for each category of exercise ID: checks::Category
-#                            (check/category.h), with what exercises/ID/categories.json says
+#   hair_categories(OUT ID)  OUT is a file of C++ initializers, one for each category of exercise ID:
+#                            checks::Category (check/category.h), from exercises/ID/categories.json
 function(hair_categories OUT ID)
   set(source "${HAIR_HANDOUT_DIR}/exercises/${ID}/categories.json")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")

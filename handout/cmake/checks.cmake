@@ -1,13 +1,14 @@
 # Builds the public checks, and hands in.
 #
 #   hair_checks(NAME [LIBRARIES])
-#                       one GoogleTest program <NAME>_<id>_check for each exercise, linked with the library <LIBRARIES>_<id>
-#                       (<NAME>_<id>, if not said otherwise)
+#                       one GoogleTest program <NAME>_<id>_check for each exercise, linked with the library
+#                       <LIBRARIES>_<id> (<NAME>_<id> without LIBRARIES)
 #   hair_sanitise(TARGET)
-#                       TARGET is compiled with the sanitizers that find memory errors, if HAIR_SANITIZED_CHECKS is on, and so are
-#                       the programs linked that use it
-#   HAIR_CHECKED_DIR    where a run of an exercise's checks leaves its result, for the target `handin`
-#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that are not given, and about.txt, in <build>/handin.zip
+#                       compiles TARGET, and links the programs that use it, with the sanitizers that find
+#                       memory errors, if HAIR_SANITIZED_CHECKS is on
+#   HAIR_CHECKED_DIR    the folder of the checks' results, for the target `handin`
+#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that are not given, and about.txt, in
+#                       <build>/handin.zip
 
 include("${CMAKE_CURRENT_LIST_DIR}/categories.cmake")
 find_package(GTest QUIET)
@@ -16,22 +17,24 @@ if(NOT GTest_FOUND)
   message(FATAL_ERROR "GoogleTest is missing. ${how}")
 endif()
 
-# With the same errors in view as in grading; the staff's builds choose for themselves. A check stops at the
-# first error, and the sanitizers say where it is. They cost some seconds of compiling, and the checks stay
-# quick.
+# The sanitizers find the same errors as in grading. A check stops at the first one, and they say where it is.
+# They cost some seconds of compiling, and the checks stay quick. The staff's builds choose for themselves.
 set(sanitised ON)
 if(HAIR_STAFF)
   set(sanitised OFF)
 endif()
-option(HAIR_SANITIZED_CHECKS "Build your files for the checks with sanitizers, which find memory errors" ${sanitised})
-set(HAIR_SANITIZERS -fsanitize=address,signed-integer-overflow,bounds,integer-divide-by-zero,shift,vla-bound,return)
+option(HAIR_SANITIZED_CHECKS "Build your files for the checks with sanitizers, which find memory errors"
+       ${sanitised})
+set(HAIR_SANITIZERS
+    -fsanitize=address,signed-integer-overflow,bounds,integer-divide-by-zero,shift,vla-bound,return)
 if(HAIR_SANITIZED_CHECKS)
   include(CheckCXXSourceCompiles)
   list(JOIN HAIR_SANITIZERS " " CMAKE_REQUIRED_FLAGS)
   check_cxx_source_compiles("int main() { return 0; }" HAIR_HAS_SANITIZERS)
   unset(CMAKE_REQUIRED_FLAGS)
   if(NOT HAIR_HAS_SANITIZERS)
-    message(STATUS "This compiler comes without sanitizers: the checks find fewer memory errors than grading does")
+    message(STATUS "This compiler comes without sanitizers: "
+                   "the checks find fewer memory errors than grading does")
   endif()
 endif()
 
@@ -47,27 +50,30 @@ function(hair_check_code TARGET)
   hair_precompile(${TARGET} check)
 endfunction()
 if(NOT HAIR_STAFF)
-  hair_precompiled(check HEADERS <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <memory>
-                                 <numbers> <sstream> <string> <vector>
+  hair_precompiled(check HEADERS <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath>
+                                 <functional> <memory> <numbers> <sstream> <string> <vector>
                    LIBRARIES hair_interfaces Eigen3::Eigen GTest::gtest)
   if(HAIR_PRECOMPILED)
     target_compile_options(hair_precompiled_check PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endif()
 
-# Without the macro Eigen allocates in them as in all that is compiled without sanitizers: what one allocates
-# the other may free.
+# Without the macro __SANITIZE_ADDRESS__ Eigen allocates here as in code without sanitizers, so that each may
+# free the other's memory.
 function(hair_sanitise TARGET)
   if(HAIR_SANITIZED_CHECKS AND HAIR_HAS_SANITIZERS)
     # GCC compiles calls for checks faster than the checks themselves.
-    target_compile_options(${TARGET} PRIVATE -O1 -g1 -fno-omit-frame-pointer ${HAIR_SANITIZERS} -fno-sanitize-recover=all
-                           -U__SANITIZE_ADDRESS__ $<$<CXX_COMPILER_ID:GNU>:--param=asan-instrumentation-with-call-threshold=0>)
+    target_compile_options(
+      ${TARGET} PRIVATE -O1 -g1 -fno-omit-frame-pointer ${HAIR_SANITIZERS} -fno-sanitize-recover=all
+                        -U__SANITIZE_ADDRESS__
+                        $<$<CXX_COMPILER_ID:GNU>:--param=asan-instrumentation-with-call-threshold=0>)
     target_link_options(${TARGET} PUBLIC ${HAIR_SANITIZERS})
-    target_link_options(${TARGET} INTERFACE "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${HAIR_FIXED_ADDRESSES}>")
+    target_link_options(${TARGET} INTERFACE
+                        "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${HAIR_FIXED_ADDRESSES}>")
   endif()
 endfunction()
 
-# The data that the checks compare with: made by the staff's build, which says where, or shipped.
+# The data that the checks compare with: the staff's build makes it and sets its folder; the handout ships it.
 if(NOT TARGET hair_golden)
   set(HAIR_GOLDEN_DIR "${HAIR_HANDOUT_DIR}/check/golden")
 endif()
@@ -88,14 +94,15 @@ function(hair_checks NAME)
     set(libraries ${ARGV1})
   endif()
   foreach(id ${HAIR_EXERCISES})
-    # Compiled once, for however many solutions.
+    # The checks are compiled once for all solutions.
     if(NOT TARGET hair_check_${id})
       add_library(hair_check_${id} OBJECT "${HAIR_HANDOUT_DIR}/exercises/${id}/check.cpp")
       hair_check_code(hair_check_${id})
       target_link_libraries(hair_check_${id} PRIVATE hair_check)
       hair_use_libraries(hair_check_${id} ${id})
       hair_categories(categories ${id})
-      target_compile_definitions(hair_check_${id} PRIVATE "HAIR_EXERCISE_ID=\"${id}\"" "HAIR_CATEGORIES=\"${categories}\"")
+      target_compile_definitions(hair_check_${id} PRIVATE "HAIR_EXERCISE_ID=\"${id}\""
+                                                          "HAIR_CATEGORIES=\"${categories}\"")
     endif()
     hair_check_program(${NAME}_${id}_check ${libraries}_${id} ${id} ${libraries})
   endforeach()
@@ -122,7 +129,8 @@ file(MAKE_DIRECTORY "${HAIR_CHECKED_DIR}")
 function(hair_handin DIR)
   set(STUDENT "handin" CACHE STRING "The name of the archive that the target handin writes")
   if(NOT STUDENT MATCHES "^[A-Za-z0-9][A-Za-z0-9._-]*$")
-    message(FATAL_ERROR "STUDENT is \"${STUDENT}\"; it may hold letters, digits, '.', '_' and '-', and names the archive")
+    message(FATAL_ERROR "STUDENT is \"${STUDENT}\"; it may hold letters, digits, '.', '_' and '-', "
+                        "and names the archive")
   endif()
   set(exercises)
   foreach(id ${HAIR_EXERCISES})
@@ -135,7 +143,8 @@ function(hair_handin DIR)
   endif()
   list(JOIN exercises "," exercises)
   add_custom_target(handin
-    COMMAND ${CMAKE_COMMAND} "-DSTUDENT_DIR=${DIR}" "-DEXERCISES=${exercises}" "-DARCHIVE=${PROJECT_BINARY_DIR}/${STUDENT}.zip"
-            "-DCHECKED=${HAIR_CHECKED_DIR}" "-DVERSION_FILE=${HAIR_HANDOUT_DIR}/version.txt" -P "${HAIR_HANDOUT_DIR}/cmake/handin.cmake"
+    COMMAND ${CMAKE_COMMAND} "-DSTUDENT_DIR=${DIR}" "-DEXERCISES=${exercises}"
+            "-DARCHIVE=${PROJECT_BINARY_DIR}/${STUDENT}.zip" "-DCHECKED=${HAIR_CHECKED_DIR}"
+            "-DVERSION_FILE=${HAIR_HANDOUT_DIR}/version.txt" -P "${HAIR_HANDOUT_DIR}/cmake/handin.cmake"
     VERBATIM)
 endfunction()

@@ -1,22 +1,28 @@
 # Builds exercises from exercises.json, the one list of them.
 #
-#   HAIR_EXERCISES                 the ids, in the file's order, of those that the course has; the staff's build has all
+#   HAIR_EXERCISES                 the ids of the course's exercises, in the file's order (staff: of all)
 #   HAIR_LEFT_OUT                  the ids of the others
-#   HAIR_<id>_<FIELD>              file, header, role, prerequisites, libraries, functions of each. Input, Output and
-#                                  Scratch (particles/vectors.h) in a function's signature are spelled out as compilers do
+#   HAIR_<id>_<FIELD>              file, header, role, prerequisites, libraries, functions of each. In a
+#                                  function's signature, Input, Output and Scratch (particles/vectors.h) are
+#                                  spelled out as compilers do
 #   HAIR_GIVEN_DIR                 the folder of the given code: solver/, particles/, hair/
-#   HAIR_CONTRACT_DIRS             what the include path has beside it; HAIR_LECTURE_DIR: for students' files and the lecture's programs, too
+#   HAIR_CONTRACT_DIRS             more folders on the include path
+#   HAIR_LECTURE_DIR               one more, for students' files and the lecture's programs
 #   HAIR_FIXED_ADDRESSES           how a program with AddressSanitizer is linked
 #   hair_use_libraries(TARGET ID)  the libraries beside the standard one that exercise ID may include
-#   HAIR_GIVEN_<LIBRARY>           the given code that a file may call if it may include LIBRARY; HAIR_GIVEN_standard: that each file may call
+#   HAIR_GIVEN_<LIBRARY>           the given code that a file may call if it may include LIBRARY;
+#                                  HAIR_GIVEN_standard is for each file
 #   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
-#   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
-#                                  build alone: a student's compiler may be newer than ours
-#   hair_own_code(TARGET)          the same, and a library has the precompiled headers of libraries (precompiled.cmake)
+#   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are
+#                                  errors in the staff's build alone, as a student's compiler may be newer
+#   hair_own_code(TARGET)          the same, and a library has the precompiled headers of libraries
+#                                  (precompiled.cmake)
 #   hair_exercise_libraries(NAME DIR [STUDENT] [SANITISED])
-#                                  a library <NAME>_<id> for each exercise file in DIR, or in DIR/<id>. STUDENT: compiled and linked as for grading;
-#                                  SANITISED: with the sanitizers that find memory errors (checks.cmake), too
-#   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
+#                                  a library <NAME>_<id> for each exercise file in DIR, or in DIR/<id>.
+#                                  STUDENT: compiled and linked as for grading; SANITISED: with the sanitizers
+#                                  that find memory errors (checks.cmake), too
+#   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions
+#                                  throws NotInCourse
 
 # Programs with AddressSanitizer are linked at fixed addresses. Where the kernel moves memory by 32 random
 # bits (vm.mmap_rnd_bits), GCC's runtime before version 14 and clang's before 17 find no room for themselves
@@ -95,13 +101,14 @@ endfunction()
 function(hair_warnings TARGET)
   hair_compile_settings(${TARGET})
   # GCC 12 warns wrongly of overlaps and bounds in "text" + std::string (its bug 105651).
+  set(wrong -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-                         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>
-                         $<$<BOOL:${HAIR_STAFF}>:-Werror>)
+                         "$<$<CXX_COMPILER_ID:GNU>:${wrong}>" $<$<BOOL:${HAIR_STAFF}>:-Werror>)
   if(CMAKE_UNITY_BUILD)
-    # A source that another one includes is no header. Many of them take memory, which GCC need not search for
-    # what it can forget: that took a tenth of its time.
-    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage$<SEMICOLON>--param=ggc-min-heapsize=524288>)
+    # GCC takes a source that another one includes for a header, and warns. Many sources take much memory;
+    # with a larger heap GCC collects garbage less often, which took a tenth of its time.
+    set(of_unity -Wno-subobject-linkage --param=ggc-min-heapsize=524288)
+    target_compile_options(${TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:${of_unity}>")
   endif()
 endfunction()
 
@@ -113,8 +120,8 @@ function(hair_own_code TARGET)
   endif()
 endfunction()
 
-# Eigen, for the given code and for the exercises that may include it: any version from 3.3 on. Of a version
-# that find_package is given, Eigen's package takes the same first number alone.
+# Eigen, for the given code and for the exercises that may include it: any version from 3.3 on. The version is
+# compared here, since Eigen's package refuses another first number than find_package asks for.
 include("${CMAKE_CURRENT_LIST_DIR}/packages.cmake")
 find_package(Eigen3 QUIET NO_MODULE)
 if(NOT TARGET Eigen3::Eigen OR Eigen3_VERSION VERSION_LESS 3.3)
@@ -133,33 +140,36 @@ function(hair_use_libraries TARGET ID)
   endforeach()
 endfunction()
 
-# As in grading, a student's asserts are asked, and Eigen's. A variable that nobody sets holds the same in
-# each run.
+# As in grading, a student's asserts and Eigen's are checked, and a variable that is never set holds the same
+# in each run.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern HAIR_HAS_UNSET_PATTERN)
 set(HAIR_STUDENT_OPTIONS -Wall -Wextra -UNDEBUG)
 if(HAIR_HAS_UNSET_PATTERN)
   list(APPEND HAIR_STUDENT_OPTIONS -ftrivial-auto-var-init=pattern)
 else()
-  message(STATUS "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} does not know -ftrivial-auto-var-init=pattern, as g++ 12 and clang 8 do: "
-                 "what a variable holds that nobody sets differs from run to run, and from grading")
+  message(STATUS "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} does not know "
+                 "-ftrivial-auto-var-init=pattern, as g++ 12 and clang 8 do: a variable that is never set "
+                 "may hold another value in each run, and in grading")
 endif()
 
-# As in grading: a shared library that exports the exercise's functions, and calls the standard library, the
-# given code that it may call, its prerequisites and nothing else. What it lacks is an error where it is
-# linked.
+# As in grading, this is a shared library that exports the exercise's functions, and calls the standard
+# library, the given code that it may call, its prerequisites and nothing else. A missing function is an error
+# when it is linked.
 function(hair_student_library TARGET ID)
-  # Not a word of CMake's own on the compiler's command line.
+  # CMake adds no definition of its own to the compiler's command line.
   set_target_properties(${TARGET} PROPERTIES DEFINE_SYMBOL "")
   if(HAIR_CONTRACT_DIRS)
     get_target_property(file ${TARGET} SOURCES)
     get_filename_component(top "${HAIR_HANDOUT_DIR}" ABSOLUTE)
     add_custom_command(TARGET ${TARGET} PRE_LINK
-      COMMAND ${CMAKE_COMMAND} "-DFILE=${file}" "-DTOP=${top}" "-DLIBRARIES=${HAIR_${ID}_LIBRARIES}" "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+      COMMAND ${CMAKE_COMMAND} "-DFILE=${file}" "-DTOP=${top}" "-DLIBRARIES=${HAIR_${ID}_LIBRARIES}"
+              "-DCOMPILER=${CMAKE_CXX_COMPILER}"
               "-DINCLUDES=$<TARGET_PROPERTY:${TARGET},INCLUDE_DIRECTORIES>" -P "${top}/cmake/includes.cmake"
       VERBATIM)
   endif()
-  if(CMAKE_SYSTEM_NAME STREQUAL "Darwin")  # its linker asks for all symbols, and binds each to the library that has it
+  # The linker of macOS refuses missing symbols by itself, and binds each symbol to its library.
+  if(CMAKE_SYSTEM_NAME STREQUAL "Darwin")
     return()
   endif()
   set(names)
@@ -167,10 +177,11 @@ function(hair_student_library TARGET ID)
     string(REGEX REPLACE "[(].*" "*;" name "${function}")
     string(APPEND names " ${name}")
   endforeach()
-  # With the names of types: by them a program catches what a library throws.
+  # The names of types are exported, too: with them a program catches an exception that a library throws.
   set(exported "${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.map")
-  file(CONFIGURE OUTPUT "${exported}" CONTENT "{ global: extern \"C++\" {${names} }; _ZTI*; _ZTS*; local: *; };\n" @ONLY)
-  # From where the linker is started: in the names of folders above, CMake would write a $ twice.
+  file(CONFIGURE OUTPUT "${exported}"
+       CONTENT "{ global: extern \"C++\" {${names} }; _ZTI*; _ZTS*; local: *; };\n" @ONLY)
+  # The path is relative to the linker's folder: in the names of folders above, CMake would write a $ twice.
   set(started "${CMAKE_CURRENT_BINARY_DIR}")
   if(CMAKE_GENERATOR MATCHES "Ninja")
     set(started "${CMAKE_BINARY_DIR}")
@@ -232,16 +243,18 @@ function(hair_exercise_libraries NAME DIR)
   endforeach()
 endfunction()
 
-# All given code is linked, whatever the course has: these definitions stand for what it lacks.
+# All given code is linked in each course: these definitions stand for the exercises that the course lacks.
 function(hair_left_out NAME)
   set(files)
   foreach(id ${ARGN})
-    set(text "// ${id} is not in this course. Made by cmake/exercises.cmake of exercises.json.\n#include \"${HAIR_${id}_HEADER}\"\n")
-    string(APPEND text "#include \"solver/not_in_course.h\"\n\ntemplate <class Result, class... P>\nResult result_of(Result (*)(P...));\n")
+    set(text "// ${id} is not in this course. Made by cmake/exercises.cmake of exercises.json.\n")
+    string(APPEND text "#include \"${HAIR_${id}_HEADER}\"\n#include \"solver/not_in_course.h\"\n\n"
+                       "template <class Result, class... P>\nResult result_of(Result (*)(P...));\n")
     foreach(signature ${HAIR_${id}_FUNCTIONS})
       string(REGEX REPLACE "[(].*" "" function "${signature}")
       string(REGEX REPLACE "^.*::" "" name "${function}")
-      string(APPEND text "\ndecltype(result_of(&${function})) ${signature} {\n  throw NotInCourse(\"${id} ${name}\");\n}\n")
+      string(APPEND text "\ndecltype(result_of(&${function})) ${signature} {\n"
+                         "  throw NotInCourse(\"${id} ${name}\");\n}\n")
     endforeach()
     set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}/${HAIR_${id}_FILE}")
     file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)

@@ -4,8 +4,8 @@
 #
 #   cmake -DFILE=... -DTOP=... -DLIBRARIES=... -DCOMPILER=... -DINCLUDES=... -P includes.cmake
 #
-# Most lines name a header that is there, and are not looked at further. For the others the compiler says
-# whether it reads them: they may be meant for another system.
+# Most lines name a header that is there, and need no more. For the others it asks the compiler, which may
+# skip them because they are meant for another system.
 cmake_minimum_required(VERSION 3.22)
 set(there "[A-Za-z_0-9]+([.]h)?|([.][.]/)?(given/)?(solver|particles|hair)/.*[.]h")
 string(APPEND there "|(asm|bits|debug|experimental|ext|linux|net|netinet|parallel|pstl|sys|tr1|tr2)/.*")
@@ -16,7 +16,7 @@ if("eigen" IN_LIST LIBRARIES)
 endif()
 get_filename_component(folder "${FILE}" DIRECTORY)
 
-# A file of that name which is no header of the handout, nor of the system.
+# Says if a file of this name lies beside the student's file or in the handout.
 function(is_beside OUT NAME)
   set(${OUT} OFF PARENT_SCOPE)
   foreach(base "${folder}" "${TOP}" "${TOP}/given" "${TOP}/given/student")
@@ -47,7 +47,7 @@ foreach(line IN LISTS lines)
   endif()
   set(is_read OFF)
   foreach(base "${folder}" ${INCLUDES} /usr/include /usr/local/include /opt/homebrew/include)
-    # As it stands in a rule of make.
+    # The path as a rule of make spells it.
     string(REGEX REPLACE "([ #])" "\\\\\\1" path "${base}/${name}")
     string(REPLACE "$" "$$" path "${path}")
     string(FIND "${read}" " ${path} " at)
@@ -61,8 +61,8 @@ foreach(line IN LISTS lines)
     string(REGEX MATCHALL "\n" above "${above}")
     list(LENGTH above number)
     math(EXPR number "${number} + 1")
-    message("${FILE}:${number}: fatal error: ${name}: No such file or directory in grading, where a file is compiled with ${others} "
-            "and the standard library alone")
+    message("${FILE}:${number}: fatal error: ${name}: No such file or directory in grading, where a file is "
+            "compiled with ${others} and the standard library alone")
     message(FATAL_ERROR "${FILE} includes what is not there in grading")
   endif()
 endforeach()

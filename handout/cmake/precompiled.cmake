@@ -4,20 +4,22 @@
 # precompiled header serves only files that are compiled with its options: each kind has its own.
 #
 #   hair_precompiled(KIND [PROGRAM] HEADERS ... LIBRARIES ...)
-#                                  the target hair_precompiled_<KIND>, compiled as a library or a program with these libraries; it
-#                                  is made when the first target asks for it
+#                                  the target hair_precompiled_<KIND>, compiled as a library or a program with
+#                                  these libraries; it is made when the first target asks for it
 #   hair_precompile(TARGET KIND)   compiles TARGET with it, if it is there
-#   HAIR_USUAL_HEADERS             Eigen, the standard library: what our own code includes
+#   HAIR_USUAL_HEADERS             the headers of Eigen and of the standard library that our own code includes
 option(HAIR_PRECOMPILED "Compile with precompiled headers" ON)
 if(HAIR_PRECOMPILED)
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-  # What ccache needs to know what a precompiled header holds.
-  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+  # With this ccache knows the contents of a precompiled header.
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+                      "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
 
-set(HAIR_USUAL_HEADERS <Eigen/Cholesky> <Eigen/Core> <Eigen/Geometry> <Eigen/LU> <algorithm> <array> <atomic> <chrono>
-            <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
-            <sstream> <stdexcept> <string> <string_view> <thread> <tuple> <utility> <variant> <vector>)
+set(HAIR_USUAL_HEADERS
+    <Eigen/Cholesky> <Eigen/Core> <Eigen/Geometry> <Eigen/LU> <algorithm> <array> <atomic> <chrono> <cmath>
+    <cstdint> <filesystem> <fstream> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
+    <sstream> <stdexcept> <string> <string_view> <thread> <tuple> <utility> <variant> <vector>)
 
 function(hair_precompiled KIND)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM" "" "HEADERS;LIBRARIES")

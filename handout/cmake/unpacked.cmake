@@ -1,6 +1,6 @@
-# What was unpacked is compiled, also over a folder that is built: its files may be older than what was built
-# of those before them. So the archive holds cmake/just-unpacked. Configuring makes the given files as new as
-# now, and takes it away. Each build looks whether it is there again.
+# A handout that is unpacked over a built folder is compiled anew, although its files may be older than the
+# objects there. The archive holds cmake/just-unpacked. If this file is there, configuring touches the given
+# files and removes it. Each build looks for it again.
 set(unpacked "${CMAKE_SOURCE_DIR}/cmake/just-unpacked")
 if(EXISTS "${unpacked}")
   set(given given check exercises solver particles hair)

@@ -1,6 +1,6 @@
-// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json OUT.json
-// [POINTS]. It has positions alone, of few strands where there are many, and hairlab's page plays it. POINTS
-// is the most in all frames together (hair/view/motion.h).
+// STAFF ONLY. Makes the handout's file of a scene's run by the reference: make_motion SCENE.json OUT.json
+// [POINTS]. It has only positions, and only a part of many strands: at most POINTS points in all frames
+// together (hair/view/motion.h). hairlab's page plays it.
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -13,7 +13,7 @@
 
 namespace {
 
-// Of dense hair as many strands as the page shows.
+// The scene with as many strands of dense hair as the page shows.
 hair::Scene thinned(hair::Scene scene, std::size_t most_points) {
   const std::size_t most = most_points / static_cast<std::size_t>(scene.frames + 1);
   for (hair::DenseHair& dense : scene.dense) {
