@@ -102,18 +102,25 @@ void check_listing(const Files& handout, const Paths& listed) {
       throw HandoutError("the archive lacks " + path + ", which the manifest lists");
 }
 
+bool is_test_by_name(const std::string& path) {
+  const std::filesystem::path file = std::filesystem::path(path).filename();
+  return file == "tests.cmake" || file.string().ends_with("_test.cpp") || file.string().starts_with("test_");
+}
+
 void check_folder(const Files& files, const std::string& where) {
   for (const auto& [path, text] : files) {
     const std::string stem = std::filesystem::path(path).stem().string();
     const auto holds = [&text = text](std::string_view part) { return text.find(part) != std::string::npos; };
     std::string kind;
     if (holds(canary)) kind = "a staff file";
-    if (holds("gtest/gtest.h") || stem.ends_with("_test") || stem.starts_with("test_")) kind = "of a test";
+    if (holds("gtest/gtest.h")) kind = "of a test";
     if (holds("benchmark/benchmark.h") || stem.ends_with("_bench")) kind = "of a benchmark";
     if (holds("LLVMFuzzerTestOneInput") || stem.ends_with("_fuzz")) kind = "of a fuzz program";
     if (!kind.empty())
-      throw HandoutError(where + ": " + path + " is " + kind +
-                         ", and its folder ships; move the file into a folder of its own");
+      throw HandoutError(
+          where + ": " + path + " is " + kind +
+          ", and its folder ships; name a test *_test.cpp, what tests share test_*, or move the "
+          "file into a folder of its own");
   }
 }
 

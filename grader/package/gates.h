@@ -19,6 +19,9 @@ using Paths = std::set<std::string>;
 // Checks that the handout contains exactly the files that the manifest lists.
 void check_listing(const Files& handout, const Paths& listed);
 
+// True for *_test.cpp, test_* and tests.cmake, a list of tests: a folder ships without them.
+bool is_test_by_name(const std::string& path);
+
 // Checks that a folder that ships holds no tests, benchmarks, fuzz programs or staff files; `where` names its
 // line. The keys are the files' paths in the project.
 void check_folder(const Files& files, const std::string& where);

@@ -213,7 +213,14 @@ TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {
   EXPECT_EQ(hair::bytes_of(out_), before);
 }
 
-TEST_F(SmallProject, ClosesForAFolderThatHoldsATestABenchmarkOrAStaffFile) {
+TEST_F(SmallProject, LeavesTheTestsOfAFolderOut) {
+  for (const std::string name : {"a_test.cpp", "test_hair.h", "tests.cmake"})
+    write("solver/lib/" + name, "STAFF ONLY. #include <gtest/gtest.h>\n");
+  EXPECT_EQ(complaint(), "");
+  for (const auto& [path, bytes] : files()) EXPECT_EQ(path.find("test"), std::string::npos) << path;
+}
+
+TEST_F(SmallProject, ClosesForAFolderThatHoldsATestOfAnotherNameABenchmarkOrAStaffFile) {
   write("solver/lib/a.h", "int a();\n");
   list("solver/lib/");
   accept();
@@ -221,9 +228,7 @@ TEST_F(SmallProject, ClosesForAFolderThatHoldsATestABenchmarkOrAStaffFile) {
   EXPECT_EQ(files().at("given/solver/lib/a.h"), "int a();\n");
   fs::remove(out_);
   for (const auto& [name, text, kind] :
-       {std::array<std::string, 3>{"a_test.cpp", "int main() {}\n", "of a test"},
-        {"test_hair.h", "int hair();\n", "of a test"},
-        {"looks_good.cpp", "#include <gtest/gtest.h>\n", "of a test"},
+       {std::array<std::string, 3>{"looks_good.cpp", "#include <gtest/gtest.h>\n", "of a test"},
         {"a_bench.cpp", "int main() {}\n", "of a benchmark"},
         {"speed.cpp", "#include <benchmark/benchmark.h>\n", "of a benchmark"},
         {"a_fuzz.cpp", "int main() {}\n", "of a fuzz program"},

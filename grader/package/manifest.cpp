@@ -50,10 +50,9 @@ class Lines {
     Files files;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(root / folder.source, error))
-      if (!entry.is_directory()) {
-        const std::string name = entry.path().filename().string();
+      if (const std::string name = entry.path().filename().string();
+          !entry.is_directory() && !is_test_by_name(name))
         files[folder.source + name] = hair::bytes_of(entry.path());
-      }
     if (files.empty()) throw BadInput(folder.where + ": " + folder.source + " is no folder with files in it");
     check_folder(files, folder.where);
     for (const auto& [source, bytes] : files)

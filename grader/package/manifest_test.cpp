@@ -35,8 +35,9 @@ std::vector<ManifestLine> read(const std::string& text, Role role = Role::assign
   const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
   const fs::path root = fs::path(HAIR_SCRATCH_DIR) / ("Manifest" + name);
   fs::create_directories(root / "handout");
-  fs::create_directories(root / "solver/lib/tests");
-  for (const char* file : {"solver/lib/a.cpp", "solver/lib/a.h", "solver/lib/tests/a_test.cpp"})
+  fs::create_directories(root / "solver/lib/more");
+  for (const char* file : {"solver/lib/a.cpp", "solver/lib/a.h", "solver/lib/more/b.cpp",
+                           "solver/lib/a_test.cpp", "solver/lib/test_a.h", "solver/lib/tests.cmake"})
     std::ofstream(root / file) << "//\n";
   fs::create_directories(root / "handout/exercises/S1");
   for (const char* file : {"text.md", "check.cpp", "s.cpp"})
@@ -70,7 +71,7 @@ TEST(Manifest, PutsTheHandoutOnTopAndGivenCodeBelowGiven) {
   EXPECT_EQ(lines.back().source, "golden/x.mtx");
 }
 
-TEST(Manifest, TakesTheFilesOfAFolderAndNotThoseOfItsFolders) {
+TEST(Manifest, TakesTheFilesOfAFolderAndNeitherItsTestsNorItsFolders) {
   Destinations expected = kExercise;
   expected.insert({"given/solver/lib/a.cpp", "given/solver/lib/a.h"});
   EXPECT_EQ(destinations(read("solver/lib/\n")), expected);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "hair/io/plot/tests/parsed.h"
+#include "hair/io/plot/test_parsed.h"
 
 namespace grader::inline report {
 namespace {

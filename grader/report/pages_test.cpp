@@ -14,7 +14,7 @@
 #include "grader/report/student_view.h"
 #include "grader/result/base64.h"
 #include "hair/io/plot/readable.h"
-#include "hair/io/plot/tests/parsed.h"
+#include "hair/io/plot/test_parsed.h"
 
 namespace grader::inline report {
 namespace {

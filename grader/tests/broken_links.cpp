@@ -7,7 +7,7 @@
 #include <set>
 
 #include "hair/io/files/read_file.h"
-#include "hair/io/plot/tests/parsed.h"
+#include "hair/io/plot/test_parsed.h"
 
 namespace grader {
 namespace {

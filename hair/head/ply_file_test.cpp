@@ -6,7 +6,7 @@
 
 #include "hair/head/refusal.h"
 #include "hair/io/files/temporary_folder.h"
-#include "solver/tests/comma_locale.h"
+#include "solver/test_comma_locale.h"
 
 namespace hair {
 namespace {

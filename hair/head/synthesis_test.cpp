@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hair/head/test_guides.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

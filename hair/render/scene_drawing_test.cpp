@@ -6,7 +6,7 @@
 
 #include "hair/render/scene_bounds.h"
 #include "hair/strand/make_strand.h"
-#include "hair/strand/tests/placed_ball.h"
+#include "hair/strand/test_placed_ball.h"
 
 namespace hair {
 namespace {

@@ -11,7 +11,7 @@
 #include "hair/io/fuzz/fuzz.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/playback.h"
-#include "hair/scene/tests/reading.h"
+#include "hair/scene/test_reading.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 namespace hair {
 namespace {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "hair/strand/meeting.h"
-#include "hair/strand/tests/placed_ball.h"
-#include "solver/tests/numbers.h"
+#include "hair/strand/test_placed_ball.h"
+#include "solver/test_numbers.h"
 
 namespace hair {
 namespace {

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "hair/strand/make_strand.h"
-#include "hair/strand/tests/strand_states.h"
+#include "hair/strand/test_strand_states.h"
 #include "solver/symmetric_eigen.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

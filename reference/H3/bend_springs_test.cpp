@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "hair/angular_springs.h"
-#include "hair/strand/tests/strand_states.h"
+#include "hair/strand/test_strand_states.h"
 #include "hair/stretch_springs.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/H6/stepping_for_tests.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -10,7 +10,7 @@
 #include "particles/system.h"
 #include "reference/H6/stepping_for_tests.h"
 #include "solver/dense_solve.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -11,7 +11,7 @@
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/solve_implicit.h"
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 namespace reference_tests {
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/H7/link_trees_for_tests.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

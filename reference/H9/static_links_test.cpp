@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "handout/check/derivative.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -20,8 +20,8 @@
 #include "particles/gravity.h"
 #include "particles/springs.h"
 #include "particles/system.h"
-#include "solver/tests/allocations.h"
-#include "solver/tests/numbers.h"
+#include "solver/test_allocations.h"
+#include "solver/test_numbers.h"
 
 namespace reference_tests {
 namespace {

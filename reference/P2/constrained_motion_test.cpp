@@ -1,6 +1,6 @@
 // STAFF ONLY. Rods and wires in motion, integrated by RK4, against closed forms of mechanics.
 #include "reference/P2/constrained_motion_for_tests.h"
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "reference/P2/constrained_motion_for_tests.h"
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 namespace reference_tests {
 namespace {

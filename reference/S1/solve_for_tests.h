@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/linearSolver.h"
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 namespace reference_tests {
 

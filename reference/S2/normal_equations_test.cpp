@@ -7,7 +7,7 @@
 
 #include "reference/S1/solve_for_tests.h"
 #include "solver/matrices.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {

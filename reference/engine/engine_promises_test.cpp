@@ -6,7 +6,7 @@
 
 #include "hair/strand/measures.h"
 #include "reference/engine/engine_states.h"
-#include "solver/tests/allocations.h"
+#include "solver/test_allocations.h"
 
 namespace hair::engine {
 namespace {

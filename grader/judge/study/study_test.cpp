@@ -12,7 +12,7 @@
 
 #include "grader/report/pages.h"
 #include "hair/io/files/temporary_folder.h"
-#include "hair/io/plot/tests/parsed.h"
+#include "hair/io/plot/test_parsed.h"
 #include "hair/scene/playback.h"
 
 namespace grader::inline judge {

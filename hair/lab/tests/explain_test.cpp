@@ -6,7 +6,7 @@
 #include <map>
 
 #include "hair/lab/run/run_record.h"
-#include "solver/tests/comma_locale.h"
+#include "solver/test_comma_locale.h"
 
 namespace hair {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 namespace hair::head_study {
 namespace {

@@ -11,7 +11,7 @@
 #include "hair/lab/stability/maps.h"
 #include "hair/lab/stability/tests/never_interrupted.h"
 #include "hair/lab/stability/theory.h"
-#include "hair/simulation/tests/hairs.h"
+#include "hair/simulation/test_hairs.h"
 
 namespace reference_tests {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/tests/numbers.h"
+#include "solver/test_numbers.h"
 
 namespace hair {
 namespace {

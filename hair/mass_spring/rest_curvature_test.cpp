@@ -1,0 +1,258 @@
+// STAFF ONLY. The promises of hair/mass_spring/rest_curvature.h, except those for the fold.
+#include "hair/mass_spring/rest_curvature.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hair/angular_springs.h"
+#include "hair/mass_spring/dual.h"
+#include "hair/mass_spring/test_rest_curvature_cases.h"
+#include "hair/strand/make_strand.h"
+#include "hair/strand/rest_shape.h"
+#include "hair/stretch_springs.h"
+
+namespace hair {
+namespace {
+
+TEST(DualNumbers, AreValuesWithTheirDerivatives) {
+  const double x = 0.7;
+  auto f = [](auto a) {
+    using std::atan2, std::sqrt;
+    return sqrt(a * a + decltype(a)(2.0)) / (decltype(a)(3.0) - a) - atan2(a, -a * a);
+  };
+  const Dual y = f(Dual(x, 1));
+  EXPECT_NEAR(y.value, f(x), 4 * kUnit * 4);
+  const double h = 0x1p-13;
+  const double slope = (4 * (f(x + h / 2) - f(x - h / 2)) / h - (f(x + h) - f(x - h)) / (2 * h)) / 3;
+  EXPECT_NEAR(y.change, slope, 1e-11) << "bound: 8 u over the step, 2^-13";
+}
+
+TEST(RestCurvature, AgreesWithCentralDifferencesInEveryState) {
+  for (const StrandState& s : clamped_states()) {
+    SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
+    const RestCurvature force(s.strand, some_rest(s.strand), some_normal(s.strand.root_tangent),
+                              Products::exact);
+    const reference_tests::ForceUnderTest f = {
+        [&](const VectorXd& x) { return force.energy(x); },
+        [&](const VectorXd& x) { return force_of(force, x); },
+        [&](const VectorXd& x, const VectorXd& dx) { return product_of(force, x, dx); }};
+    const Scales scales(s);
+    expect_derivatives(f, s.x, s.shortest * std::min(1.0, s.least_bend), scales.force, scales.product);
+  }
+}
+
+TEST(RestCurvature, OfStraightHairIsThatOfAngularSprings) {
+  for (const StrandState& s : clamped_states()) {
+    SCOPED_TRACE(s.name);
+    const RestCurvature force(s.strand, VectorXd::Zero(2 * s.strand.segments()),
+                              some_normal(s.strand.root_tangent), Products::exact);
+    VectorXd f = VectorXd::Zero(s.x.size()), df = f;
+    const VectorXd dx = VectorXd::LinSpaced(s.x.size(), -1, 1);
+    add_bend_force(s.strand, s.x, f);
+    add_bend_product(s.strand, s.x, dx, df);
+    const Scales scales(s);
+    EXPECT_NEAR(force.energy(s.x), bend_energy(s.strand, s.x), 64 * kUnit * scales.energy);
+    EXPECT_LE((force_of(force, s.x) - f).norm(), 64 * kUnit * scales.force);
+    EXPECT_LE((product_of(force, s.x, dx) - df).norm(),
+              256 * kUnit * scales.product / std::min(1.0, s.least_bend));
+  }
+}
+
+TEST(RestCurvature, IsAtRestInItsRestShape) {
+  for (const RestShape& shape : {straight_shape(30, 0.3, {}), wavy_shape(30, 0.3, 0.01, 0.08, {}),
+                                 curly_shape(30, 0.3, 0.01, 0.02, {})}) {
+    Strand strand = strand_from_rest({}, shape.x);
+    strand.clamped = true;
+    strand.root_tangent = shape.tangent;
+    const VectorXd rest = bend_components(shape.x, shape.tangent, shape.normal);
+    const RestCurvature force(strand, rest, shape.normal, Products::exact);
+    EXPECT_EQ(force.energy(shape.x), 0);
+    EXPECT_EQ(force_of(force, shape.x), VectorXd::Zero(shape.x.size()));
+    // Moved by 1 um, the strand is not at rest.
+    VectorXd moved = shape.x;
+    moved[45] += 1e-6;
+    EXPECT_GT(force.energy(moved), 0);
+  }
+}
+
+TEST(RestCurvature, TurnsWithItsRootFrame) {
+  const reference_tests::RigidMotion motion = reference_tests::some_motion();
+  for (const StrandState& s : clamped_states()) {
+    if (s.name.starts_with("nearly folded")) continue;  // turned, a fold of 1e-3 differs by 1e-12
+    SCOPED_TRACE(s.name);
+    const Vector3d normal = some_normal(s.strand.root_tangent);
+    Strand turned = s.strand;
+    turned.root_tangent = motion.rotation * s.strand.root_tangent;
+    const RestCurvature before(s.strand, some_rest(s.strand), normal, Products::exact),
+        after(turned, some_rest(s.strand), motion.rotation * normal, Products::exact);
+    const VectorXd x = motion.points(s.x);
+    const Scales scales(s);
+    const double relative =
+        64 * kUnit * 4 / s.shortest;  // positions of a few metres round, and angles with them
+    EXPECT_NEAR(after.energy(x), before.energy(s.x), relative * scales.energy);
+    EXPECT_LE((force_of(after, x) - motion.vectors(force_of(before, s.x))).norm(), relative * scales.force);
+  }
+}
+
+TEST(RestCurvature, FeelsItsRootTurnAboutItself) {
+  const RestShape shape = curly_shape(20, 0.2, 0.01, 0.02, {});
+  Strand strand = strand_from_rest({}, shape.x);
+  strand.clamped = true;
+  strand.root_tangent = shape.tangent;
+  RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
+                      Products::exact);
+  force.set_root_normal(shape.tangent.cross(shape.normal));
+  EXPECT_GT(force.energy(shape.x), 0);
+  EXPECT_GT(force_of(force, shape.x).norm(), 0);
+}
+
+TEST(RestCurvature, HasSymmetricProducts) {
+  for (const StrandState& s : clamped_states()) {
+    for (Products product : {Products::exact, Products::definite}) {
+      const RestCurvature force(s.strand, some_rest(s.strand), some_normal(s.strand.root_tangent), product);
+      SCOPED_TRACE(s.name);
+      reference_tests::expect_symmetric_matrix(matrix_of(force, s.x),
+                                               256 * kUnit * Scales(s).product / std::min(1.0, s.least_bend));
+    }
+  }
+}
+
+TEST(RestCurvature, HasASemidefiniteProductThatIsExactAtRest) {
+  for (const StrandState& s : clamped_states()) {
+    SCOPED_TRACE(s.name);
+    const RestCurvature force(s.strand, some_rest(s.strand), some_normal(s.strand.root_tangent),
+                              Products::definite);
+    const MatrixXd S = -matrix_of(force, s.x);
+    EXPECT_GE(eigenvalues(S).minCoeff(),
+              -64 * kUnit * static_cast<double>(S.rows()) * S.cwiseAbs().maxCoeff());
+
+    if (s.name.starts_with("nearly folded")) continue;  // hair may not rest in this shape
+    const VectorXd rest = bend_components(s.x, s.strand.root_tangent, some_normal(s.strand.root_tangent));
+    const RestCurvature exact(s.strand, rest, some_normal(s.strand.root_tangent), Products::exact),
+        spd(s.strand, rest, some_normal(s.strand.root_tangent), Products::definite);
+    EXPECT_LE((matrix_of(exact, s.x) - matrix_of(spd, s.x)).cwiseAbs().maxCoeff(),
+              256 * kUnit * Scales(s).product / std::min(1.0, s.least_bend));
+  }
+}
+
+// The stiff parts of a helix whose root is clamped: springs along it and its curvature.
+struct Helix {
+  RestShape shape;
+  Strand strand;
+};
+Helix helix(int segments) {
+  Helix result{curly_shape(segments, 0.2, 0.01, 0.02, {}), {}};
+  result.strand = strand_from_rest({}, result.shape.x);
+  result.strand.clamped = true;
+  result.strand.root_tangent = result.shape.tangent;
+  return result;
+}
+
+MatrixXd stretch_matrix(const Strand& strand, const VectorXd& x) {
+  return reference_tests::matrix_of(
+      [&](const VectorXd& dx) {
+        VectorXd df = VectorXd::Zero(x.size());
+        add_stretch_product(strand, x, GeometricTerm::full, dx, df);
+        return df;
+      },
+      x.size());
+}
+
+TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
+  for (int segments : {16, 24, 48}) {
+    const auto [shape, strand] = helix(segments);
+    const RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
+                              Products::exact);
+    const int free = 3 * segments;
+    const VectorXd all = eigenvalues(
+        -(matrix_of(force, shape.x) + stretch_matrix(strand, shape.x)).bottomRightCorner(free, free));
+    // The softest motion of this hair is a straight beam's bending in its first mode: 1.875^4 = 12.36 EI /
+    // L^4 per metre, and so 12.36 EI / (n L^3) for each particle. A helix is shorter, and stiffer.
+    const double L = strand.rest_length.sum(),
+                 softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
+    EXPECT_GE(all.minCoeff(), softest) << segments << " segments";
+    EXPECT_GE(all.minCoeff(), 100 * kUnit * all.maxCoeff()) << "far above what the largest one rounds by";
+  }
+}
+
+// The header's statement on springs with a rest angle: E = sum k (phi - phi_rest)^2 / 2 holds angles, but not
+// the planes of the bends.
+TEST(RestCurvature, IsNeededBecauseUnsignedAnglesLeaveAHelixZeroEnergyModes) {
+  const int segments = 24, free = 3 * segments;
+  const auto [shape, strand] = helix(segments);
+  MatrixXd K = -stretch_matrix(strand, shape.x);
+  auto angle = [&strand = strand](const VectorXd& x, int joint) {
+    const Vector3d e = x.segment<3>(3 * joint + 3) - x.segment<3>(3 * joint);
+    const Vector3d above =
+        joint == 0 ? strand.root_tangent : Vector3d(x.segment<3>(3 * joint) - x.segment<3>(3 * joint - 3));
+    return std::atan2(above.cross(e).norm(), above.dot(e));
+  };
+  for (int joint = 0; joint < segments; ++joint) {
+    // At rest the derivative of the energy is k grad phi grad phi^T; the gradient by differences.
+    VectorXd gradient(shape.x.size()), x = shape.x;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double h = 1e-6 * strand.rest_length[0];
+      x[i] = shape.x[i] + h;
+      gradient[i] = angle(x, joint);
+      x[i] = shape.x[i] - h;
+      gradient[i] = (gradient[i] - angle(x, joint)) / (2 * h);
+      x[i] = shape.x[i];
+    }
+    K +=
+        strand.bend_rigidity / strand.rest_length[1] * (joint == 0 ? 2 : 1) * gradient * gradient.transpose();
+  }
+  const VectorXd all = eigenvalues(K.bottomRightCorner(free, free));
+  const double L = strand.rest_length.sum(), softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
+  // 24 lengths and 24 angles hold 48 of 72 unknowns. The rounding errors are those of the stretch springs.
+  for (int i = 0; i < free - 2 * segments; ++i)
+    EXPECT_LE(std::abs(all[i]), std::max(1e-3 * softest, 64 * kUnit * all.maxCoeff())) << i;
+}
+
+TEST(RestCurvature, DoesNotDependOnTheSampling) {
+  // A helix, straightened: E = EI/2 kappa^2 L, to second order.
+  std::vector<double> errors;
+  const double r = 0.01, c = 0.02 / (2 * pi), kappa = r / (r * r + c * c);
+  for (int segments : {24, 48, 96, 192}) {
+    const auto [shape, strand] = helix(segments);
+    const RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
+                              Products::exact);
+    VectorXd x = VectorXd::Zero(shape.x.size());
+    for (int i = 0; i < segments; ++i)
+      x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * shape.tangent;
+    const double exact = strand.bend_rigidity / 2 * kappa * kappa * 0.2;
+    // No joint stores the last half segment's bend.
+    errors.push_back(std::abs(force.energy(x) / exact + 0.5 / segments - 1));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.8) << i;
+}
+
+TEST(RestCurvature, ServesTenThousandParticles) {
+  const RestShape shape = curly_shape(9999, 10, 0.01, 0.02, {});
+  Strand strand = strand_from_rest({}, shape.x);
+  strand.clamped = true;
+  strand.root_tangent = shape.tangent;
+  const RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
+                            Products::definite);
+  VectorXd x = shape.x;
+  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += 1e-5 * std::sin(static_cast<double>(i * i));
+  EXPECT_TRUE(force_of(force, x).allFinite());
+  EXPECT_LT(x.dot(product_of(force, x, x)), 0);
+}
+
+TEST(RestCurvature, RefusesWhatMakesNoSense) {
+  Strand strand = reference_tests::test_strand(4);
+  const VectorXd rest = VectorXd::Zero(6);
+  const Vector3d normal(1, 0, 0);
+  EXPECT_THROW(RestCurvature(strand, rest, normal, Products::exact), std::invalid_argument) << "not clamped";
+  strand.clamped = true;
+  EXPECT_NO_THROW(RestCurvature(strand, rest, normal, Products::exact));
+  EXPECT_THROW(RestCurvature(strand, VectorXd::Zero(4), normal, Products::exact), std::invalid_argument);
+  EXPECT_THROW(RestCurvature(strand, rest, Vector3d(0, 0, 1), Products::exact), std::invalid_argument);
+  EXPECT_THROW(RestCurvature(strand, rest, Vector3d(2, 0, 0), Products::exact), std::invalid_argument);
+  EXPECT_THROW(bend_components(VectorXd::Ones(9), Vector3d::UnitZ(), normal), std::invalid_argument);
+  EXPECT_THROW(bend_components(VectorXd::Ones(4), Vector3d::UnitZ(), normal), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hair

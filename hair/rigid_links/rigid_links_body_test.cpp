@@ -1,0 +1,256 @@
+// STAFF ONLY. Strands of rigid links, in addition to the common properties of bodies
+// (hair/simulation/bodies_test.cpp): hair that hangs, twists and lies on a table.
+#include "hair/rigid_links/rigid_links_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "hair/strand/test_bodies.h"
+
+namespace hair {
+namespace {
+
+using Eigen::VectorXd;
+
+// Strand and weight.
+struct Setting {
+  Vector3d gravity = Vector3d(0, 0, -9.81);
+  double drag = 0;
+  TreeStep method = &TreeSteps::linearly_implicit_euler;
+};
+
+std::unique_ptr<RigidLinksBody> body(const StrandSpec& spec, const Setting& setting = {}) {
+  LinkStrand strand = link_strand(spec);
+  strand.forces.gravity = setting.gravity;
+  strand.forces.drag = setting.drag;
+  return std::make_unique<RigidLinksBody>(std::move(strand), spec.root_velocity, setting.method);
+}
+
+// Explicit and implicit steps end at the same place if steps are small, and keep energy to their order.
+TEST(RigidLinksBody, StepsAgreeWhenTheyAreSmall) {
+  StrandSpec spec = straight_hair(4, 0.05);
+  spec.start = {true, Vector3d(1, 0, 0)};
+  spec.fibre.bend_factor = spec.fibre.twist_factor = 1e-3;
+  const double time = 0.02, h = 1e-6;
+  const auto exact = body(spec, {.method = &TreeSteps::runge_kutta_4});
+  const double before = energy(*exact);
+  advance(*exact, h, static_cast<int>(time / h));
+  EXPECT_NEAR(energy(*exact), before, 1e-9 * std::abs(before));  // and rounding, 1e-16 in each of 2e4 steps
+  const VectorXd x = Line(*exact).x;
+  for (const TreeStep method : {&TreeSteps::symplectic_euler, &TreeSteps::linearly_implicit_euler}) {
+    double errors[2];
+    for (const int fine : {0, 1}) {
+      const auto strand = body(spec, {.method = method});
+      advance(*strand, h / (1 << fine), static_cast<int>(time / h) << fine);
+      errors[fine] = (Line(*strand).x - x).norm();
+    }
+    EXPECT_NEAR(std::log2(errors[0] / errors[1]), 1, 0.1) << errors[0];
+  }
+}
+
+// In the frame of an accelerating root, the strand has an additional weight. It comes to rest under the
+// sum of the two.
+TEST(RigidLinksBody, ARootThatAcceleratesAddsToTheWeight) {
+  const double a = 9.81, h = 1e-3;
+  StrandSpec spec = straight_hair(8);
+  spec.root.axis = Vector3d(0, 0, -1);
+  const auto still = body(spec, {Vector3d(-a, 0, -9.81), 1e-3}), pulled = body(spec, {.drag = 0});
+  LinkStrand strand = link_strand(spec);
+  // Drag would act against the air; both fall freely for a short time instead.
+  const auto free = body(spec, {Vector3d(-a, 0, -9.81), 0});
+  Eigen::MatrixXd scratch(0, 0);
+  Work work;
+  Vector3d position = Vector3d::Zero(), velocity = Vector3d::Zero();
+  for (int k = 0; k < 30; ++k) {
+    velocity += h * a * Vector3d::UnitX();
+    position += h * velocity;
+    pulled->set_root({position, Vector3d(0, 0, -1), Vector3d(1, 0, 0), velocity, Vector3d::Zero()});
+    ASSERT_FALSE(pulled->step({h, 1e-10, {}, {}}, scratch, work));
+    ASSERT_FALSE(free->step({h, 1e-10, {}, {}}, scratch, work));
+  }
+  VectorXd seen = Line(*pulled).x;
+  for (int i = 0; i < pulled->points(); ++i) seen.segment<3>(3 * i) -= position;
+  EXPECT_LE((seen - Line(*free).x).norm(), 1e-9);
+}
+
+// A clamped root that turns takes the strand with it.
+TEST(RigidLinksBody, AClampThatTurnsTurnsTheStrand) {
+  const auto strand = body(straight_hair(10, 0.03), {Vector3d::Zero(), 1e-4});
+  const double h = 1e-3, rate = 2;
+  Eigen::MatrixXd scratch(0, 0);
+  Work work;
+  double angle = 0;
+  const auto told = [&](double speed) {
+    angle += h * speed;
+    strand->set_root({Vector3d::Zero(), Vector3d(std::sin(angle), 0, -std::cos(angle)),
+                      Vector3d(std::cos(angle), 0, std::sin(angle)), Vector3d::Zero(),
+                      Vector3d(0, -speed, 0)});
+    ASSERT_FALSE(strand->step({h, 1e-10, {}, {}}, scratch, work));
+  };
+  for (int k = 0; k < 500; ++k) told(rate);
+  for (int k = 0; k < 5000; ++k) told(0);
+  const Vector3d tip(0.03 * std::sin(angle), 0, -0.03 * std::cos(angle));
+  EXPECT_LE((Vector3d(Line(*strand).x.tail<3>()) - tip).norm(), 1e-6);
+}
+
+// A hair with steps of a sixtieth of a second, where explicit methods need 1e-6 s: from horizontal to
+// hanging.
+TEST(RigidLinksBody, ASixtiethOfASecondHolds) {
+  for (const int elements : {10, 100, 1000}) {
+    StrandSpec spec = straight_hair(elements);
+    spec.start = {true, Vector3d(1, 0, 0)};
+    const auto strand = body(spec, {.drag = 2e-4});
+    const double start = energy(*strand);
+    double most = start;
+    for (int k = 0; k < 600; ++k) {
+      advance(*strand, 1.0 / 60, 1);
+      most = std::max(most, energy(*strand));
+    }
+    EXPECT_LE(most - start, 1e-9 * std::abs(start)) << elements;
+    EXPECT_LE((Vector3d(Line(*strand).x.tail<3>()) - Vector3d(0, 0, -0.1)).norm(), 1e-3) << elements;
+  }
+}
+
+// The tension of its own weight is explicit: hair hangs still at 1/60 s if it is at most 0.93 m long
+// (hair/rigid_links/tree_system.h). Only the root has this tension, so the limit itself is a little higher.
+TEST(RigidLinksBody, HoldsTheTensionThatItsBoundSays) {
+  const Material material;
+  const double h = 1.0 / 60;
+  const double bound = 4 * std::sqrt(material.bend_rigidity() / material.line_density()) / (h * 9.81);
+  EXPECT_NEAR(bound, 0.93, 0.005);
+  for (const double part : {1.0, 2.0}) {
+    StrandSpec spec = straight_hair(200, part * bound);
+    spec.start = {true, Vector3d(1e-3, 0, -1).normalized()};
+    const auto strand = body(spec);
+    Eigen::MatrixXd scratch(0, 0);
+    Work work;
+    int steps = 0;
+    while (steps < 1000 && !strand->step({h, 1e-10, {}, {}}, scratch, work)) ++steps;
+    if (part > 1) {
+      EXPECT_LT(steps, 1000) << "the bound is too careful";
+    } else {
+      EXPECT_EQ(steps, 1000);
+      // A thousandth of its length as the height of fall, times sqrt(g / L) and the mode: about 3 mm/s.
+      EXPECT_LE(Line(*strand).v.cwiseAbs().maxCoeff(), 0.01);
+    }
+  }
+}
+
+// Hair at rest has no tiny numbers left, which would slow each step tenfold.
+TEST(RigidLinksBody, ComesToRestForGood) {
+  StrandSpec spec = straight_hair(10);
+  spec.start = {true, Vector3d(1, 0, 0)};
+  const auto strand = body(spec, {.drag = 2e-4});
+  advance(*strand, 1.0 / 60, 20000);
+  for (const double v : Line(*strand).v) EXPECT_TRUE(v == 0 || std::abs(v) > 1e-200) << v;
+}
+
+// GJ phi'^2 / 2 and EI kappa^2 / 2 per metre, except for the last half of a rod, which nothing bends.
+TEST(RigidLinksBody, ATwistAndAnArcHaveTheContinuumsEnergy) {
+  StrandSpec spec = straight_hair(20);
+  spec.fibre.twist_factor = 0.7;
+  const Material& material = spec.fibre.material;
+  const auto strand = body(spec, {Vector3d::Zero()});
+  const double l = spec.length / spec.elements, bent = spec.length - l / 2, rate = 15;  // rad/m
+  for (const auto& [axis, rigidity] : {std::pair{Vector3d(0, 0, -1), 0.7 * material.twist_rigidity()},
+                                       std::pair{Vector3d(0, 1, 0), material.bend_rigidity()}}) {
+    BodyState state(*strand);
+    for (int i = 1; i <= spec.elements; ++i) state.q.segment<3>(3 * i) = rate * (i - 0.5) * l * axis;
+    EXPECT_NEAR(strand->measure(state.q, state.rate).potential, rigidity * rate * rate * bent / 2,
+                1e-12 * rigidity * rate * rate);
+  }
+}
+
+// One rod on the spring of its root, twisted: J phi'' = -2 GJ/l (phi + tau phi').
+TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
+  StrandSpec spec = straight_hair(1, 0.01);
+  const Material& material = spec.fibre.material;
+  const double k = 2 * material.twist_rigidity() / spec.length;
+  const double J = material.line_density() * spec.length * material.radius * material.radius / 2;
+  const double omega = std::sqrt(k / J), share = 0.2, start = 0.5;
+  spec.fibre.relaxation_time = 2 * share / omega;
+  const auto strand = body(spec, {Vector3d::Zero(), 0, &TreeSteps::runge_kutta_4});
+  BodyState state(*strand);
+  state.q[5] = start;
+  strand->write(state.q, state.rate);
+  const int steps = 400;
+  const double time = 4 / omega, damped = omega * std::sqrt(1 - share * share);
+  advance(*strand, time / steps, steps);
+  const double expected = start * std::exp(-share * omega * time) *
+                          (std::cos(damped * time) + share * omega / damped * std::sin(damped * time));
+  EXPECT_NEAR(BodyState(*strand).q[5], expected, 1e-9 * start);  // (omega h)^4 / 120 a step
+}
+
+// A limit stops a hair whose weight would fold it at its root.
+TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
+  StrandSpec spec = straight_hair(20, 0.2);
+  spec.root.axis = Vector3d(1, 0, 0);
+  spec.root.side = Vector3d(0, 0, 1);
+  spec.fibre.bend_factor = spec.fibre.twist_factor = 0.01;
+  spec.fibre.joint_limit = 0.1;
+  const auto strand = body(spec, {.drag = 1e-4});
+  advance(*strand, 1.0 / 60, 600);
+  const Line line(*strand);
+  double largest = 0;
+  Vector3d before = spec.root.axis;
+  for (int i = 0; i < spec.elements; ++i) {
+    const Vector3d rod = (line.x.segment<3>(3 * i + 3) - line.x.segment<3>(3 * i)).normalized();
+    largest = std::max(largest, std::atan2(before.cross(rod).norm(), before.dot(rod)));
+    before = rod;
+  }
+  // The whole weight at half of the length, against the buffer.
+  const Material& material = spec.fibre.material;
+  const double moment = material.line_density() * 9.81 * spec.length * spec.length / 2;
+  EXPECT_LE(largest,
+            0.1 + moment / (kLimitFactor * material.bend_rigidity() / (spec.length / spec.elements)));
+  EXPECT_GE(largest, 0.1) << "nothing meets a limit";
+}
+
+// One rod lies on a table and turns about its root. For any distribution of its weight, friction's moment is
+// mu m g l / 2, against m l^2 / 3: it slows by 3/2 mu g / l.
+TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
+  const double l = 0.02, mu = 0.3, speed = 20, h = 1e-4;
+  const std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, mu}};
+  StrandSpec spec = straight_hair(1, l);
+  spec.clamped = false;
+  spec.root.axis = Vector3d(1, 0, 0);
+  spec.root.side = Vector3d(0, 0, 1);
+  spec.start = {true, Vector3d(1, 0, 0), 1, false, Vector3d(0, 0, speed)};
+  const auto rate = [](const Body& one) { return BodyState(one).rate[5]; };
+  const double slowing = 1.5 * mu * 9.81 / l;
+  const auto strand = body(spec);
+  const int steps = static_cast<int>(0.5 * speed / slowing / h);
+  advance(*strand, h, steps, {}, table);
+  // The first step has no friction yet; each step divides the rate by 1 + h slowing / rate.
+  EXPECT_NEAR(rate(*strand), speed - slowing * h * steps, 3 * h * slowing);
+  advance(*strand, h, 3 * steps, {}, table);
+  EXPECT_LE(std::abs(rate(*strand)), kCreep / l);
+  // A push across it below mu m g / 2 at its tip moves it only by creep, and a larger one moves it.
+  const double weight = spec.fibre.material.line_density() * l * 9.81;
+  const auto tip = [&] { return Vector3d(Line(*strand).x.tail<3>()); };
+  const auto pushed = [&](double part) {
+    const Vector3d at = tip(), across = Vector3d(-at.y(), at.x(), 0) / l;
+    const PointForce push{1, part * mu * weight * across, Eigen::Matrix3d::Zero()};
+    advance(*strand, h, 1000, {&push, 1}, table);
+    return (tip() - at).norm();
+  };
+  EXPECT_LE(pushed(0.4), 2 * kCreep * 1000 * h);
+  EXPECT_GT(pushed(0.6), 1e-3);
+}
+
+// A moving obstacle takes hair on it along.
+TEST(RigidLinksBody, AMovingTableDragsItsHair) {
+  std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, 0.5, Vector3d(0, 0.02, 0)}};
+  StrandSpec spec = straight_hair(1, 0.02);
+  spec.clamped = false;
+  spec.root.axis = Vector3d(1, 0, 0);
+  spec.root.side = Vector3d(0, 0, 1);
+  const auto strand = body(spec);
+  advance(*strand, 1e-3, 400, {}, table);
+  EXPECT_GT(Line(*strand).x[4], 1e-3);
+}
+
+}  // namespace
+}  // namespace hair

@@ -1,0 +1,240 @@
+// STAFF ONLY. Stiff and extreme strands: the reference stays finite where its method promises it. Otherwise
+// the simulation reports which strand broke, at which step and in which stage. It never gives NaN without a
+// report, and never hangs.
+//
+// The methods' promises: H4 with definite products and H6 solve symmetric positive definite systems, and
+// never break, with any step, as long as numbers have enough digits: rounding is 2^-53 of the largest entry,
+// about k h^2, and must be far below the smallest, a mass. Explicit methods break as soon as h is above their
+// limit; without damping, forward Euler breaks at any step.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "hair/simulation/test_hairs.h"
+#include "hair/strand/measures.h"
+
+namespace reference_tests {
+namespace {
+
+struct Case {
+  std::string name;
+  StrandStart start;
+};
+
+Eigen::VectorXd zigzag(int n, double length) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(3 * n);
+  for (int i = 1; i < n; i += 2) x[3 * i] = length;
+  return x;
+}
+
+// Curls that methods must not break.
+std::vector<Case> extreme_curls() {
+  std::vector<Case> all;
+  const auto add = [&](const std::string& name, auto change) {
+    all.push_back({"a curl, " + name, hair::start_at_rest({}, hair::curly_shape(12, 0.12, 0.01, 0.02, {}))});
+    change(all.back().start.state);
+  };
+  add("at rest", [](particles::State&) {});
+  add("all particles in one place", [](particles::State& state) { state.x.setZero(); });
+  add("two neighbours in one place",
+      [](particles::State& state) { state.x.segment<3>(9) = Eigen::Vector3d(state.x.segment<3>(6)); });
+  add("compressed to 1 %", [](particles::State& state) { state.x *= 0.01; });
+  add("stretched to 300 %", [](particles::State& state) { state.x *= 3; });
+  add("folded at pi", [](particles::State& state) { state.x = zigzag(13, 0.01); });
+  add("nearly folded", [](particles::State& state) {
+    state.x = zigzag(13, 0.01);
+    for (int i = 0; i < 13; ++i) state.x[3 * i + 1] = 1e-9 * i;
+  });
+  add("a root flung at 100 m/s", [](particles::State& state) { state.v.head<3>() = Vector3d(60, 80, 0); });
+  return all;
+}
+
+// Strands that methods must not break, of hair `stiffer` times as stiff in stretching and bending.
+std::vector<Case> extreme_strands(double stiffer) {
+  hair::Material material;
+  material.young_modulus *= stiffer;
+  std::vector<Case> all;
+  const auto add = [&](const std::string& name, int segments, auto change) {
+    all.push_back({name, straight_hair(segments, 0.01 * std::max(segments, 1), Vector3d::UnitX(), material)});
+    change(all.back().start);
+  };
+  const auto as_it_is = [](StrandStart&) {};
+
+  all.push_back({"1 particle",
+                 {hair::strand_from_rest(material, Eigen::VectorXd::Zero(3)),
+                  {Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(3)}}});
+  add("2 particles", 1, as_it_is);
+  add("3 particles, collinear", 2, as_it_is);
+  add("10 segments, level", 10, as_it_is);
+  add("all particles in one place", 6, [](StrandStart& start) { start.state.x.setZero(); });
+  add("two neighbours in one place", 6,
+      [](StrandStart& start) { start.state.x.segment<3>(9) = Eigen::Vector3d(start.state.x.segment<3>(6)); });
+  add("compressed to 1 %", 6, [](StrandStart& start) { start.state.x *= 0.01; });
+  add("stretched to 300 %", 6, [](StrandStart& start) { start.state.x *= 3; });
+  add("folded at pi", 6, [](StrandStart& start) { start.state.x = zigzag(7, 0.01); });
+  add("nearly folded", 6, [](StrandStart& start) {
+    start.state.x = zigzag(7, 0.01);
+    for (int i = 0; i < 7; ++i) start.state.x[3 * i + 1] = 1e-9 * i;
+  });
+  add("a tip of 1e6 times the mass", 6, [](StrandStart& start) { start.strand.mass[6] *= 1e6; });
+  add("a tip of 1e-6 times the mass", 6, [](StrandStart& start) { start.strand.mass[6] *= 1e-6; });
+  add("masses that alternate by 1e6", 6, [](StrandStart& start) {
+    for (int i = 1; i < 7; i += 2) start.strand.mass[i] *= 1e6;
+  });
+  add("a root flung at 100 m/s", 6,
+      [](StrandStart& start) { start.state.v.head<3>() = Vector3d(60, 80, 0); });
+  add("a root flung at 100 m/s along the hair", 6,
+      [](StrandStart& start) { start.state.v.head<3>() = Vector3d(100, 0, 0); });
+  add("rest lengths that alternate by 1e4", 6, [](StrandStart& start) {
+    for (int i = 0; i < 6; i += 2) start.strand.rest_length[i] *= 1e-4;
+  });
+  return all;
+}
+
+bool all_finite(const particles::State& state) {
+  return state.x.allFinite() && state.v.allFinite();
+}
+
+// Takes the steps one by one: NaN or an infinity without a report is a failure. Returns true if it broke.
+bool breaks(const Case& extreme, Description description, int steps) {
+  description.gravity = kG * kDown;
+  const std::string name =
+      extreme.name + ", " + name_of(description.method) + ", h = " + std::to_string(description.step) + " s";
+  Simulation simulation(std::move(description));
+  for (int step = 1; step <= steps; ++step) {
+    const auto blow_up = simulation.step();
+    if (blow_up) {
+      EXPECT_EQ(blow_up->strand, 0) << name;
+      EXPECT_EQ(blow_up->step, step) << name;
+      return true;
+    }
+    EXPECT_TRUE(all_finite(simulation.state(0)))
+        << name << ", step " << step << ": not finite, and not reported";
+  }
+  return false;
+}
+
+constexpr double kStiffer[] = {1, 1e3, 1e6};
+constexpr double kStepLengths[] = {1e-6, 1e-4, 1e-2, 0.1};
+
+// True if masses exceed the rounding of k h^2 by 2^10.
+bool is_within_reach(const hair::Strand& strand, double h) {
+  if (strand.segments() == 0) return true;
+  const double k = strand.stretch_rigidity / strand.rest_length.minCoeff();
+  return k * h * h * 0x1p-53 * 0x1p10 <= strand.mass.minCoeff();
+}
+
+TEST(Extremes, ImplicitEulerNeverBreaks) {
+  int within_reach = 0;
+  for (const double stiffer : kStiffer)
+    for (const Case& extreme : extreme_strands(stiffer))
+      for (const double h : kStepLengths) {
+        const bool broke = breaks(extreme, alone(extreme.start, Method::implicit_euler, h), 30);
+        if (!is_within_reach(extreme.start.strand, h)) continue;
+        ++within_reach;
+        EXPECT_FALSE(broke) << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
+      }
+  EXPECT_GT(within_reach, 150);  // out of 192
+}
+
+TEST(Extremes, ThePredictorCorrectorNeverBreaksAndKeepsLengths) {
+  int within_reach = 0;
+  for (const double stiffer : kStiffer)
+    for (const Case& extreme : extreme_strands(stiffer))
+      for (const double h : kStepLengths) {
+        const Description description = alone(extreme.start, Method::predictor_corrector, h);
+        const bool broke = breaks(extreme, description, 30);
+        const hair::Strand& strand = extreme.start.strand;
+        if (!is_within_reach(strand, h)) continue;
+        ++within_reach;
+        EXPECT_FALSE(broke) << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
+        Simulation simulation(description);
+        simulation.advance(5);
+        // 2^-51 x / l0 is the precision of the shortest segment's length for coordinates of up to 50 m.
+        const double x = simulation.state(0).x.cwiseAbs().maxCoeff();
+        const double rounding = strand.segments() == 0 ? 0 : 0x1p-50 * x / strand.rest_length.minCoeff();
+        EXPECT_LE(hair::largest_stretch(simulation.strand(0), simulation.state(0).x), 1e-10 + rounding)
+            << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
+      }
+  EXPECT_GT(within_reach, 150);  // out of 192
+}
+
+TEST(Extremes, CurlsNeverBreak) {
+  for (const Method method : {Method::implicit_euler, Method::predictor_corrector})
+    for (const Case& extreme : extreme_curls())
+      for (const double h : {1e-6, 1e-5, 1e-4, 1e-3, 1.0 / 240, 1.0 / 60, 0.1})
+        EXPECT_FALSE(breaks(extreme, alone(extreme.start, method, h), 100))
+            << extreme.name << ", " << name_of(method) << ", h = " << h;
+}
+
+// Without the geometric term only the explicit force holds a taut hair laterally, with a limit of its own;
+// with exact derivatives the system is indefinite in compression, and ConjGrad ends early. There is no
+// promise for either. But every break must be reported.
+TEST(Extremes, OtherJacobiansAreNeverNaNInSilence) {
+  for (const double stiffer : kStiffer)
+    for (const Case& extreme : extreme_strands(stiffer))
+      for (const double h : kStepLengths)
+        for (const auto term : {hair::GeometricTerm::dropped, hair::GeometricTerm::full}) {
+          Description description = alone(extreme.start, Method::implicit_euler, h);
+          description.geometric_term = term;
+          description.bend_product = particles::Products::exact;
+          breaks(extreme, description, 30);
+        }
+}
+
+TEST(Extremes, ExplicitMethodsBreakAloud) {
+  for (Method method : kExplicitMethods)
+    for (const double stiffer : kStiffer)
+      for (const Case& extreme : extreme_strands(stiffer))
+        for (const double h : kStepLengths) breaks(extreme, alone(extreme.start, method, h), 200);
+}
+
+// At hair's own stiffness, the fastest axial motion has w = 2 sqrt(k/m) sin(19 pi / 40), 0.997 of 2 c / l.
+// Symplectic Euler's limit is 2 / w, RK4's 2.83 / w, and forward Euler has none. Above it energy grows
+// without bound as long as springs are linear along the hair; later the strand need not break.
+TEST(Extremes, ExplicitMethodsHoldBelowTheirLimitAndGainEnergyAboveIt) {
+  const hair::Material material;
+  const double w = 0.997 * 2 * std::sqrt(material.young_modulus / material.density) / 0.01;
+  const auto gains = [&](Method method, double hw) {
+    Description description = alone(straight_hair(10, 0.1, Vector3d::UnitX()), method, hw / w);
+    description.strands[0].state.v[30] = 0.01;
+    const double at_first = 0.5 * description.strands[0].strand.mass[10] * 1e-4;
+    Simulation simulation(std::move(description));
+    if (simulation.advance(10'000)) return true;
+    return hair::measure(simulation.strand(0), simulation.particles(0), simulation.force(0),
+                         simulation.state(0))
+               .energy() > 1e6 * at_first;
+  };
+  EXPECT_FALSE(gains(Method::symplectic_euler, 1.95));
+  EXPECT_TRUE(gains(Method::symplectic_euler, 2.05));
+  EXPECT_FALSE(gains(Method::runge_kutta_4, 2.78));
+  EXPECT_TRUE(gains(Method::runge_kutta_4, 2.9));
+  EXPECT_TRUE(gains(Method::forward_euler, 0.2));
+  EXPECT_TRUE(gains(Method::midpoint, 0.5));
+}
+
+TEST(Extremes, TenThousandParticles) {
+  // 100 m of hair, in segments of 1 cm; with h = 1e-5 s a wave crosses 1.5 of them in a step.
+  for (Method method : {Method::symplectic_euler, Method::implicit_euler, Method::predictor_corrector}) {
+    const double h = method == Method::symplectic_euler ? 1e-6 : 1e-5;
+    Description description = alone(straight_hair(9'999, 99.99, Vector3d::UnitX()), method, h);
+    description.gravity = kG * kDown;
+    description.strands[0].state.v.head<3>() = Vector3d(0, 1, 0);
+    Simulation simulation(std::move(description));
+    EXPECT_FALSE(simulation.advance(10)) << name_of(method);
+    EXPECT_EQ(simulation.work().unconverged, 0) << name_of(method);
+    // The far end falls freely: the motion of the root has not reached it.
+    const double t = 10 * h;
+    EXPECT_NEAR(particle(simulation, 9'999)[2], -kG * t * t / 2, 0.2 * kG * t * t / 2) << name_of(method);
+    if (method == Method::predictor_corrector) {
+      EXPECT_LE(hair::largest_stretch(simulation.strand(0), simulation.state(0).x), 1e-10);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace reference_tests

@@ -1,0 +1,180 @@
+// Gravity, drag, springs and their sum: their properties.
+#include <gtest/gtest.h>
+
+#include "particles/drag.h"
+#include "particles/force_sum.h"
+#include "particles/gravity.h"
+#include "particles/springs.h"
+#include "particles/system.h"
+#include "particles/test_derivative.h"
+#include "solver/symmetric_eigen.h"
+
+namespace particles_tests {
+namespace {
+
+using particles::DampedSprings;
+using particles::Drag;
+using particles::ForceSum;
+using particles::Gravity;
+using particles::Products;
+using particles::Spring;
+
+constexpr int kCount = 5;
+
+// All pairs of five particles that lie about 1 apart, some springs stretched, some compressed; stiffnesses,
+// dampings and rest lengths differ.
+std::vector<Spring> net() {
+  std::vector<Spring> springs;
+  for (int i = 0; i < kCount; ++i)
+    for (int j = 0; j < i; ++j) springs.push_back({i, j, 10.0 + i + 3 * j, 0.2 + 0.2 * i, 0.3 + 0.1 * j});
+  return springs;
+}
+
+std::vector<Spring> undamped(std::vector<Spring> springs) {
+  for (Spring& spring : springs) spring.damping = 0;
+  return springs;
+}
+
+const VectorXd kPlaces = scattered(3 * kCount, 11), kVelocities = scattered(3 * kCount, 12);
+const VectorXd kMasses = (VectorXd(kCount) << 0.3, 2, 0.7, 5, 0.11).finished();
+
+TEST(Gravity, IsMassTimesAcceleration) {
+  const Gravity gravity(kMasses, {0.5, -1, -9.81});
+  const VectorXd f = force_at(gravity, kPlaces, kVelocities);
+  for (int i = 0; i < kCount; ++i)
+    EXPECT_EQ(f.segment<3>(3 * i), Vector3d(kMasses[i] * Vector3d(0.5, -1, -9.81)));
+  expect_force_is_minus_gradient(gravity, kPlaces);
+  expect_products_are_derivatives(gravity, kPlaces, kVelocities);
+}
+
+TEST(Drag, SlowsDownAgainstTheWind) {
+  const Drag drag(kMasses, {1, 2, 3});  // a coefficient per particle
+  const VectorXd f = force_at(drag, kPlaces, kVelocities);
+  for (int i = 0; i < kCount; ++i)
+    EXPECT_LE((f.segment<3>(3 * i) + kMasses[i] * (kVelocities.segment<3>(3 * i) - Vector3d(1, 2, 3))).norm(),
+              1e-15 * f.norm());
+  expect_products_are_derivatives(drag, kPlaces, kVelocities);
+  EXPECT_EQ(drag.energy(kPlaces), 0);
+  EXPECT_EQ(force_at(Drag(VectorXd::Constant(1, 4)), VectorXd::Zero(3), Vector3d(1, -2, 0.5)),
+            VectorXd(Vector3d(-4, 8, -2)));
+  EXPECT_THROW(Drag(VectorXd::Constant(2, -1)), std::invalid_argument);
+  EXPECT_THROW(Drag(VectorXd::Constant(2, NAN)), std::invalid_argument);
+}
+
+TEST(DampedSprings, ForceAndProductsAreDerivatives) {
+  const DampedSprings springs(net());
+  expect_force_is_minus_gradient(springs, kPlaces);
+  expect_products_are_derivatives(springs, kPlaces, kVelocities);
+}
+
+TEST(DampedSprings, PullTogetherWhenStretchedAndPushWhenCompressed) {
+  const VectorXd x = (VectorXd(6) << 0, 0, 0, 2, 0, 0).finished(), rest = VectorXd::Zero(6);
+  EXPECT_EQ(force_at(DampedSprings({{0, 1, 10, 1.5}}), x, rest)[0], 5);
+  EXPECT_EQ(force_at(DampedSprings({{0, 1, 10, 2.5}}), x, rest)[0], -5);
+  EXPECT_EQ(DampedSprings({{0, 1, 10, 1.5}}).energy(x), 1.25);
+  // Damping acts along the spring alone: 3 m/s apart, and 7 m/s across.
+  const VectorXd apart = (VectorXd(6) << 0, 0, 0, 3, 7, 0).finished();
+  EXPECT_EQ(force_at(DampedSprings({{0, 1, 0, 1, 2}}), x, apart),
+            (VectorXd(6) << 6, 0, 0, -6, 0, 0).finished());
+}
+
+TEST(DampedSprings, HaveNoMomentum) {
+  const VectorXd f = force_at(DampedSprings(net()), kPlaces, kVelocities);
+  // Sums of 2 kCount terms for each particle; their arms are at most 2 long.
+  const double rounding = 4 * kCount * 0x1p-53 * kCount * f.lpNorm<Eigen::Infinity>();
+  EXPECT_LE(particles::total_force(f).norm(), rounding);
+  EXPECT_LE(particles::total_torque(kPlaces, f).norm(), 4 * rounding);
+  EXPECT_GT(f.norm(), 1);
+}
+
+TEST(DampedSprings, DontMindRigidMotion) {
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.1, Vector3d(1, 2, -2) / 3).toRotationMatrix();
+  const Vector3d spin(0.4, -1, 0.2);
+  VectorXd x(3 * kCount), v(3 * kCount);
+  for (int i = 0; i < kCount; ++i) {
+    x.segment<3>(3 * i) = R * kPlaces.segment<3>(3 * i) + Vector3d(3, -1, 2);
+    // A rotation of the whole and a common velocity change no length.
+    v.segment<3>(3 * i) = R * kVelocities.segment<3>(3 * i) + spin.cross(Vector3d(x.segment<3>(3 * i)));
+  }
+  const DampedSprings springs(net());
+  const VectorXd before = force_at(springs, kPlaces, kVelocities), after = force_at(springs, x, v);
+  EXPECT_NEAR(springs.energy(x), springs.energy(kPlaces), 1e-13 * springs.energy(x));
+  for (int i = 0; i < kCount; ++i)
+    EXPECT_LE((after.segment<3>(3 * i) - R * before.segment<3>(3 * i)).norm(), 1e-13 * before.norm());
+}
+
+TEST(DampedSprings, UndampedProductsAreSymmetric) {
+  expect_symmetric_dfdx(DampedSprings(undamped(net())), kPlaces, kVelocities);
+}
+
+TEST(DampedSprings, DefiniteProductsAreSymmetricAndNeverPositive) {
+  std::vector<Spring> some_pressed = net();
+  for (Spring& spring : some_pressed) spring.rest_length *= 3;
+  const DampedSprings springs(some_pressed, Products::definite);
+  const Eigen::MatrixXd K = dfdx_matrix(springs, kPlaces, kVelocities);
+  EXPECT_LE((K - K.transpose()).norm(), 1e-14 * K.norm());
+  EXPECT_LE(solver::symmetric_eigenvalues(K).maxCoeff(), 1e-14 * K.norm());
+  // The exact ones are not symmetric with damping, and not definite in compression.
+  const Eigen::MatrixXd exact = dfdx_matrix(DampedSprings(net()), kPlaces, kVelocities);
+  EXPECT_GT((exact - exact.transpose()).norm(), 1e-3 * exact.norm());
+  const Eigen::MatrixXd pressed = dfdx_matrix(DampedSprings({{0, 1, 10, 5}}), kPlaces, kVelocities);
+  EXPECT_GT(solver::symmetric_eigenvalues(pressed).maxCoeff(), 1);
+}
+
+TEST(DampedSprings, DefiniteProductsAreExactInTension) {
+  std::vector<Spring> springs = undamped(net());
+  for (Spring& spring : springs) spring.rest_length = 0.01;
+  EXPECT_EQ(dfdx_matrix(DampedSprings(springs, Products::definite), kPlaces, kVelocities),
+            dfdx_matrix(DampedSprings(springs), kPlaces, kVelocities));
+}
+
+TEST(DampedSprings, OfLengthZeroDoNothing) {
+  const DampedSprings springs({{0, 1, 10, 0.5, 1}});
+  const VectorXd x = VectorXd::Constant(6, 0.25), v = scattered(6, 3);
+  EXPECT_EQ(force_at(springs, x, v), VectorXd::Zero(6));
+  EXPECT_EQ(dfdx_at(springs, x, v, v), VectorXd::Zero(6));
+  EXPECT_EQ(dfdv_at(springs, x, v, v), VectorXd::Zero(6));
+}
+
+TEST(DampedSprings, RefuseBadValues) {
+  for (const Spring& bad : {Spring{0, 0, 1, 1}, Spring{-1, 0, 1, 1}, Spring{0, -1, 1, 1}, Spring{0, 1, -1, 1},
+                            Spring{0, 1, 1, -1}, Spring{0, 1, 1, 1, -1}, Spring{0, 1, NAN, 1}})
+    EXPECT_THROW(DampedSprings({bad}), std::invalid_argument);
+}
+
+TEST(ForceSum, AddsItsPartsUp) {
+  ForceSum sum;
+  EXPECT_EQ(force_at(sum, kPlaces, kVelocities), VectorXd::Zero(3 * kCount));
+  EXPECT_EQ(sum.energy(kPlaces), 0);
+
+  const Gravity gravity(kMasses, {0, 0, -9.81});
+  const Drag drag(kMasses);
+  const DampedSprings springs(net());
+  sum.emplace<Gravity>(kMasses, Vector3d(0, 0, -9.81));
+  sum.emplace<Drag>(kMasses);
+  sum.add(std::make_unique<DampedSprings>(net()));
+  expect_near(force_at(sum, kPlaces, kVelocities),
+              force_at(gravity, kPlaces, kVelocities) + force_at(drag, kPlaces, kVelocities) +
+                  force_at(springs, kPlaces, kVelocities),
+              "the sum");
+  EXPECT_DOUBLE_EQ(sum.energy(kPlaces), gravity.energy(kPlaces) + springs.energy(kPlaces));
+  expect_products_are_derivatives(sum, kPlaces, kVelocities);
+}
+
+TEST(Forces, AreAddedToWhatIsThere) {
+  ForceSum sum;
+  sum.emplace<Gravity>(kMasses, Vector3d(0, 0, -9.81));
+  sum.emplace<Drag>(kMasses);
+  sum.emplace<DampedSprings>(net());
+  const VectorXd there = VectorXd::Constant(3 * kCount, 1000);
+  VectorXd f = there, dx = there, dv = there;
+  sum.add_force(kPlaces, kVelocities, f);
+  sum.add_dfdx(kPlaces, kVelocities, kPlaces, dx);
+  sum.add_dfdv(kPlaces, kVelocities, kPlaces, dv);
+  expect_near(f - there, force_at(sum, kPlaces, kVelocities), "f");
+  expect_near(dx - there, dfdx_at(sum, kPlaces, kVelocities, kPlaces), "(df/dx) dx");
+  expect_near(dv - there, dfdv_at(sum, kPlaces, kVelocities, kPlaces), "(df/dv) dv");
+}
+
+}  // namespace
+}  // namespace particles_tests
