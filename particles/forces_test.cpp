@@ -1,25 +1,76 @@
 // Gravity, drag, springs and their sum: their properties.
 #include <gtest/gtest.h>
 
+#include "handout/check/derivative.h"
 #include "particles/drag.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/springs.h"
 #include "particles/system.h"
-#include "particles/test_derivative.h"
 #include "solver/symmetric_eigen.h"
 
 namespace particles_tests {
 namespace {
 
+using checks::scattered_vector;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
 using particles::DampedSprings;
 using particles::Drag;
+using particles::Force;
 using particles::ForceSum;
 using particles::Gravity;
 using particles::Products;
 using particles::Spring;
 
 constexpr int kCount = 5;
+constexpr double kSize = 100;  // of the largest stiffness: what entries are made of
+
+VectorXd force_at(const Force& force, const VectorXd& x, const VectorXd& v) {
+  VectorXd f = VectorXd::Zero(x.size());
+  force.add_force(x, v, f);
+  return f;
+}
+
+VectorXd dfdx_at(const Force& force, const VectorXd& x, const VectorXd& v, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  force.add_dfdx(x, v, dx, df);
+  return df;
+}
+
+VectorXd dfdv_at(const Force& force, const VectorXd& x, const VectorXd& v, const VectorXd& dv) {
+  VectorXd df = VectorXd::Zero(x.size());
+  force.add_dfdv(x, v, dv, df);
+  return df;
+}
+
+// The matrix df/dx, column by column from products.
+Eigen::MatrixXd dfdx_matrix(const Force& force, const VectorXd& x, const VectorXd& v) {
+  Eigen::MatrixXd K(x.size(), x.size());
+  for (int i = 0; i < x.size(); ++i) K.col(i) = dfdx_at(force, x, v, VectorXd::Unit(x.size(), i));
+  return K;
+}
+
+// v = 0, so that damping has no effect.
+void expect_force_is_minus_gradient(const Force& force, const VectorXd& x) {
+  checks::expect_force(
+      force_at(force, x, VectorXd::Zero(x.size())), [&](const VectorXd& y) { return force.energy(y); }, x, 1,
+      kSize);
+}
+
+void expect_products_are_derivatives(const Force& force, const VectorXd& x, const VectorXd& v) {
+  for (int which = 1; which <= 3; ++which) {
+    const VectorXd d = scattered_vector(static_cast<int>(x.size()), which);
+    checks::expect_product(
+        dfdx_at(force, x, v, d), [&](const VectorXd& y) { return force_at(force, y, v); }, x, d, 1, kSize);
+    checks::expect_product(
+        dfdv_at(force, x, v, d), [&](const VectorXd& w) { return force_at(force, x, w); }, v, d, 1, kSize);
+  }
+}
+
+void expect_near(const VectorXd& actual, const VectorXd& expected) {
+  EXPECT_LE((actual - expected).norm(), 1e-12 * expected.norm()) << "sums of a few terms";
+}
 
 // All pairs of five particles that lie about 1 apart, some springs stretched, some compressed; stiffnesses,
 // dampings and rest lengths differ.
@@ -35,7 +86,7 @@ std::vector<Spring> undamped(std::vector<Spring> springs) {
   return springs;
 }
 
-const VectorXd kPlaces = scattered(3 * kCount, 11), kVelocities = scattered(3 * kCount, 12);
+const VectorXd kPlaces = scattered_vector(3 * kCount, 11), kVelocities = scattered_vector(3 * kCount, 12);
 const VectorXd kMasses = (VectorXd(kCount) << 0.3, 2, 0.7, 5, 0.11).finished();
 
 TEST(Gravity, IsMassTimesAcceleration) {
@@ -104,7 +155,10 @@ TEST(DampedSprings, DontMindRigidMotion) {
 }
 
 TEST(DampedSprings, UndampedProductsAreSymmetric) {
-  expect_symmetric_dfdx(DampedSprings(undamped(net())), kPlaces, kVelocities);
+  const DampedSprings springs(undamped(net()));
+  checks::expect_symmetric([&](const VectorXd& dx) { return dfdx_at(springs, kPlaces, kVelocities, dx); },
+                           scattered_vector(3 * kCount, 4), scattered_vector(3 * kCount, 5), 1e-12 * kSize,
+                           "rounding of sums");
 }
 
 TEST(DampedSprings, DefiniteProductsAreSymmetricAndNeverPositive) {
@@ -130,7 +184,7 @@ TEST(DampedSprings, DefiniteProductsAreExactInTension) {
 
 TEST(DampedSprings, OfLengthZeroDoNothing) {
   const DampedSprings springs({{0, 1, 10, 0.5, 1}});
-  const VectorXd x = VectorXd::Constant(6, 0.25), v = scattered(6, 3);
+  const VectorXd x = VectorXd::Constant(6, 0.25), v = scattered_vector(6, 3);
   EXPECT_EQ(force_at(springs, x, v), VectorXd::Zero(6));
   EXPECT_EQ(dfdx_at(springs, x, v, v), VectorXd::Zero(6));
   EXPECT_EQ(dfdv_at(springs, x, v, v), VectorXd::Zero(6));
@@ -153,10 +207,9 @@ TEST(ForceSum, AddsItsPartsUp) {
   sum.emplace<Gravity>(kMasses, Vector3d(0, 0, -9.81));
   sum.emplace<Drag>(kMasses);
   sum.add(std::make_unique<DampedSprings>(net()));
-  expect_near(force_at(sum, kPlaces, kVelocities),
-              force_at(gravity, kPlaces, kVelocities) + force_at(drag, kPlaces, kVelocities) +
-                  force_at(springs, kPlaces, kVelocities),
-              "the sum");
+  expect_near(force_at(sum, kPlaces, kVelocities), force_at(gravity, kPlaces, kVelocities) +
+                                                       force_at(drag, kPlaces, kVelocities) +
+                                                       force_at(springs, kPlaces, kVelocities));
   EXPECT_DOUBLE_EQ(sum.energy(kPlaces), gravity.energy(kPlaces) + springs.energy(kPlaces));
   expect_products_are_derivatives(sum, kPlaces, kVelocities);
 }
@@ -171,9 +224,9 @@ TEST(Forces, AreAddedToWhatIsThere) {
   sum.add_force(kPlaces, kVelocities, f);
   sum.add_dfdx(kPlaces, kVelocities, kPlaces, dx);
   sum.add_dfdv(kPlaces, kVelocities, kPlaces, dv);
-  expect_near(f - there, force_at(sum, kPlaces, kVelocities), "f");
-  expect_near(dx - there, dfdx_at(sum, kPlaces, kVelocities, kPlaces), "(df/dx) dx");
-  expect_near(dv - there, dfdv_at(sum, kPlaces, kVelocities, kPlaces), "(df/dv) dv");
+  expect_near(f - there, force_at(sum, kPlaces, kVelocities));
+  expect_near(dx - there, dfdx_at(sum, kPlaces, kVelocities, kPlaces));
+  expect_near(dv - there, dfdv_at(sum, kPlaces, kVelocities, kPlaces));
 }
 
 }  // namespace

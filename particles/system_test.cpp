@@ -6,11 +6,12 @@
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/springs.h"
-#include "particles/test_derivative.h"
 
 namespace particles_tests {
 namespace {
 
+using Eigen::Vector3d;
+using Eigen::VectorXd;
 using particles::Particles;
 using particles::ParticleSystem;
 
