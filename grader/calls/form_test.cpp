@@ -12,6 +12,7 @@
 #include "reference/P2/calls.h"
 #include "reference/S1/calls.h"
 #include "reference/S2/calls.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline calls {
 namespace {
@@ -59,12 +60,7 @@ template <class T>
 std::string refusal(const MessageWriter& message) {
   MessageReader reader(message.bytes());
   T value;
-  try {
-    decode(reader, value);
-  } catch (const MalformedMessage& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<MalformedMessage>([&] { decode(reader, value); });
 }
 template <class T>
 std::string refusal_of(const T& value) {
@@ -191,12 +187,7 @@ TEST(Server, GivesNoLessScratchThanTheContract) {
     MessageReader reader(request.bytes());
     draw::Source source(0);
     draw::Idle idle(source);
-    try {
-      serve<p1::Calls>(idle, reader, reply);
-    } catch (const MalformedMessage& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return tests::refusal<MalformedMessage>([&] { serve<p1::Calls>(idle, reader, reply); });
   };
   EXPECT_EQ(refused(10), "");
   EXPECT_EQ(refused(13), "");
@@ -207,12 +198,7 @@ TEST(Server, GivesNoLessScratchThanTheContract) {
 // Returns the error of a call's check; empty if the arguments fit.
 template <class Check, class... Arguments>
 std::string refusal_by(const Arguments&... arguments) {
-  try {
-    Check::check(arguments...);
-  } catch (const MalformedMessage& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<MalformedMessage>([&] { Check::check(arguments...); });
 }
 
 TEST(Check, OfASystemWantsAsManyNumbersAsUnknowns) {

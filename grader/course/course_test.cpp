@@ -8,6 +8,7 @@
 
 #include "grader/course/input.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline course {
 namespace {
@@ -21,12 +22,7 @@ Course read(const std::string& text) {
 
 // Returns the error, or "".
 std::string complaint(const std::string& text) {
-  try {
-    read(text);
-    return "";
-  } catch (const BadInput& error) {
-    return error.what();
-  }
+  return tests::refusal<BadInput>([&] { read(text); });
 }
 
 TEST(CourseFile, ChangesTheBudgetOfASubmission) {

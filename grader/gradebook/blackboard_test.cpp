@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "grader/course/refusal_for_tests.h"
+#include "grader/course/input.h"
 #include "grader/gradebook/said_for_tests.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline gradebook {
 namespace {
@@ -69,7 +70,7 @@ TEST(BlackboardGradeCenter, KeepsCellsThatAreNotOurs) {
 
 TEST(BlackboardGradeCenter, RefusesColumnsThatItsImportWouldMakeAnew) {
   const auto refused = [](const string& titles, const string& wanted) {
-    return refusal([&] {
+    return tests::refusal<BadInput>([&] {
       fill_blackboard(parse_csv("Username\t" + titles + "\nso12\n", "gc.xls"), {blackboard_grade("so12", 1)},
                       {.column = wanted});
     });
@@ -90,12 +91,12 @@ TEST(BlackboardGradeCenter, RefusesColumnsThatItsImportWouldMakeAnew) {
         {"A [Total Pts: 20 Score] |1", "", "is out of 20 points, and the grades are out of 10"}})
     EXPECT_NE(refused(one.titles, one.wanted).find(one.why), string::npos) << refused(one.titles, one.wanted);
   for (const char* wanted : {"", "Lab [1: 2]", "7", "|7"})
-    EXPECT_EQ(refused("Lab [1: 2] [Total Pts: 10] |7", wanted), "nothing is refused") << wanted;
-  EXPECT_NE(refusal([] {
+    EXPECT_EQ(refused("Lab [1: 2] [Total Pts: 10] |7", wanted), "") << wanted;
+  EXPECT_NE(tests::refusal<BadInput>([] {
               fill_blackboard(parse_csv("User\t" + kLab + "\nso12\t\n", "gc.xls"), {}, {});
             }).find("no title is Username"),
             string::npos);
-  EXPECT_NE(refusal([] {
+  EXPECT_NE(tests::refusal<BadInput>([] {
               fill_blackboard(parse_csv("Username\t" + kLab + "\nso13\t\n", "gc.xls"),
                               {blackboard_grade("so12", 1)}, {});
             }).find("nobody who has a grade here is in it"),

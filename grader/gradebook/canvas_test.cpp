@@ -6,6 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/gradebook/importers.h"
 #include "grader/gradebook/said_for_tests.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline gradebook {
 namespace {
@@ -37,12 +38,7 @@ Gradebook fill(const string& text, const std::vector<Grade>& grades, const FillO
 }
 
 string error_of(const string& text, const std::vector<Grade>& grades, const FillOptions& options = {}) {
-  try {
-    fill(text, grades, options);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { fill(text, grades, options); });
 }
 
 TEST(CanvasGradebook, ImportsTheGradesAndNothingElse) {

@@ -6,6 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/gradebook/importers.h"
 #include "grader/gradebook/said_for_tests.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline gradebook {
 namespace {
@@ -39,12 +40,7 @@ Gradebook fill_sheet(const string& text, const std::vector<Grade>& grades, const
 }
 
 string sheet_error_of(const string& text, const FillOptions& options = {}) {
-  try {
-    fill_sheet(text, {moodle_grade("4711", 5)}, options);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { fill_sheet(text, {moodle_grade("4711", 5)}, options); });
 }
 
 TEST(MoodleWorksheet, ImportsTheGrades) {

@@ -2,6 +2,7 @@
 
 #include "grader/package/gates.h"
 #include "hair/io/files/read_file.h"
+#include "solver/test_refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -22,12 +23,7 @@ const std::string solution =
 // Returns the message that `call` throws, or nothing.
 template <typename Call>
 std::string complaint_of(Call call) {
-  try {
-    call();
-    return "";
-  } catch (const HandoutError& error) {
-    return error.what();
-  }
+  return tests::refusal<HandoutError>([&] { call(); });
 }
 
 TEST(ListingGate, OpensForWhatIsListed) {

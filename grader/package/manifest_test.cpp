@@ -9,6 +9,7 @@
 #include <set>
 
 #include "grader/course/input.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline package {
 namespace {
@@ -47,12 +48,7 @@ std::vector<ManifestLine> read(const std::string& text, Role role = Role::assign
 }
 
 std::string complaint(const std::string& text) {
-  try {
-    read(text);
-    return "";
-  } catch (const BadInput& error) {
-    return error.what();
-  }
+  return tests::refusal<BadInput>([&] { read(text); });
 }
 
 using Destinations = std::set<std::string>;

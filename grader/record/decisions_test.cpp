@@ -7,6 +7,7 @@
 #include "grader/record/changes.h"
 #include "grader/record/record.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline record {
 namespace {
@@ -39,12 +40,7 @@ class Decisions : public testing::Test {
   }
   std::string refusal(DecisionKind kind, const std::string& place, double number,
                       const std::string& why = "because") {
-    try {
-      decide(kind, place, number, why);
-    } catch (const BadInput& line) {
-      return line.what();
-    }
-    return "";
+    return tests::refusal<BadInput>([&] { decide(kind, place, number, why); });
   }
 
   hair::TemporaryFolder temporary_{"decisions"};

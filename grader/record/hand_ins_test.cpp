@@ -6,10 +6,11 @@
 
 #include <fstream>
 
-#include "grader/course/refusal_for_tests.h"
+#include "grader/course/input.h"
 #include "grader/record/record.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline record {
 namespace {
@@ -53,16 +54,18 @@ TEST_F(HandIns, ShareTheCommonRulesAndHaveTheirOwn) {
   EXPECT_EQ(folder_of_hand_in("../x") + " " + folder_of_hand_in("-r"), "___x x-r");
 
   EXPECT_EQ(read_hand_in(course_, file_, "week 3").rules, all[0].rules);
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(tests::refusal<BadInput>([&] {
               read_hand_in(course_, file_, "");
             }).find("course.json: has several hand-ins; name one by --hand-in: \"week 3\", "),
             std::string::npos);
-  EXPECT_NE(
-      refusal([&] { read_hand_in(course_, file_, "week 4"); }).find("has no hand-in \"week 4\"; there are"),
-      std::string::npos);
-  EXPECT_EQ(read(R"("hand_in": {"due": "2025-03-18 23:59"})").at(0).rules.due, "2025-03-18 23:59");
-  EXPECT_NE(refusal([&] { read_hand_in(course_, file_, "week 3"); }).find("leave out --hand-in"),
+  EXPECT_NE(tests::refusal<BadInput>([&] {
+              read_hand_in(course_, file_, "week 4");
+            }).find("has no hand-in \"week 4\"; there are"),
             std::string::npos);
+  EXPECT_EQ(read(R"("hand_in": {"due": "2025-03-18 23:59"})").at(0).rules.due, "2025-03-18 23:59");
+  EXPECT_NE(
+      tests::refusal<BadInput>([&] { read_hand_in(course_, file_, "week 3"); }).find("leave out --hand-in"),
+      std::string::npos);
   EXPECT_EQ(read_hand_ins(course_, {}).at(0).rules, HandInRules{});
 }
 
@@ -91,9 +94,9 @@ TEST_F(HandIns, ThatAreWrittenWrongAreRefusedInOneLine) {
                "hand_in: has what all of \"hand_ins\" share"},
            Row{R"("hand_in": {"exercises": ["S1"]})", "hand_in.exercises: belongs to"},
        })
-    EXPECT_NE(refusal([&] { read(row.keys); }).find(row.refusal), std::string::npos)
+    EXPECT_NE(tests::refusal<BadInput>([&] { read(row.keys); }).find(row.refusal), std::string::npos)
         << row.keys << "\n"
-        << refusal([&] { read(row.keys); });
+        << tests::refusal<BadInput>([&] { read(row.keys); });
 }
 
 SubmissionResult result_of(const std::string& name, const std::string& exercise, double points) {
@@ -145,9 +148,10 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
   second.set_handed_in("alice", {"2025-03-12 10:00:00"});
   EXPECT_NE(first.export_json().find("\"handed_in\": \"2025-03-05 10:00:00\""), std::string::npos);
   EXPECT_NE(second.export_json().find("\"handed_in\": \"2025-03-12 10:00:00\""), std::string::npos);
-  EXPECT_NE(
-      refusal([&] { Record(dir_, "Week_2").put({result_of("x", "S1", 1)}); }).find("give \"Week_2\" another"),
-      std::string::npos);
+  EXPECT_NE(tests::refusal<BadInput>([&] {
+              Record(dir_, "Week_2").put({result_of("x", "S1", 1)});
+            }).find("give \"Week_2\" another"),
+            std::string::npos);
 }
 
 // The order of due dates differs from that of names.

@@ -7,11 +7,12 @@
 
 #include <fstream>
 
-#include "grader/course/refusal_for_tests.h"
+#include "grader/course/input.h"
 #include "grader/record/schema.h"
 #include "grader/report/sample_results.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline record {
 namespace {
@@ -69,7 +70,7 @@ TEST_P(RecordOfAClass, NeverChangesAStudentsInputs) {
   EXPECT_EQ(again.drawn_from("alice"), "alice");
   EXPECT_EQ(again.drawn_from("renamed"), "pair");
   EXPECT_NE(again.drawn_from("pair"), "pair");
-  EXPECT_EQ(refusal([&] { again.drawn_from("nobody"); }).find("nobody: "), 0U);
+  EXPECT_EQ(tests::refusal<BadInput>([&] { again.drawn_from("nobody"); }).find("nobody: "), 0U);
 }
 
 TEST_P(RecordOfAClass, IsClosedToOthers) {
@@ -143,18 +144,20 @@ TEST_P(RecordOfAClass, ListsTheLastRunsFilesAndForgetsWhoTheyAreOf) {
 
 TEST_P(RecordOfAClass, IsNoOtherFile) {
   std::ofstream(file_) << std::string(5000, 'x');
-  EXPECT_NE(refusal([&] { record(); }).find("class.sqlite: is damaged"), std::string::npos)
-      << refusal([&] { record(); });
+  EXPECT_NE(tests::refusal<BadInput>([&] { record(); }).find("class.sqlite: is damaged"), std::string::npos)
+      << tests::refusal<BadInput>([&] { record(); });
   fs::remove(file_);
   Database(file_, GetParam()).run("CREATE TABLE bookmarks (id)");
-  EXPECT_NE(refusal([&] { record(); }).find("no record of grades"), std::string::npos);
+  EXPECT_NE(tests::refusal<BadInput>([&] { record(); }).find("no record of grades"), std::string::npos);
 }
 
 TEST_P(RecordOfAClass, OfANewerOrAFarOlderVersionIsRefused) {
   record();
   for (const std::string version : {"99", "6"}) {
     Database(file_, GetParam()).run_all("PRAGMA user_version = " + version);
-    EXPECT_NE(refusal([&] { record(); }).find("has version " + version + ", and this hairgrade knows 7 to"),
+    EXPECT_NE(tests::refusal<BadInput>([&] {
+                record();
+              }).find("has version " + version + ", and this hairgrade knows 7 to"),
               std::string::npos);
   }
 }
@@ -179,7 +182,7 @@ TEST_P(RecordOfAClass, HasAPictureThatIsDamaged) {
   alice.exercises[0].pictures = {{"1 s", 0, 0, "student", "reference", ""}};
   record().put({alice});
   Database(file_, GetParam()).run("UPDATE pictures SET png = x'00'");
-  EXPECT_NE(refusal([&] { record().find("alice"); }).find("is damaged"), std::string::npos);
+  EXPECT_NE(tests::refusal<BadInput>([&] { record().find("alice"); }).find("is damaged"), std::string::npos);
 }
 
 TEST(Journals, AreRollbackJournalsWhereMemoryMayNotBeShared) {

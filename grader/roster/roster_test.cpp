@@ -6,6 +6,7 @@
 
 #include "grader/course/input.h"
 #include "grader/text/letters.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline roster {
 namespace {
@@ -17,12 +18,7 @@ Roster roster_of(const string& text) {
 }
 
 string error_of(const string& text) {
-  try {
-    roster_of(text);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { roster_of(text); });
 }
 
 // Returns the person's name, or why there is none.

@@ -1,10 +1,10 @@
 // STAFF ONLY. Tests that times of hand-ins are found as people on a roster are, and that missing or
 // unreadable ones are reported.
 #include "grader/roster/times.h"
+#include "grader/course/input.h"
+#include "solver/test_refusal.h"
 
 #include <gtest/gtest.h>
-
-#include "grader/course/refusal_for_tests.h"
 
 namespace grader::inline roster {
 namespace {
@@ -20,7 +20,7 @@ bool says(const Times& times, const std::string& what) {
 }
 
 std::string refusal_of(const std::string& text) {
-  return refusal([&] { times(text); });
+  return tests::refusal<BadInput>([&] { times(text); });
 }
 
 TEST(Times, AreFoundByIdOrByANameThatOnePersonBears) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/course/input.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline text {
 namespace {
@@ -17,12 +18,7 @@ std::vector<Cells> cells_of(const Csv& table) {
 }
 
 string error_of(const string& bytes) {
-  try {
-    parse_csv(bytes, "r.csv");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { parse_csv(bytes, "r.csv"); });
 }
 
 TEST(Csv, ReadsEverySeparatorEndOfLineAndEncoding) {

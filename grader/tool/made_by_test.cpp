@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 
 #include "hair/io/files/temporary_folder.h"
 
@@ -75,68 +76,57 @@ TEST(MadeBy, OfAHandInHasTheExercisesOfOthersAsLeftOut) {
   EXPECT_NE(made_by(settings), week);
 }
 
-TEST(MadeBy, TellsWhichExercisesDiffer) {
-  const MadeBy there = three_exercises();
-  MadeBy here = there;
-  EXPECT_EQ(told(there, here), Told());
-  here.exercises[1].points = 15;
-  EXPECT_EQ(told(there, here), Told("another course file: S2 is worth 10 points there and 15 here. ",
-                                    "use the course file that made it. "));
-  here.exercises[2] = {"H3", Role::absent, 0};
-  here.exercises[3] = {"H4", Role::assigned, 5};
-  EXPECT_EQ(
-      told(there, here).first,
-      "another course file: S2 is worth 10 points there and 15 here, H3 is optional there and left out here, "
-      "H4 is given there and assigned here. ");
-}
-
-TEST(MadeBy, TakesAnExerciseThatIsNotKnownForOneThatIsLeftOut) {
-  const MadeBy there = three_exercises();
-  MadeBy here = there;
-  here.exercises.pop_back();
-  EXPECT_EQ(told(there, here), Told());
-  here.exercises.push_back({"X1", Role::assigned, 1});
-  EXPECT_EQ(told(there, here).first, "another course file: X1 is left out there and assigned here. ");
-}
-
-TEST(MadeBy, TellsWhichLimitsOfTheBudgetDiffer) {
-  MadeBy there = three_exercises(), here = there;
-  there.budget = {{"seconds", "20"}, {"starts", "6"}};
-  here.budget = {{"seconds", "30"}};
-  EXPECT_EQ(
-      told(there, here).first,
-      "another course file: the budget's seconds is 20 there and 30 here, the budget's starts is 6 there and "
-      "not set here. ");
-}
-
-TEST(MadeBy, TellsWhetherPartOfACategoryGivesPoints) {
-  MadeBy there = three_exercises(), here = there;
-  there.partial = true;
-  EXPECT_EQ(told(there, here), Told("another course file: \"partial\" is true there and false here. ",
-                                    "use the course file that made it. "));
-}
-
-TEST(MadeBy, TellsSuiteSecretSandboxAndPictures) {
-  const MadeBy there = three_exercises();
-  MadeBy here = there;
-  here.suite = "hash of another";
-  EXPECT_EQ(told(there, here).second, "use the hairgrade that made it. ");
-  here = there;
-  here.secret = "hash of another";
-  EXPECT_EQ(told(there, here),
-            Told("another secret: its fingerprint is hash of a secret there and hash of another here. ",
-                 "use the secret that made it, with --secret or by hairgrade secret import. "));
-  here = there;
-  here.isolation = Isolation::none;
-  EXPECT_EQ(told(there, here).second, "leave out --unsafe-no-sandbox. ");
-  EXPECT_EQ(told(here, there).second, "add --unsafe-no-sandbox. ");
-  here.isolation = Isolation::container;
-  EXPECT_EQ(told(there, here), Told("another sandbox: namespaces there and container here. ",
-                                    "grade with --isolation namespaces. "));
-  here = there;
-  here.images = false;
-  EXPECT_EQ(told(there, here).second, "leave out --no-images. ");
-  EXPECT_EQ(told(here, there).second, "add --no-images. ");
+TEST(MadeBy, TellsWhatDiffersAndTheWayOut) {
+  MadeBy base = three_exercises();
+  base.budget = {{"seconds", "20"}, {"starts", "6"}};
+  base.partial = true;
+  const std::string course = "use the course file that made it. ", other = "another course file: ";
+  const struct {
+    std::function<void(MadeBy& here)> change;
+    std::string what, way;
+  } rows[] = {
+      {[](MadeBy&) {}, "", ""},
+      {[](MadeBy& here) {
+         here.exercises[1].points = 15;
+         here.exercises[2] = {"H3", Role::absent, 0};
+         here.exercises[3] = {"H4", Role::assigned, 5};
+       },
+       other + "S2 is worth 10 points there and 15 here, H3 is optional there and left out here, "
+               "H4 is given there and assigned here. ",
+       course},
+      {[](MadeBy& here) { here.exercises.pop_back(); }, "", ""},  // what is not known is left out
+      {[](MadeBy& here) {
+         here.exercises.push_back({"X1", Role::assigned, 1});
+       },
+       other + "X1 is left out there and assigned here. ", course},
+      {[](MadeBy& here) {
+         here.budget = {{"seconds", "30"}};
+       },
+       other +
+           "the budget's seconds is 20 there and 30 here, the budget's starts is 6 there and not set here. ",
+       course},
+      {[](MadeBy& here) { here.partial = false; }, other + "\"partial\" is true there and false here. ",
+       course},
+      {[](MadeBy& here) { here.suite = "hash of another"; }, "*", "use the hairgrade that made it. "},
+      {[](MadeBy& here) { here.secret = "hash of another"; },
+       "another secret: its fingerprint is hash of a secret there and hash of another here. ",
+       "use the secret that made it, with --secret or by hairgrade secret import. "},
+      {[](MadeBy& here) { here.isolation = Isolation::none; }, "*", "leave out --unsafe-no-sandbox. "},
+      {[](MadeBy& here) { here.isolation = Isolation::container; },
+       "another sandbox: namespaces there and container here. ", "grade with --isolation namespaces. "},
+      {[](MadeBy& here) { here.images = false; }, "*", "leave out --no-images. "},
+  };
+  for (const auto& [change, what, way] : rows) {
+    MadeBy here = base;
+    change(here);
+    const Told found = told(base, here);
+    EXPECT_EQ(what == "*" ? what : found.first, what);
+    EXPECT_EQ(found.second, way);
+  }
+  MadeBy bare = base;
+  bare.isolation = Isolation::none;
+  bare.images = false;
+  EXPECT_EQ(told(bare, base).second, "add --unsafe-no-sandbox. add --no-images. ");
 }
 
 TEST(MadeBy, SeesEverySettingThatChangesPoints) {

@@ -12,6 +12,7 @@
 #include "grader/tool/asking.h"
 #include "grader/tool/grading.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline tool {
 namespace {
@@ -49,12 +50,8 @@ class Origins : public testing::Test {
   // Returns the line of the refusal; "" if nothing is refused.
   std::string refusal(std::vector<Submission> submissions, const CallersWord& word = kNothingSaid,
                       const std::optional<std::string>& only = {}) const {
-    try {
-      EXPECT_EQ(settle_origins(dir_, submissions, only, word).replaced, Names{});
-    } catch (const Question& line) {
-      return line.what();
-    }
-    return "";
+    return tests::refusal<Question>(
+        [&] { EXPECT_EQ(settle_origins(dir_, submissions, only, word).replaced, Names{}); });
   }
 
   hair::TemporaryFolder temporary_{"origins"};

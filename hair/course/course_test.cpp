@@ -8,6 +8,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -32,16 +33,13 @@ class CourseFiles : public testing::Test {
   // The error of reading `exercises` (and `course`, if there is one); "" if there is none.
   std::string complaint(const std::string& exercises, const std::string& course = "") const {
     const fs::path file = write("exercises.json", exercises);
-    try {
+    return tests::refusal<BadInput>([&] {
       if (course.empty()) {
         read_course(file);
       } else {
         read_course(file, write("course.json", course));
       }
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return "";
+    });
   }
   std::string course_complaint(const std::string& course) const {
     return complaint(list(exercise("S1") + "," + exercise("S2", "[\"S1\"]")), course);
@@ -88,101 +86,63 @@ TEST_F(CourseFiles, RolesHaveTheNamesThatTheFilesUse) {
   }
 }
 
-TEST_F(CourseFiles, AFileThatCanNotBeReadIsNamed) {
-  try {
-    read_course(dir_ / "none.json");
-    FAIL();
-  } catch (const BadInput& error) {
-    EXPECT_TRUE(says(error.what(), "none.json: can't be read (No such file or directory)"));
-  }
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST_F(CourseFiles, SayWhatIsWrongInTheListOfExercises) {
+  const std::string s1 = exercise("S1"),
+                    before = "exercises[0].prerequisites[0]: no such exercise stands before S1";
+  const std::pair<std::string, std::string> rows[] = {
+      {"{\"exercises\": [\n  {\"id\" \"S1\"}]}", "exercises.json: line 2, column "},
+      {"", "line 1, column 1: not JSON"},
+      {"{\"exercises\": []} x", "line 1, column "},
+      {"{\"exercises\": \"\xff\"}", "not JSON"},
+      {R"({"exercise": []})", "exercises.json: unknown key \"exercise\""},
+      {R"({"exercises": [{"id": "S1"}]})", "exercises[0]: \"title\" is missing"},
+      {"[]", "[] is not an object"},
+      {R"({"exercises": {}})", "exercises: {} is not a list"},
+      {list("7"), "exercises[0]: 7 is not an object"},
+      {list(exercise("S1", "[3]")), "exercises[0].prerequisites[0]: 3 is not text"},
+      {list(s1 + "," + s1), "exercises[1].id: \"S1\" is already taken"},
+      {list(s1 + "," + replaced(exercise("S2"), "S2.cpp", "S1.cpp")),
+       "exercises[1].file: \"S1.cpp\" is already S1's"},
+      {list(exercise("../S1")), "exercises[0].id: "},
+      {list(replaced(s1, "a.h", "../a.h")), "exercises[0].header: leaves the project"},
+      {list(replaced(s1, "S1.cpp", "a/S1.cpp")), "exercises[0].file: "},
+      {list(exercise("S1", "[\"S1\"]")), before},
+      {list(exercise("S1", "[\"S2\"]") + "," + exercise("S2")), before},
+  };
+  for (const auto& [text, sentence] : rows) EXPECT_TRUE(says(complaint(text), sentence)) << text;
+  for (const char* points : {"-1", "\"10\"", "1e7", "null", "-1e-300"})
+    EXPECT_TRUE(says(complaint(list(exercise("S1", "[]", points))), "exercises[0].points: "));
+  for (const char* points : {"NaN", "1e999", "Infinity"})
+    EXPECT_TRUE(says(complaint(list(exercise("S1", "[]", points))), "not JSON"));
+  EXPECT_EQ(complaint(list(exercise("S1", "[]", "0"))), "");
+  EXPECT_TRUE(says(tests::refusal<BadInput>([&] { read_course(dir_ / "none.json"); }),
+                   "none.json: can't be read (No such file or directory)"));
   EXPECT_THROW(read_course(dir_), BadInput);
 }
 
-TEST_F(CourseFiles, WhatIsNotJsonIsNamedByLineAndColumn) {
-  EXPECT_TRUE(says(complaint("{\"exercises\": [\n  {\"id\" \"S1\"}]}"), "exercises.json: line 2, column "));
-  EXPECT_TRUE(says(complaint(""), "line 1, column 1: not JSON"));
-  EXPECT_TRUE(says(complaint("{\"exercises\": []} x"), "line 1, column "));
-  EXPECT_TRUE(says(complaint("{\"exercises\": \"\xff\"}"), "not JSON"));
-}
-
-TEST_F(CourseFiles, AKeyThatStandsTwiceIsAnError) {
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S1": {"points": 1}, "S1": {"points": 2}}})"),
-                   "\"S1\" stands twice"));
-}
-
-TEST_F(CourseFiles, UnknownKeysAndMissingOnesAreNamed) {
-  EXPECT_TRUE(says(complaint(R"({"exercise": []})"), "exercises.json: unknown key \"exercise\""));
-  EXPECT_TRUE(says(complaint(R"({"exercises": [{"id": "S1"}]})"), "exercises[0]: \"title\" is missing"));
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S1": {"rolle": "given"}}})"),
-                   "course.json: exercises.S1: unknown key \"rolle\"; known here: role, points"));
-  EXPECT_TRUE(says(course_complaint("{}"), "\"exercises\" is missing"));
-}
-
-TEST_F(CourseFiles, WrongTypesAreNamed) {
-  EXPECT_TRUE(says(complaint("[]"), "[] is not an object"));
-  EXPECT_TRUE(says(complaint(R"({"exercises": {}})"), "exercises: {} is not a list"));
-  EXPECT_TRUE(says(complaint(list("7")), "exercises[0]: 7 is not an object"));
-  EXPECT_TRUE(says(complaint(list(exercise("S1", "[3]"))), "exercises[0].prerequisites[0]: 3 is not text"));
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S1": "given"}})"),
-                   "exercises.S1: \"given\" is not an object"));
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S1": {"role": null}}})"),
-                   "exercises.S1.role: null is not text"));
-}
-
-TEST_F(CourseFiles, PointsAreANumberFromZeroToAMillion) {
-  for (const char* points : {"-1", "\"10\"", "1e7", "null", "-1e-300"}) {
-    EXPECT_TRUE(says(complaint(list(exercise("S1", "[]", points))), "exercises[0].points: "));
-  }
-  for (const char* points : {"NaN", "1e999", "Infinity"}) {
-    EXPECT_TRUE(says(complaint(list(exercise("S1", "[]", points))), "not JSON"));
-  }
-  EXPECT_EQ(complaint(list(exercise("S1", "[]", "0"))), "");
-}
-
-TEST_F(CourseFiles, UnknownRolesAndIdsAreNamed) {
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S1": {"role": "Given"}}})"),
-                   "exercises.S1.role: unknown role; write assigned, optional, given or absent"));
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S9": {}}})"),
-                   "exercises.S9: there is no such exercise; known: S1, S2"));
-}
-
-TEST_F(CourseFiles, IdsAndFilesAreTakenOnce) {
-  EXPECT_TRUE(says(complaint(list(exercise("S1") + "," + exercise("S1"))),
-                   "exercises[1].id: \"S1\" is already taken"));
-  std::string other = exercise("S2");
-  other.replace(other.find("S2.cpp"), 6, "S1.cpp");
-  EXPECT_TRUE(
-      says(complaint(list(exercise("S1") + "," + other)), "exercises[1].file: \"S1.cpp\" is already S1's"));
-}
-
-TEST_F(CourseFiles, NamesThatLeadElsewhereAreRefused) {
-  EXPECT_TRUE(says(complaint(list(exercise("../S1"))), "exercises[0].id: "));
-  std::string climbing = exercise("S1");
-  climbing.replace(climbing.find("a.h"), 3, "../a.h");
-  EXPECT_TRUE(says(complaint(list(climbing)), "exercises[0].header: leaves the project"));
-  std::string folder = exercise("S1");
-  folder.replace(folder.find("S1.cpp"), 6, "a/S1.cpp");
-  EXPECT_TRUE(says(complaint(list(folder)), "exercises[0].file: "));
-}
-
-TEST_F(CourseFiles, PrerequisitesStandBefore) {
-  const std::string expected = "exercises[0].prerequisites[0]: no such exercise stands before S1";
-  EXPECT_TRUE(says(complaint(list(exercise("S1", "[\"S1\"]"))), expected));
-  EXPECT_TRUE(says(complaint(list(exercise("S1", "[\"S2\"]") + "," + exercise("S2"))), expected));
-}
-
-TEST_F(CourseFiles, WhatIsPresentNeedsItsPrerequisites) {
-  EXPECT_TRUE(says(course_complaint(R"({"exercises": {"S1": {"role": "absent"}}})"),
-                   "course.json: exercises: S2 is assigned but needs S1, which is absent"));
-  EXPECT_TRUE(
-      says(course_complaint(R"({"exercises": {"S1": {"role": "absent"}, "S2": {"role": "optional"}}})"),
-           "S2 is optional but needs S1"));
+TEST_F(CourseFiles, SayWhatIsWrongInACoursesOwnFile) {
+  const std::pair<const char*, const char*> rows[] = {
+      {"{}", "\"exercises\" is missing"},
+      {R"({"exercises": {"S1": {"points": 1}, "S1": {"points": 2}}})", "\"S1\" stands twice"},
+      {R"({"exercises": {"S1": {"rolle": "given"}}})",
+       "course.json: exercises.S1: unknown key \"rolle\"; known here: role, points"},
+      {R"({"exercises": {"S1": "given"}})", "exercises.S1: \"given\" is not an object"},
+      {R"({"exercises": {"S1": {"role": null}}})", "exercises.S1.role: null is not text"},
+      {R"({"exercises": {"S1": {"role": "Given"}}})",
+       "exercises.S1.role: unknown role; write assigned, optional, given or absent"},
+      {R"({"exercises": {"S9": {}}})", "exercises.S9: there is no such exercise; known: S1, S2"},
+      {R"({"exercises": {"S1": {"role": "absent"}}})",
+       "course.json: exercises: S2 is assigned but needs S1, which is absent"},
+      {R"({"exercises": {"S1": {"role": "absent"}, "S2": {"role": "optional"}}})",
+       "S2 is optional but needs S1"},
+      {"{\"exercises\": {\"\\u001b[2J\\n\": {}}}", "exercises.\\x1b[2J\\x0a: there is no such exercise"},
+  };
+  for (const auto& [text, sentence] : rows) EXPECT_TRUE(says(course_complaint(text), sentence)) << text;
   EXPECT_EQ(course_complaint(R"({"exercises": {"S1": {"role": "absent"}, "S2": {"role": "absent"}}})"), "");
-}
-
-TEST_F(CourseFiles, ComplaintsCarryNoControlCharacters) {
-  const std::string said = course_complaint("{\"exercises\": {\"\\u001b[2J\\n\": {}}}");
-  EXPECT_TRUE(says(said, "exercises.\\x1b[2J\\x0a: there is no such exercise"));
 }
 
 TEST_F(CourseFiles, WhatTheCourseHasIsNotAbsent) {

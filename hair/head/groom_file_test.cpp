@@ -7,9 +7,10 @@
 
 #include "hair/head/hair_file.h"
 #include "hair/head/ply_file.h"
-#include "hair/head/refusal.h"
+#include "hair/io/files/bad_input.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -59,21 +60,6 @@ TEST_F(RealGrooms, TheSameGroomInTwoFormatsHasTheSamePoints) {
   EXPECT_EQ(parse_ply_file(ply_file_of(hair, true), "a").strands, hair.strands);
 }
 
-TEST_F(RealGrooms, ThatAreCutOffAreRefused) {
-  EXPECT_EQ(refusal([&] { parse_hair_file(bytes("Bangs_100.hair").substr(0, 7000), "a.hair"); }),
-            "a.hair: has 7000 bytes, and its header says 14308; it is cut off or damaged");
-  for (const std::string name : {"Bangs_100_ascii.ply", "Curly_100.ply"}) {
-    const std::string whole = bytes(name);
-    for (std::size_t part = 0; part < 50; ++part) {
-      const std::string cut = whole.substr(0, whole.size() * part / 50);
-      EXPECT_NE(refusal([&] { parse_ply_file(cut, "a"); }), "") << name << " " << part;
-    }
-  }
-  EXPECT_EQ(refusal([&] { read_groom((*this)("Bangs_head.ply")); }),
-            (*this)("Bangs_head.ply").string() +
-                ": does not have one element \"vertex\" and one \"strand\": it is no groom, but a mesh");
-}
-
 TEST(GroomFile, TheEndingSaysTheFormat) {
   const TemporaryFolder folder("groom");
   Groom groom{{Eigen::VectorXd::LinSpaced(6, 0, 5), Eigen::VectorXd::LinSpaced(9, 1, 9)}};
@@ -82,14 +68,14 @@ TEST(GroomFile, TheEndingSaysTheFormat) {
     EXPECT_EQ(read_groom(folder.path() / name).strands, groom.strands) << name;
   }
   const std::string other = "a.obj: has the ending of no groom's format; .hair and .ply are right";
-  EXPECT_EQ(refusal([] { read_groom("a.obj"); }), other);
-  EXPECT_EQ(refusal([&] { write_groom(groom, "a.obj"); }), other);
-  EXPECT_EQ(refusal([] { read_groom("no-such.hair"); }),
+  EXPECT_EQ(tests::refusal<BadInput>([] { read_groom("a.obj"); }), other);
+  EXPECT_EQ(tests::refusal<BadInput>([&] { write_groom(groom, "a.obj"); }), other);
+  EXPECT_EQ(tests::refusal<BadInput>([] { read_groom("no-such.hair"); }),
             "no-such.hair: can't be read (No such file or directory); give the path of a .hair file");
   EXPECT_THROW(read_groom("/"), BadInput);
   groom.strands.emplace_back();
   const fs::path none = folder.path() / "none.ply";
-  EXPECT_EQ(refusal([&] { write_groom(groom, none); }),
+  EXPECT_EQ(tests::refusal<BadInput>([&] { write_groom(groom, none); }),
             none.string() + ": strand 2 of the groom: has no points; one at least is right");
   EXPECT_FALSE(fs::exists(none));
 }

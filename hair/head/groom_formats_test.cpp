@@ -7,7 +7,8 @@
 #include "hair/head/groom_bytes.h"
 #include "hair/head/hair_file.h"
 #include "hair/head/ply_file.h"
-#include "hair/head/refusal.h"
+#include "hair/io/files/bad_input.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -41,7 +42,7 @@ class GroomFormats : public testing::TestWithParam<Format> {
   const std::string bytes_ = format_.write(written_groom());
 
   std::string complaint(const std::string& bytes) const {
-    return refusal([&] { format_.parse(bytes, name_, Numbers::finite); });
+    return tests::refusal<BadInput>([&] { format_.parse(bytes, name_, Numbers::finite); });
   }
 };
 

@@ -13,6 +13,7 @@
 #include "hair/head/grow_line.h"
 #include "hair/head/nearest_points.h"
 #include "hair/head/scalp_roots.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -176,12 +177,7 @@ TEST(Grow, WhatCanNotGrowIsRefused) {
   const EllipsoidHead head;
   const HairStyle& curly = *find_hair_style("short-curly");
   const auto reason = [&](const GrowSettings& settings) -> std::string {
-    try {
-      grow_groom(head, curly, settings);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+    return tests::refusal<std::invalid_argument>([&] { grow_groom(head, curly, settings); });
   };
   EXPECT_EQ(reason({.strands = 0}), "a groom of 0 strands; 1 or more are right");
   EXPECT_EQ(reason({.strands = 10, .points = 16}), "strands of 16 points; short-curly has " +

@@ -6,7 +6,8 @@
 
 #include "hair/head/groom_bytes.h"
 #include "hair/head/made_hair_file.h"
-#include "hair/head/refusal.h"
+#include "hair/io/files/bad_input.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Made = MadeHairFile;
 
 std::string complaint(const std::string& bytes) {
-  return refusal([&] { parse_hair_file(bytes, "a.hair"); });
+  return tests::refusal<BadInput>([&] { parse_hair_file(bytes, "a.hair"); });
 }
 
 TEST(HairFile, StrandsHaveTheirOwnPoints) {
@@ -24,21 +25,6 @@ TEST(HairFile, StrandsHaveTheirOwnPoints) {
   EXPECT_EQ(groom.strands[1], (Eigen::VectorXd(9) << 0, 1, 0, 0, 1, 1, 0, 1, 2).finished());
 }
 
-TEST(HairFile, WithoutTheArrayOfSegmentsAllStrandsHaveThoseOfTheHeader) {
-  Made made{.strands = 1, .points = 5, .arrays = 2, .segments = 4, .own = {}};
-  EXPECT_EQ(parse_hair_file(made.bytes(), "a.hair").strands[0].size(), 15);
-}
-
-TEST(HairFile, AStrandWithoutSegmentsIsABaldRoot) {
-  for (const Made& made : {Made{.own = {0, 3}}, Made{.own = {3, 0}},
-                           Made{.strands = 5, .points = 5, .arrays = 2, .segments = 0, .own = {}}}) {
-    const Groom groom = parse_hair_file(made.bytes(), "a.hair");
-    EXPECT_EQ(groom.strands.size(), made.strands);
-    EXPECT_EQ(std::min(groom.strands.front().size(), groom.strands.back().size()), 3);
-    EXPECT_EQ(hair_file_of(groom), made.bytes());
-  }
-}
-
 TEST(HairFile, AThicknessOfZeroIsNotKnown) {
   EXPECT_FALSE(parse_hair_file(Made().bytes(), "a.hair").look.thickness);
   const Groom plain{{Eigen::VectorXd::Zero(6)}};
@@ -46,16 +32,6 @@ TEST(HairFile, AThicknessOfZeroIsNotKnown) {
   EXPECT_FALSE(look.thickness);
   EXPECT_EQ(look.transparency, 0);
   EXPECT_EQ(look.colour, (std::array<float, 3>{1, 1, 1}));
-}
-
-TEST(HairFile, ALookIsReadPointByPoint) {
-  Made made{.arrays = 31};
-  for (int k = 0; k < 25; ++k) put_real(made.rest, static_cast<float>(k));
-  const GroomLook look = parse_hair_file(made.bytes(), "a.hair").look;
-  EXPECT_EQ(look.thicknesses, (std::vector<float>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(look.transparencies, (std::vector<float>{5, 6, 7, 8, 9}));
-  ASSERT_EQ(look.colours.size(), 15U);
-  EXPECT_EQ(look.colours[14], 24);
 }
 
 TEST(HairFile, WhatIsReadAndWrittenIsTheSameByteForByte) {
@@ -85,7 +61,9 @@ TEST(HairFile, StrandsOfOneLengthNeedNoArray) {
 }
 
 TEST(HairFile, WhatItCanNotHoldIsNotWritten) {
-  const auto unwritten = [](const Groom& groom) { return refusal([&] { hair_file_of(groom); }); };
+  const auto unwritten = [](const Groom& groom) {
+    return tests::refusal<BadInput>([&] { hair_file_of(groom); });
+  };
   const Eigen::VectorXd two = Eigen::VectorXd::Zero(6);
   EXPECT_EQ(unwritten({}), "the groom has no strands; a file has one at least");
   EXPECT_EQ(unwritten({{two, Eigen::VectorXd::Constant(6, 1e39)}}),

@@ -4,9 +4,10 @@
 
 #include <regex>
 
-#include "hair/head/refusal.h"
+#include "hair/io/files/bad_input.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_comma_locale.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -24,7 +25,7 @@ struct MadePly {
 };
 
 std::string ply_complaint(const std::string& bytes) {
-  return refusal([&] { parse_ply_file(bytes, "a.ply"); });
+  return tests::refusal<BadInput>([&] { parse_ply_file(bytes, "a.ply"); });
 }
 
 TEST(PlyFile, StrandsTakeTheirVerticesInTurn) {
@@ -44,14 +45,6 @@ TEST(PlyFile, OtherElementsAndPropertiesArePassedOver) {
   const Groom groom = parse_ply_file(made.text(), "a.ply");
   ASSERT_EQ(groom.strands.size(), 1U);
   EXPECT_EQ(groom.strands[0], (Eigen::VectorXd(6) << 1, 2, 3, 4, 5, 6).finished());
-}
-
-TEST(PlyFile, AStrandWithoutSegmentsIsABaldRoot) {
-  MadePly made;
-  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n0\n3\n";
-  const Groom groom = parse_ply_file(made.text(), "a.ply");
-  EXPECT_EQ(groom.strands[0], Eigen::VectorXd::Zero(3));
-  EXPECT_EQ(groom.strands[1].size(), 12);
 }
 
 // hairutil writes u8, and other programs write other types. Each row: the properties, a vertex, and its
@@ -172,39 +165,29 @@ TEST(PlyFile, CountsThatLieAreRefusedBeforeThereIsMemoryForThem) {
 
 TEST(PlyFile, WhatIsNoGroomIsRefused) {
   EXPECT_EQ(ply_complaint("HAIR"), "a.ply: is not a PLY file, which begins with a line \"ply\"");
-  MadePly made;
-  made.strands = "element face 1\nproperty list uchar int vertex_indices\n";
-  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n3 0 1 2\n";
-  EXPECT_EQ(ply_complaint(made.text()),
-            "a.ply: does not have one element \"vertex\" and one \"strand\": it is no groom, but a mesh");
-  made = {};
-  made.strands = "element strand 2\nproperty short nsegs\n";
-  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n3\n-1\n";
-  EXPECT_EQ(ply_complaint(made.text()),
-            "a.ply: line 17: strand 1 has a number of segments that is not 0, 1, 2, ...");
-  made = {};
-  made.body = "0 0 0\n1 0 zero\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
-  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: \"zero\" is no number that \"z\" can be");
-  made.body = "0 0 0\n1 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n  ";
-  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: ends before \"z\"");
-  made.body = "0 0 0\n1 0 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
-  EXPECT_EQ(ply_complaint(made.text()),
-            "a.ply: line 12: has more numbers than the 3 properties of \"vertex\"");
-  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1.5\n2\n";
-  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 16: \"1.5\" is no number that \"nsegs\" can be");
-  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n65536\n2\n";
-  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 16: \"65536\" is no number that \"nsegs\" can be");
-  made = {.format = "ascii 2.0"};
   EXPECT_EQ(
-      ply_complaint(made.text()),
+      ply_complaint(MadePly{.format = "ascii 2.0"}.text()),
       "a.ply: line 2: has the format \"ascii\" \"2.0\"; ascii, binary_little_endian and binary_big_endian "
       "1.0 are read");
-}
-
-TEST(PlyFile, NumbersThatAreTooLargeFor32BitsAreNotFinite) {
-  MadePly made;
-  made.body = "0 0 0\n1 0 1e39\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
-  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: vertex 1 has a number that is not finite");
+  const std::string whole = MadePly().strands;
+  const struct {
+    std::string strands, second, segments, complaint;  // the second vertex, and what comes after the last one
+  } rows[] = {
+      {"element face 1\nproperty list uchar int vertex_indices\n", "1 0 0", "3 0 1 2",
+       "does not have one element \"vertex\" and one \"strand\": it is no groom, but a mesh"},
+      {"element strand 2\nproperty short nsegs\n", "1 0 0", "3\n-1",
+       "line 17: strand 1 has a number of segments that is not 0, 1, 2, ..."},
+      {whole, "1 0 zero", "1\n2", "line 12: \"zero\" is no number that \"z\" can be"},
+      {whole, "1 0", "1\n2\n  ", "line 12: ends before \"z\""},
+      {whole, "1 0 0 0", "1\n2", "line 12: has more numbers than the 3 properties of \"vertex\""},
+      {whole, "1 0 1e39", "1\n2", "line 12: vertex 1 has a number that is not finite"},
+      {whole, "1 0 0", "1.5\n2", "line 16: \"1.5\" is no number that \"nsegs\" can be"},
+      {whole, "1 0 0", "65536\n2", "line 16: \"65536\" is no number that \"nsegs\" can be"},
+  };
+  for (const auto& [strands, second, segments, complaint] : rows) {
+    const std::string body = "0 0 0\n" + second + "\n0 1 0\n0 1 1\n0 1 2.5\n" + segments + "\n";
+    EXPECT_EQ(ply_complaint(MadePly{.strands = strands, .body = body}.text()), "a.ply: " + complaint);
+  }
 }
 
 }  // namespace

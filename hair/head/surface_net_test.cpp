@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <map>
-#include <memory>
 
 #include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"

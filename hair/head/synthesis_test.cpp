@@ -228,32 +228,6 @@ TEST(Synthesis, LeavesOutWhatIsOutOfView) {
   }
 }
 
-TEST(Synthesis, IdleGuidesHaveNoEffect) {
-  const std::vector<Plane> view = {{Vector3d(0.05, 0, 0), Vector3d(1, 0, 0)}};
-  for (const SynthesisMode mode : kModes) {
-    const SynthesisDescription description = head(mode);
-    Synthesis synthesis(description);
-    VectorXd guides = head_guides(description);
-    std::vector<double> before(3 * kPoints * 2000), after = before;
-    const auto make = [&](std::vector<double>& strands) {
-      return synthesis
-          .make({guides.data(), static_cast<std::size_t>(guides.size())}, Eigen::Matrix3d::Identity(), view,
-                std::span<double>(strands))
-          .children;
-    };
-    const int children = make(before);
-    // Idle guides may have any points: here they are straight along their normals.
-    for (int guide = 0; guide < 150; ++guide)
-      if (!synthesis.guide_in_use()[guide])
-        for (int i = 1; i < kPoints; ++i)
-          guides.segment<3>(3 * (guide * kPoints + i)) =
-              (1 + 0.01 * i) * Vector3d(guides.segment<3>(3 * guide * kPoints));
-    Synthesis again(description);
-    ASSERT_GE(make(after), children);
-    EXPECT_TRUE(std::equal(before.begin(), before.begin() + 3 * kPoints * children, after.begin()));
-  }
-}
-
 TEST(Synthesis, OfGuidesOnALineAndOfOne) {
   std::vector<RootFrame> line, children;
   for (int i = 0; i < 5; ++i)

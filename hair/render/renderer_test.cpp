@@ -9,6 +9,7 @@
 
 #include "hair/render/light.h"
 #include "hair/render/test_drawing.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -230,12 +231,7 @@ TEST(Renderer, WhatIsAsFarAsNumbersGoDoesNoHarm) {
 }
 
 std::string refusal(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<std::invalid_argument>([&] { act(); });
 }
 
 TEST(Renderer, RefusesWhatCantBeDrawn) {

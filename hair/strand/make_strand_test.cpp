@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "solver/test_numbers.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -18,12 +18,7 @@ using reference_tests::kUnit;
 
 // The message with which a call refuses its input; "" if it accepts it.
 std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<std::invalid_argument>([&] { call(); });
 }
 
 TEST(MakeStrand, MassesAreHalfOfTheSegmentsBesideThem) {

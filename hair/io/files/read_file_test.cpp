@@ -9,6 +9,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/write_file.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -16,12 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string refusal(const fs::path& file, std::size_t most = 100) {
-  try {
-    read_file(file, most, "a scene");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { read_file(file, most, "a scene"); });
 }
 
 class ReadFile : public testing::Test {

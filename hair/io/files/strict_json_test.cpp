@@ -8,17 +8,13 @@
 #include <vector>
 
 #include "hair/io/files/bad_input.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
 
 std::string complaint(const std::string& text) {
-  try {
-    parse_document(text, "a.json");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { parse_document(text, "a.json"); });
 }
 
 TEST(StrictJson, WhatAMessageQuotesIsPrintable) {

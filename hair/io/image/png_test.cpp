@@ -12,6 +12,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/write_file.h"
 #include "hair/io/image/made_png.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 namespace {
@@ -34,12 +35,7 @@ using Pixels = std::vector<std::uint8_t>;
 
 // The message that decode_png throws, or "".
 std::string refusal(const std::string& file) {
-  try {
-    decode_png(file, "a.png");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { decode_png(file, "a.png"); });
 }
 
 TEST(Png, WhatIsWrittenIsReadAgain) {
