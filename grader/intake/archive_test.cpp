@@ -8,6 +8,7 @@
 
 #include "grader/intake/archive_builder.h"
 #include "grader/intake/archive_format.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline intake {
 namespace {
@@ -17,15 +18,12 @@ constexpr ArchiveLimits kLimits{1 << 20, 100};
 // Returns the reason for which the archive is refused, or "".
 std::string refusal(const std::string& bytes, ArchiveLimits used = kLimits) {
   Archive archive(bytes, "x", used);
-  try {
+  return tests::refusal<Refused>([&] {
     const std::vector<Entry> list = archive.list();
     for (std::size_t i = 0; i < list.size(); ++i) {
       archive.visit({i}, [&](std::size_t, const Container::Read& read) { read(used.unpacked_bytes); });
     }
-  } catch (const Refused& why) {
-    return why.what();
-  }
-  return "";
+  });
 }
 
 class EveryPacking : public testing::TestWithParam<Packing> {};

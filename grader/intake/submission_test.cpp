@@ -63,18 +63,6 @@ TEST_F(Submissions, AFolderIsASubmissionUnderItsName) {
   fs::current_path("/");
 }
 
-TEST_F(Submissions, AFolderOfArchivesAndFoldersIsAClassSortedByName) {
-  write("class/carol.tgz", ArchiveBuilder(Packing::tar_gz).file("x/conj_grad.cpp", "c").bytes());
-  write("class/alice.zip", zip("conj_grad.cpp", "a"));
-  write("class/bob/conj_grad.cpp", "b");
-  write("class/notes.txt", "");
-  const std::vector<Submission> all = read({dir_ / "class"});
-  ASSERT_EQ(names(all), (Names{"alice", "bob", "carol"}));
-  EXPECT_EQ(all[0].files.at("conj_grad.cpp").text, "a");
-  EXPECT_EQ(all[1].files.at("conj_grad.cpp").text, "b");
-  EXPECT_EQ(all[2].files.at("conj_grad.cpp").text, "c");
-}
-
 TEST_F(Submissions, AnArchiveOfArchivesAndFoldersIsAClass) {
   const std::string bob = ArchiveBuilder(Packing::tar_gz).file("h/conj_grad.cpp", "b").bytes();
   for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
@@ -101,21 +89,6 @@ TEST_F(Submissions, AnArchiveInAnArchiveIsOpened) {
   const std::string handin = zip("a/conj_grad.cpp", "text");
   EXPECT_EQ(only(zip("handin.zip", handin)).files.at("conj_grad.cpp").text, "text");
   EXPECT_EQ(only(zip("x.zip", zip("handin.zip", handin))).files.at("conj_grad.cpp").text, "text");
-}
-
-TEST_F(Submissions, NestingEnds) {
-  std::string bytes = zip("conj_grad.cpp");
-  for (int i = 0; i < 10; ++i) bytes = zip("x.zip", bytes);
-  EXPECT_TRUE(says(only(bytes).problem, "None of the exercise files"));
-}
-
-TEST_F(Submissions, ArchivesBesideExerciseFilesStayShut) {
-  const Submission alice = only(ArchiveBuilder(Packing::zip)
-                                    .file("CMakeLists.txt")
-                                    .file("student/conj_grad.cpp", "mine")
-                                    .file("build/handin.zip", zip("conj_grad.cpp", "old"))
-                                    .bytes());
-  EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "mine");
 }
 
 // The rules for paths are in same_name_test.cpp. Between archives only builds, backups and names of copies
@@ -332,12 +305,6 @@ TEST_F(Submissions, DamageIsSaidAndStaysWithItsSubmission) {
       << "alone it may be a whole class";
 }
 
-TEST_F(Submissions, EncryptionIsSaid) {
-  const std::string bytes =
-      ArchiveBuilder(Packing::zip, "zip:encryption=aes256").file("conj_grad.cpp").bytes();
-  EXPECT_TRUE(says(only(bytes).problem, "conj_grad.cpp is encrypted. Pack it again without a password"));
-}
-
 TEST_F(Submissions, AFileThatIsTooLongIsNotTaken) {
   IntakeLimits limits;
   limits.file_bytes = 1000;
@@ -463,12 +430,6 @@ TEST_F(Submissions, NamesThatAreNoUtf8LoseNobody) {
       EXPECT_TRUE(has_remark(intake, {"class.zip: names in it are no UTF-8", "which is a guess"}));
     }
   }
-}
-
-TEST_F(Submissions, AGzipOfOneFileIsCalledSo) {
-  write("class/alice.gz", gzip("int x;"));
-  write("class/bob.zip", zip("conj_grad.cpp"));
-  EXPECT_TRUE(says(read({dir_ / "class"}).at(0).problem, "alice.gz is one file that is packed with gzip"));
 }
 
 TEST_F(Submissions, AnArchiveIsKnownByItsContentToo) {

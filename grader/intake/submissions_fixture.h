@@ -19,6 +19,7 @@
 #include "grader/intake/submission.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline intake {
 
@@ -93,12 +94,7 @@ class Submissions : public testing::Test {
     return names;
   }
   static std::string bad_input(const std::vector<fs::path>& arguments) {
-    try {
-      read(arguments);
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return "";
+    return tests::refusal<BadInput>([&] { read(arguments); });
   }
 
   hair::TemporaryFolder temporary_{"intake"};

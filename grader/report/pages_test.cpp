@@ -40,6 +40,13 @@ void expect_clean(const std::string& output) {
   }
 }
 
+std::vector<SubmissionResult> without_pictures(int size) {
+  std::vector<SubmissionResult> results = sample_class(size);
+  for (SubmissionResult& result : results)
+    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  return results;
+}
+
 TEST(Pages, HostileTextBecomesNoMarkup) {
   const SubmissionResult result = submission_full_of(hostile);
   for (const std::string& page : {student_page(result), staff_page(result), class_page({result})}) {
@@ -130,38 +137,34 @@ TEST(Pages, StudentsSeeNothingOfTheStaffs) {
   EXPECT_GE(count(staff_page(result), "STAFFSECRET"), 3u);
 }
 
-TEST(Pages, WithoutASandboxEveryPageSaysSo) {
-  std::vector<SubmissionResult> results = sample_class(2);
-  EXPECT_EQ(
-      count(class_page(results) + student_page(results[0]) + staff_page(results[0]), "without a sandbox"),
-      0u);
-  results[1].isolation = Isolation::none;
-  for (const std::string& page : {class_page(results), student_page(results[1]), staff_page(results[1])}) {
-    EXPECT_EQ(count(page, "Graded without a sandbox"), 1u);
+TEST(Pages, WithoutASandboxOrPicturesEveryPageSaysSo) {
+  const struct {
+    void (*change)(SubmissionResult& result);
+    const char *words, *of_junit, *cells;
+  } rows[] = {
+      {[](SubmissionResult& result) { result.isolation = Isolation::none; }, "Graded without a sandbox",
+       "Graded without a sandbox", ",no,"},
+      {[](SubmissionResult& result) { result.images = false; }, "Graded without pictures",
+       "graded without pictures", ",yes,no,"},
+  };
+  for (const auto& [change, words, of_junit, cells] : rows) {
+    std::vector<SubmissionResult> results = sample_class(2);
+    EXPECT_EQ(count(class_page(results) + student_page(results[1]) + staff_page(results[1]) +
+                        student_json(results[1]) + junit_xml(results),
+                    std::string(words).substr(1)),
+              0u);
+    change(results[1]);
+    for (const std::string& page :
+         {class_page(results), student_page(results[1]), staff_page(results[1]), student_json(results[1])})
+      EXPECT_EQ(count(page, words), 1u) << words;
+    EXPECT_EQ(count(student_page(results[0]), words), 0u);
+    EXPECT_EQ(count(junit_xml(results), of_junit), 1u);
+    EXPECT_EQ(count(grades_csv(results), cells), 1u);
   }
-  EXPECT_EQ(count(student_json(results[1]), "Graded without a sandbox"), 1u);
-  EXPECT_EQ(count(junit_xml(results), "Graded without a sandbox"), 1u);
-  EXPECT_EQ(count(grades_csv(results), ",no,"), 1u);
-}
-
-TEST(Pages, WithoutPicturesEveryPageSaysSo) {
-  std::vector<SubmissionResult> results = sample_class(2);
-  EXPECT_EQ(count(class_page(results) + student_page(results[1]) + staff_page(results[1]) +
-                      student_json(results[1]) + junit_xml(results),
-                  "raded without pictures"),
-            0u);
-  results[1].images = false;
-  for (const std::string& page : {class_page(results), student_page(results[1]), staff_page(results[1])})
-    EXPECT_EQ(count(page, "Graded without pictures"), 1u);
-  EXPECT_EQ(count(student_page(results[0]), "Graded without pictures"), 0u);
-  EXPECT_EQ(count(student_json(results[1]), "Graded without pictures"), 1u);
-  EXPECT_EQ(count(junit_xml(results), "graded without pictures"), 1u);
-  EXPECT_EQ(count(grades_csv(results), ",yes,no,"), 1u);
 }
 
 TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
-  SubmissionResult result = sample_class(1).front();
-  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  SubmissionResult result = without_pictures(1).front();
   result.exercises[1].pictures = {{"0.50 s", 0.0123, 0.0456, "theirs", "ours", "heat"}};
   for (const std::string& page : {student_page(result), staff_page(result)}) {
     for (const char* bytes : {"theirs", "ours", "heat"})
@@ -177,8 +180,7 @@ TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
 }
 
 TEST(Pages, TheSamePictureIsShownOnce) {
-  SubmissionResult result = sample_class(1).front();
-  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  SubmissionResult result = without_pictures(1).front();
   result.exercises[1].pictures = {{"0.50 s", 0, 0, "both", "both", ""}};
   const std::string page = student_page(result);
   EXPECT_EQ(count(page, "<img"), 1u);
@@ -187,9 +189,7 @@ TEST(Pages, TheSamePictureIsShownOnce) {
 }
 
 TEST(Pages, TheClassIsSortedByItsWorstPictures) {
-  std::vector<SubmissionResult> results = sample_class(4);
-  for (SubmissionResult& result : results)
-    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  std::vector<SubmissionResult> results = without_pictures(4);
   const PictureResult near = sample_picture("0.50 s", 1), far = sample_picture("1.00 s", 40),
                       same = sample_picture("2.00 s", 0);
   results[0].exercises[2].pictures = {same, near};
@@ -210,9 +210,7 @@ TEST(Pages, TheClassIsSortedByItsWorstPictures) {
 
 // A run that stays at its start and ends at once looks like the reference's in its first picture.
 TEST(Pages, ARunThatBreaksOffIsTheWorst) {
-  std::vector<SubmissionResult> results = sample_class(3);
-  for (SubmissionResult& result : results)
-    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  std::vector<SubmissionResult> results = without_pictures(3);
   CaseResult broken;
   broken.name = kRunTitle;
   broken.status = Status::crashed;
@@ -247,8 +245,7 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
 
 // Pictures before the break may be like the reference's: their distance means nothing.
 TEST(Pages, ARunThatBreaksOffIsOpenAndHasNoDistance) {
-  SubmissionResult result = sample_class(1).front();
-  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  SubmissionResult result = without_pictures(1).front();
   CaseResult broken;
   broken.name = kRunTitle;
   broken.status = Status::crashed;
@@ -274,10 +271,7 @@ TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
 }
 
 TEST(Pages, TheClassLinksToItsPicturesWhereThereAreSome) {
-  std::vector<SubmissionResult> results = sample_class(3);
-  for (SubmissionResult& result : results) {
-    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
-  }
+  std::vector<SubmissionResult> results = without_pictures(3);
   EXPECT_EQ(count(class_page(results), "#pictures"), 0u);
   results[0].exercises[0].pictures = {sample_picture("1.00 s", 40)};
   const std::string page = class_page(results);

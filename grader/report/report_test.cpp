@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>

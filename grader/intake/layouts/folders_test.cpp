@@ -30,118 +30,92 @@ std::vector<std::string> members(const std::vector<std::string>& paths, bool on_
 
 using Names = std::vector<std::string>;
 
-TEST(Layout, ArchivesAreAClass) {
-  EXPECT_EQ(members({"bob.tar.gz", "alice.zip"}), (Names{"alice.zip", "bob.tar.gz"}));
-  EXPECT_EQ(members({"class/bob.tgz", "class/alice.zip", "class/"}),
-            (Names{"class/alice.zip", "class/bob.tgz"}));
-}
-
-TEST(Layout, FoldersAreAClassWithThoseThatHoldNothing) {
-  EXPECT_EQ(
-      members({"alice/conj_grad.cpp", "bob/src/conj_grad.cpp", "carol/", "dave/main.cpp", "README.txt"}),
-      (Names{"alice", "bob", "carol", "dave", "? README.txt"}));
-}
-
-TEST(Layout, FoldersAndArchivesMix) {
-  EXPECT_EQ(members({"alice/conj_grad.cpp", "bob.zip", "carol/handin.zip"}),
-            (Names{"alice", "bob.zip", "carol"}));
-}
-
-TEST(Layout, FoldersAroundEverythingChangeNothing) {
-  const Names paths{"alice/conj_grad.cpp", "bob/handin.zip", "carol/"};
-  Names wrapped{"README"};
-  for (const std::string& path : paths) wrapped.push_back("a/b/" + path);
-  EXPECT_EQ(members(wrapped), (Names{"a/b/alice", "a/b/bob", "a/b/carol", "? README"}));
-}
-
-TEST(Layout, AnExerciseFileAtTheRootMakesOneSubmissionWithAtMostOneFolderOrArchive) {
-  EXPECT_EQ(members({"conj_grad.cpp"}), Names{"one"});
-  EXPECT_EQ(members({"x/conj_grad.cpp", "x/old/conj_grad.cpp", "x/notes/"}), Names{"one"});
-  EXPECT_EQ(members({"conj_grad.cpp", "handin.zip"}), Names{"one"});
-  EXPECT_EQ(members({"conj_grad.cpp", "handin.zip"}, true), Names{"one"});
-}
-
-TEST(Layout, ABuildIsNoPerson) {
-  EXPECT_EQ(members({"hw/student/conj_grad.cpp", "hw/build/handin.zip"}), Names{"one"});
-  EXPECT_EQ(members({"student/conj_grad.cpp", "cmake-build-debug/conj_grad.cpp", "build-1/handin.zip"}),
-            Names{"one"});
-  EXPECT_EQ(members({"alice/conj_grad.cpp", "buildsmith/conj_grad.cpp"}), (Names{"alice", "buildsmith"}));
-}
-
-TEST(Layout, BareFilesBesideAClassAreStrays) {
-  EXPECT_EQ(members({"alice.zip", "bob.zip", "conj_grad.cpp"}),
-            (Names{"alice.zip", "bob.zip", "? conj_grad.cpp"}));
-  EXPECT_EQ(members({"alice/conj_grad.cpp", "bob/conj_grad.cpp", "CMakeLists.txt"}),
-            (Names{"alice", "bob", "? CMakeLists.txt"}));
-  EXPECT_EQ(members({"c/alice.zip", "c/bob.zip", "c/CMakeLists.txt", "CMakeLists.txt"}),
-            (Names{"c/alice.zip", "c/bob.zip", "? CMakeLists.txt", "? c/CMakeLists.txt"}));
-  // One student's old copies look like this, too.
-  EXPECT_EQ(members({"conj_grad.cpp", "old/conj_grad.cpp", "older/conj_grad.cpp"}),
-            (Names{"old", "older", "? conj_grad.cpp"}));
-}
-
-TEST(Layout, WhatLiesOutsideOfTheRootIsAStray) {
-  EXPECT_EQ(members({"c/d/alice.zip", "c/d/bob.zip", "c/carol/main.cpp", "c/carol/x/y.cpp", "notes.txt"}),
-            (Names{"c/d/alice.zip", "c/d/bob.zip", "? c/carol", "? notes.txt"}));
-}
-
-TEST(Layout, DocumentsInAClassAreSubmissions) {
-  EXPECT_EQ(members({"alice.zip", "bob.zip", "carol.pdf", "dave.DOCX", "README.txt"}),
-            (Names{"alice.zip", "bob.zip", "carol.pdf", "dave.DOCX", "? README.txt"}));
-  EXPECT_EQ(members({"alice.zip", "carol.pdf"}, true), (Names{"alice.zip", "carol.pdf"}));
-  EXPECT_EQ(members({"handin.zip", "report.pdf"}), Names{"one"});
-  EXPECT_EQ(members({"conj_grad.cpp", "report.pdf"}, true), Names{"one"});
-}
-
-TEST(Layout, AProjectIsOneSubmission) {
-  EXPECT_EQ(members({"CMakeLists.txt", "student/conj_grad.cpp", "build/handin.tar.gz", "solver/x.h"}),
-            Names{"one"});
-  EXPECT_EQ(members({"p/CMakeLists.txt", "p/student/conj_grad.cpp", "p/old/conj_grad.cpp"}), Names{"one"});
-  EXPECT_EQ(members({"p/CMakeLists.txt", "p/student/1/conj_grad.cpp", "p/student/2/normal_equations.cpp"}),
-            Names{"one"});
-  EXPECT_EQ(members({"CMakeLists.txt", "hair/", "a.zip", "b.zip"}), Names{"one"});
-  EXPECT_EQ(members({"student/conj_grad.cpp", "solver/x.h", "build/a.o"}), Names{"one"});
-  EXPECT_EQ(
-      members({"conj_grad.cpp", "CMakeLists.txt", "particles/x.h", "old/conj_grad.cpp", "v2/conj_grad.cpp"}),
-      Names{"one"});
-}
-
-TEST(Layout, AProjectNeedsAFolderOfTheHandout) {
-  EXPECT_EQ(members({"CMakeLists.txt", "src/conj_grad.cpp", "lib/conj_grad.cpp", "hairy/x"}),
-            (Names{"hairy", "lib", "src", "? CMakeLists.txt"}));
-  EXPECT_EQ(members({"CMakeLists.txt", "solver", "a.zip", "b.zip"}),
-            (Names{"a.zip", "b.zip", "? CMakeLists.txt", "? solver"}))
-      << "a file is no folder";
-  EXPECT_EQ(members({"x/CMakeLists.txt", "x/solver/y.h", "a.zip", "b.zip"}), (Names{"a.zip", "b.zip", "x"}))
-      << "one student's project beside others' archives";
-}
-
-TEST(Layout, ProjectsOfAClassStayApart) {
-  EXPECT_EQ(members({"alice/CMakeLists.txt", "alice/student/conj_grad.cpp", "bob/CMakeLists.txt",
-                     "bob/student/conj_grad.cpp"}),
-            (Names{"alice", "bob"}));
-}
-
-TEST(Layout, AnArchiveAloneInAnArchiveIsTheSubmissionItself) {
-  EXPECT_EQ(members({"handin.tar.gz"}), Names{"one"});
-  EXPECT_EQ(members({"x/handin.tar.gz", "x/notes/"}), Names{"one"});
-}
-
-TEST(Layout, AnArchiveAloneInAFolderOnDiskIsAClassOfOne) {
-  EXPECT_EQ(members({"alice.zip"}, true), Names{"alice.zip"});
-  EXPECT_EQ(members({"alice/handin.zip"}, true), Names{"one"});
-}
-
-TEST(Layout, HiddenThingsAndMacResourcesDoNotCount) {
-  EXPECT_EQ(members({".git/conj_grad.cpp", "a/.cache/x.zip", "__MACOSX/alice/conj_grad.cpp"}),
-            Names{"nothing"});
-  EXPECT_EQ(members({"x/student/conj_grad.cpp", "__MACOSX/x/student/conj_grad.cpp", "x/.old/conj_grad.cpp"}),
-            Names{"one"});
-  EXPECT_EQ(members({"alice.zip", "bob.zip", "._alice.zip", ".hidden/"}), (Names{"alice.zip", "bob.zip"}));
-}
-
-TEST(Layout, NothingToLookAtIsSaid) {
-  EXPECT_EQ(members({"main.cpp", "notes/"}), Names{"nothing"});
+TEST(Layout, IsOneSubmissionOrAClassWithStrays) {
+  const Names one{"one"}, nothing{"nothing"};
+  const struct {
+    const char* what;
+    Names paths, expected;
+    bool on_disk = false;
+  } rows[] = {
+      {"archives", {"bob.tar.gz", "alice.zip"}, {"alice.zip", "bob.tar.gz"}},
+      {"archives", {"class/bob.tgz", "class/alice.zip", "class/"}, {"class/alice.zip", "class/bob.tgz"}},
+      {"folders, also those that hold nothing",
+       {"alice/conj_grad.cpp", "bob/src/conj_grad.cpp", "carol/", "dave/main.cpp", "README.txt"},
+       {"alice", "bob", "carol", "dave", "? README.txt"}},
+      {"folders and archives",
+       {"alice/conj_grad.cpp", "bob.zip", "carol/handin.zip"},
+       {"alice", "bob.zip", "carol"}},
+      {"folders around everything",
+       {"README", "a/b/alice/conj_grad.cpp", "a/b/bob/handin.zip", "a/b/carol/"},
+       {"a/b/alice", "a/b/bob", "a/b/carol", "? README"}},
+      {"an exercise file at the root", {"conj_grad.cpp"}, one},
+      {"an exercise file at the root", {"x/conj_grad.cpp", "x/old/conj_grad.cpp", "x/notes/"}, one},
+      {"an exercise file at the root", {"conj_grad.cpp", "handin.zip"}, one},
+      {"an exercise file at the root", {"conj_grad.cpp", "handin.zip"}, one, true},
+      {"a build is no person", {"hw/student/conj_grad.cpp", "hw/build/handin.zip"}, one},
+      {"a build is no person",
+       {"student/conj_grad.cpp", "cmake-build-debug/conj_grad.cpp", "build-1/handin.zip"},
+       one},
+      {"a build is no person", {"alice/conj_grad.cpp", "buildsmith/conj_grad.cpp"}, {"alice", "buildsmith"}},
+      {"files beside a class",
+       {"alice.zip", "bob.zip", "conj_grad.cpp"},
+       {"alice.zip", "bob.zip", "? conj_grad.cpp"}},
+      {"files beside a class",
+       {"alice/conj_grad.cpp", "bob/conj_grad.cpp", "CMakeLists.txt"},
+       {"alice", "bob", "? CMakeLists.txt"}},
+      {"files beside a class",
+       {"c/alice.zip", "c/bob.zip", "c/CMakeLists.txt", "CMakeLists.txt"},
+       {"c/alice.zip", "c/bob.zip", "? CMakeLists.txt", "? c/CMakeLists.txt"}},
+      {"one student's old copies look like it, too",
+       {"conj_grad.cpp", "old/conj_grad.cpp", "older/conj_grad.cpp"},
+       {"old", "older", "? conj_grad.cpp"}},
+      {"outside of the root",
+       {"c/d/alice.zip", "c/d/bob.zip", "c/carol/main.cpp", "c/carol/x/y.cpp", "notes.txt"},
+       {"c/d/alice.zip", "c/d/bob.zip", "? c/carol", "? notes.txt"}},
+      {"documents in a class",
+       {"alice.zip", "bob.zip", "carol.pdf", "dave.DOCX", "README.txt"},
+       {"alice.zip", "bob.zip", "carol.pdf", "dave.DOCX", "? README.txt"}},
+      {"documents in a class", {"alice.zip", "carol.pdf"}, {"alice.zip", "carol.pdf"}, true},
+      {"a document of one", {"handin.zip", "report.pdf"}, one},
+      {"a document of one", {"conj_grad.cpp", "report.pdf"}, one, true},
+      {"a project", {"CMakeLists.txt", "student/conj_grad.cpp", "build/handin.tar.gz", "solver/x.h"}, one},
+      {"a project", {"p/CMakeLists.txt", "p/student/conj_grad.cpp", "p/old/conj_grad.cpp"}, one},
+      {"a project",
+       {"p/CMakeLists.txt", "p/student/1/conj_grad.cpp", "p/student/2/normal_equations.cpp"},
+       one},
+      {"a project", {"CMakeLists.txt", "hair/", "a.zip", "b.zip"}, one},
+      {"a project", {"student/conj_grad.cpp", "solver/x.h", "build/a.o"}, one},
+      {"a project",
+       {"conj_grad.cpp", "CMakeLists.txt", "particles/x.h", "old/conj_grad.cpp", "v2/conj_grad.cpp"},
+       one},
+      {"no folder of the handout",
+       {"CMakeLists.txt", "src/conj_grad.cpp", "lib/conj_grad.cpp", "hairy/x"},
+       {"hairy", "lib", "src", "? CMakeLists.txt"}},
+      {"a file is no folder",
+       {"CMakeLists.txt", "solver", "a.zip", "b.zip"},
+       {"a.zip", "b.zip", "? CMakeLists.txt", "? solver"}},
+      {"one student's project beside others' archives",
+       {"x/CMakeLists.txt", "x/solver/y.h", "a.zip", "b.zip"},
+       {"a.zip", "b.zip", "x"}},
+      {"projects of a class",
+       {"alice/CMakeLists.txt", "alice/student/conj_grad.cpp", "bob/CMakeLists.txt",
+        "bob/student/conj_grad.cpp"},
+       {"alice", "bob"}},
+      {"an archive alone in an archive", {"handin.tar.gz"}, one},
+      {"an archive alone in an archive", {"x/handin.tar.gz", "x/notes/"}, one},
+      {"an archive alone on disk", {"alice.zip"}, {"alice.zip"}, true},
+      {"an archive alone on disk", {"alice/handin.zip"}, one, true},
+      {"hidden", {".git/conj_grad.cpp", "a/.cache/x.zip", "__MACOSX/alice/conj_grad.cpp"}, nothing},
+      {"hidden",
+       {"x/student/conj_grad.cpp", "__MACOSX/x/student/conj_grad.cpp", "x/.old/conj_grad.cpp"},
+       one},
+      {"hidden",
+       {"alice.zip", "bob.zip", "._alice.zip", ".hidden/", ".DS_Store", "Thumbs.db", "desktop.ini"},
+       {"alice.zip", "bob.zip"}},
+      {"nothing", {"main.cpp", "notes/"}, nothing},
+  };
+  for (const auto& [what, paths, expected, on_disk] : rows)
+    EXPECT_EQ(members(paths, on_disk), expected) << what << ": " << testing::PrintToString(paths);
 }
 
 TEST(EntryPath, IsCleanedAndWhatLeadsOutsideIsNoted) {
