@@ -176,39 +176,6 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
   }
 }
 
-// The header's statement on springs with a rest angle: E = sum k (phi - phi_rest)^2 / 2 holds angles, but not
-// the planes of the bends.
-TEST(RestCurvature, IsNeededBecauseUnsignedAnglesLeaveAHelixZeroEnergyModes) {
-  const int segments = 24, free = 3 * segments;
-  const auto [shape, strand] = helix(segments);
-  MatrixXd K = -stretch_matrix(strand, shape.x);
-  auto angle = [&strand = strand](const VectorXd& x, int joint) {
-    const Vector3d e = x.segment<3>(3 * joint + 3) - x.segment<3>(3 * joint);
-    const Vector3d above =
-        joint == 0 ? strand.root_tangent : Vector3d(x.segment<3>(3 * joint) - x.segment<3>(3 * joint - 3));
-    return std::atan2(above.cross(e).norm(), above.dot(e));
-  };
-  for (int joint = 0; joint < segments; ++joint) {
-    // At rest the derivative of the energy is k grad phi grad phi^T; the gradient by differences.
-    VectorXd gradient(shape.x.size()), x = shape.x;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double h = 1e-6 * strand.rest_length[0];
-      x[i] = shape.x[i] + h;
-      gradient[i] = angle(x, joint);
-      x[i] = shape.x[i] - h;
-      gradient[i] = (gradient[i] - angle(x, joint)) / (2 * h);
-      x[i] = shape.x[i];
-    }
-    K +=
-        strand.bend_rigidity / strand.rest_length[1] * (joint == 0 ? 2 : 1) * gradient * gradient.transpose();
-  }
-  const VectorXd all = eigenvalues(K.bottomRightCorner(free, free));
-  const double L = strand.rest_length.sum(), softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
-  // 24 lengths and 24 angles hold 48 of 72 unknowns. The rounding errors are those of the stretch springs.
-  for (int i = 0; i < free - 2 * segments; ++i)
-    EXPECT_LE(std::abs(all[i]), std::max(1e-3 * softest, 64 * kUnit * all.maxCoeff())) << i;
-}
-
 TEST(RestCurvature, DoesNotDependOnTheSampling) {
   // A helix, straightened: E = EI/2 kappa^2 L, to second order.
   std::vector<double> errors;

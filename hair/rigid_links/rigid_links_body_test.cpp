@@ -75,26 +75,6 @@ TEST(RigidLinksBody, ARootThatAcceleratesAddsToTheWeight) {
   EXPECT_LE((seen - Line(*free).x).norm(), 1e-9);
 }
 
-// A clamped root that turns takes the strand with it.
-TEST(RigidLinksBody, AClampThatTurnsTurnsTheStrand) {
-  const auto strand = body(straight_hair(10, 0.03), {Vector3d::Zero(), 1e-4});
-  const double h = 1e-3, rate = 2;
-  Eigen::MatrixXd scratch(0, 0);
-  Work work;
-  double angle = 0;
-  const auto told = [&](double speed) {
-    angle += h * speed;
-    strand->set_root({Vector3d::Zero(), Vector3d(std::sin(angle), 0, -std::cos(angle)),
-                      Vector3d(std::cos(angle), 0, std::sin(angle)), Vector3d::Zero(),
-                      Vector3d(0, -speed, 0)});
-    ASSERT_FALSE(strand->step({h, 1e-10, {}, {}}, scratch, work));
-  };
-  for (int k = 0; k < 500; ++k) told(rate);
-  for (int k = 0; k < 5000; ++k) told(0);
-  const Vector3d tip(0.03 * std::sin(angle), 0, -0.03 * std::cos(angle));
-  EXPECT_LE((Vector3d(Line(*strand).x.tail<3>()) - tip).norm(), 1e-6);
-}
-
 // A hair with steps of a sixtieth of a second, where explicit methods need 1e-6 s: from horizontal to
 // hanging.
 TEST(RigidLinksBody, ASixtiethOfASecondHolds) {

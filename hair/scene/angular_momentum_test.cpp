@@ -6,8 +6,6 @@
 // sin b / (h Omega) of the momentum remains.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "hair/scene/playback.h"
 #include "hair/scene/scene.h"
 

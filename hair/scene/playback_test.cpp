@@ -227,27 +227,6 @@ TEST(Playback, ABustMovesAndTurnsWithTheRootsOnIt) {
   }
 }
 
-// Hair that turns with its roots, without other forces, keeps its shape.
-TEST(Playback, ClampedRootsTurnWithTheirMotion) {
-  const std::string motion = R"({"time": 0}, {"time": 0.1, "axis": [0, 1, 0], "degrees": 90})";
-  const Scene scene = hair::parse_scene(
-      R"({"shows": "a stiff curl that is turned", "frames": 240, "frames_per_second": 240, "steps_per_frame": 2,
-      "gravity": [0, 0, 0], "drag": 0.01, "method": "implicit_euler",
-      "hair": [{"segments": 8, "length": 0.08, "material": {"young_modulus": 3e9, "bend_factor": 100},
-                "shape": {"curly": {"radius": 0.004, "pitch": 0.04}},
-                "roots": {"list": [{"position": [0, 0, 0]}]}, "moves_with": "hand"}],
-      "motions": [{"name": "hand", "keys": [)" +
-          motion + "]}]}",
-      "turn");
-  Playback playback(scene);
-  const Eigen::VectorXd before = playback.state().x;
-  for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(playback.advance());
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitY()).toRotationMatrix();
-  const Eigen::VectorXd after = playback.state().x;
-  for (Eigen::Index k = 0; k < before.size(); k += 3)
-    EXPECT_NEAR((after.segment<3>(k) - turn * before.segment<3>(k)).norm(), 0, 1e-4) << k / 3;
-}
-
 TEST(Playback, WhatBreaksIsNamedAndStaysWhereItIs) {
   // Forward Euler far beyond its limit.
   Scene scene = scene_of(R"("toys": [)" + std::string(kBall).substr(9, std::string(kBall).size() - 10) +

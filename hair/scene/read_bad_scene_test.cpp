@@ -5,6 +5,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/test_reading.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
 namespace {
@@ -248,12 +249,7 @@ TEST(BadScene, ATextOfASceneNamesNoFiles) {
 
 TEST(BadScene, AFileThatCantBeReadIsNamed) {
   const auto said = [](const std::filesystem::path& file) -> std::string {
-    try {
-      hair::read_scene(file);
-    } catch (const hair::BadInput& error) {
-      return error.what();
-    }
-    return "";
+    return tests::refusal<hair::BadInput>([&] { hair::read_scene(file); });
   };
   EXPECT_EQ(said("no-such.json"),
             "no-such.json: can't be read (No such file or directory); give the path of a JSON file");

@@ -85,15 +85,6 @@ TEST(GroomScene, IsOfRigidLinksIfItSaysSo) {
   EXPECT_FALSE(trouble) << *trouble;
 }
 
-TEST(GroomScene, AGroomThatIsNotThereIsNamedTogetherWithItsPlace) {
-  const Folder folder;
-  const std::string said = folder.complaint(folder.scene(R"("file": "b.hair", "scale": 1)"));
-  EXPECT_EQ(said.find("hair[0].groom.file: "), 0U) << said;
-  EXPECT_NE(said.find("b.hair: can't be read (No such file or directory); give the path of a .hair file"),
-            std::string::npos)
-      << said;
-}
-
 TEST(GroomScene, BadGroomsAreNamedWithTheJsonPath) {
   const Folder folder;
   folder.write("cut.hair", hair_file({0, 0, 0, 1, 1, 1}).substr(0, 140));
@@ -120,18 +111,6 @@ TEST(GroomScene, BadGroomsAreNamedWithTheJsonPath) {
   folder.write("far.hair", hair_file({0, 0, 0, 0, 0, 1e38F}));
   EXPECT_EQ(folder.complaint(folder.scene(R"("file": "far.hair", "scale": 1)")),
             "hair[0].groom.scale: strand 0 of the groom: is farther than 1e+06 m; give a smaller one");
-}
-
-TEST(GroomScene, OfAllFormatsThatAreReadIsTheSame) {
-  const Folder folder;
-  const hair::Groom groom = hair::parse_hair_file(hair_file({0, 0, 0, 0, 0, 2, 0, 2, 2}), "a");
-  for (const std::string name : {"a.hair", "a.ply"}) {
-    const std::filesystem::path file = folder.write(name, "");
-    hair::write_groom(groom, file);
-    const hair::Scene scene = hair::read_scene(folder.scene("\"file\": \"" + name + R"(", "scale": 0.5)"));
-    ASSERT_EQ(scene.hair.strands.size(), 1U) << name;
-    EXPECT_EQ(scene.hair.strands[0].state.x, 0.5 * groom.strands[0]) << name;
-  }
 }
 
 TEST(GroomScene, BaldRootsAreLeftOutAndCounted) {

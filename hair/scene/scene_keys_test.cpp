@@ -4,6 +4,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/json/keys.h"
 #include "hair/scene/scene.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
 namespace {
@@ -56,12 +57,7 @@ Cat cat_of(const hair::JsonDocument& document) {
 }
 
 std::string complaint_of(const std::string& text) {
-  try {
-    cat_of(document_of(text));
-  } catch (const hair::BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<hair::BadInput>([&] { cat_of(document_of(text)); });
 }
 
 TEST(SceneKeys, OfAnObjectSetWhatItHasAndLeaveTheDefaults) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hair/io/files/bad_input.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
 
@@ -110,12 +111,7 @@ std::string small_scene(const std::string& what, const std::string& by) {
 }
 
 std::string complaint(const std::string& text) {
-  try {
-    hair::parse_scene(text, "a.json");
-  } catch (const hair::BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<hair::BadInput>([&] { hair::parse_scene(text, "a.json"); });
 }
 
 }  // namespace reference_tests

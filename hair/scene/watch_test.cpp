@@ -2,7 +2,6 @@
 // wrong, and for none of the shipped ones.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "hair/scene/playback.h"
@@ -109,18 +108,50 @@ void expect_warns(const Scene& scene, const std::set<Concern>& expected) {
         << hair::concerns()[static_cast<std::size_t>(concern)].id << ": " << watch.worst(concern);
 }
 
-TEST(Watch, WarnsOfHairInsideAnObstacleAtTheStart) {
-  expect_warns(
-      level_hair(R"("frames": 10, "obstacles": [{"sphere": {"centre": [0.1, 0, 0], "radius": 0.05}}])",
-                 kHinge),
-      {Concern::contact_energy});
-}
-
-TEST(Watch, WarnsOfARootInsideAnObstacleAndOfMendsWithoutEnd) {
-  expect_warns(
-      level_hair(R"("frames": 10, "obstacles": [{"sphere": {"centre": [0, 0, -0.02], "radius": 0.05}}])",
-                 kHinge),
-      {Concern::contact_energy, Concern::stretch, Concern::mends});
+TEST(Watch, WarnsOfLevelHairThatIsNotRight) {
+  const auto sphere = [](const char* x, const char* z, const char* radius) {
+    return std::string(R"({"sphere": {"centre": [)") + x + ", 0, " + z + R"(], "radius": )" + radius + "}}";
+  };
+  const struct {
+    const char* what;
+    std::string keys, of_hair;
+    std::set<Concern> expected;
+  } rows[] = {
+      {"inside an obstacle at the start",
+       R"("frames": 10, "obstacles": [)" + sphere("0.1", "0", "0.05") + "]",
+       kHinge,
+       {Concern::contact_energy}},
+      {"its root is inside an obstacle, and is mended without end",
+       R"("frames": 10, "obstacles": [)" + sphere("0", "-0.02", "0.05") + "]",
+       kHinge,
+       {Concern::contact_energy, Concern::stretch, Concern::mends}},
+      {"obstacles leave no room",
+       R"("frames": 1, "steps_per_frame": 1, "method": "implicit_euler", "obstacles": [)" +
+           sphere("0.2", "0.07", "0.08") + ", " + sphere("0.2", "-0.07", "0.08") + "]",
+       kHinge,
+       {Concern::penetration}},
+      {"too stiff to move",
+       R"("frames": 30, "steps_per_frame": 1, "method": "implicit_euler")",
+       R"("clamped": false, "material": {"stretch_factor": 1e6}, )",
+       {Concern::stretching}},
+      {"velocities that stretch",
+       R"("frames": 5, "drag": 1e6, "wind": [1e6, 0, 0])",
+       "",
+       {Concern::stretch_rate}},
+      {"velocities of hair that stands still",
+       R"("frames": 30, "drag": 1e6, "wind": [1, 0, 0])",
+       "",
+       {Concern::unmoved}},
+      {"energy from nowhere", R"("frames": 10, "gravity": [0, 0, -1e6])", kHinge, {Concern::energy}},
+      {"energy of long steps",
+       R"("frames": 10, "frames_per_second": 0.1, "steps_per_frame": 1)",
+       kHinge,
+       {Concern::energy}},
+  };
+  for (const auto& [what, keys, of_hair, expected] : rows) {
+    SCOPED_TRACE(what);
+    expect_warns(level_hair(keys, of_hair), expected);
+  }
 }
 
 TEST(Watch, WarnsOfFrictionThatHoldsHairInItsStretch) {
@@ -137,22 +168,6 @@ TEST(Watch, WarnsOfCurlsInLargeSteps) {
   expect_warns(curls("predictor_corrector"), {Concern::energy});
   // H4 is right if its solves end.
   EXPECT_TRUE(play(curls("implicit_euler")).warnings().empty());
-}
-
-TEST(Watch, WarnsOfHairThatIsTooStiffToMove) {
-  expect_warns(level_hair(R"("frames": 30, "steps_per_frame": 1, "method": "implicit_euler")",
-                          R"("clamped": false, "material": {"stretch_factor": 1e6}, )"),
-               {Concern::stretching});
-}
-
-TEST(Watch, WarnsOfVelocitiesThatStretch) {
-  expect_warns(level_hair(R"("frames": 5, "drag": 1e6, "wind": [1e6, 0, 0])"), {Concern::stretch_rate});
-}
-
-TEST(Watch, WarnsOfEnergyFromNowhere) {
-  expect_warns(level_hair(R"("frames": 10, "gravity": [0, 0, -1e6])", kHinge), {Concern::energy});
-  expect_warns(level_hair(R"("frames": 10, "frames_per_second": 0.1, "steps_per_frame": 1)", kHinge),
-               {Concern::energy});
 }
 
 // The same as level_hair for links, their limits and helices, clamped.
@@ -187,10 +202,6 @@ TEST(Watch, WarnsOfASpinThatStepsDoNotResolve) {
   };
   expect_warns(spin("1000"), {Concern::loss});
   EXPECT_TRUE(play(spin("1")).warnings().empty());
-}
-
-TEST(Watch, WarnsOfVelocitiesOfHairThatStandsStill) {
-  expect_warns(level_hair(R"("frames": 30, "drag": 1e6, "wind": [1, 0, 0])"), {Concern::unmoved});
 }
 
 // A step of forward Euler with a stiffness near its limit: toys are watched as hair is.
@@ -242,14 +253,6 @@ TEST(Watch, RedundantRodsRest) {
     EXPECT_TRUE(playback.warnings().empty());
     EXPECT_LE((playback.state().x - start).norm(), 1e-12) << method;  // rounding, in 480 steps
   }
-}
-
-TEST(Watch, WarnsOfObstaclesThatLeaveNoRoom) {
-  const std::string obstacles = R"("obstacles": [{"sphere": {"centre": [0.2, 0, 0.07], "radius": 0.08}},
-                                                 {"sphere": {"centre": [0.2, 0, -0.07], "radius": 0.08}}])";
-  expect_warns(
-      level_hair(R"("frames": 1, "steps_per_frame": 1, "method": "implicit_euler", )" + obstacles, kHinge),
-      {Concern::penetration});
 }
 
 // A root that flies past a sphere pulls its hair into it, 40 cm in a step.

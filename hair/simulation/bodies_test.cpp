@@ -11,6 +11,7 @@
 #include "hair/strand/implicit_contacts.h"
 #include "hair/strand/test_bodies.h"
 #include "hair/strand/test_placed_ball.h"
+#include "hair/strand/turns.h"
 #include "solver/test_allocations.h"
 
 namespace hair {
@@ -178,6 +179,28 @@ TEST_P(Bodies, VelocitiesAreThoseOfTheLine) {
   const Line then(*strand);
   EXPECT_GT(then.v.norm(), 0.01);
   EXPECT_LE(((then.x - now.x) / h - then.v).norm(), 1e-3 * then.v.norm());
+}
+
+// A root that turns by half a radian, and moves, takes the whole curl along: in air it is at rest there later.
+TEST_P(Bodies, FollowTheirRoot) {
+  const StrandSpec spec = curly();
+  const auto strand = body(spec, {.gravity = Vector3d::Zero(), .drag = 1e-3});
+  const VectorXd x = Line(*strand).x;
+  const RestShape shape = root_of_curve(spec);
+  const double h = 1.0 / 240;
+  const Vector3d velocity(0.1, -0.2, 0.05), spin = Vector3d(1, 2, 3).normalized();
+  for (int k = 1; k <= 600; ++k) {
+    const double time = h * std::min(k, 120), moves = k <= 120 ? 1 : 0;
+    const Eigen::Quaterniond turned = turn_by(time * spin);
+    strand->set_root(
+        {time * velocity, turned * shape.tangent, turned * shape.normal, moves * velocity, moves * spin});
+    advance(*strand, h, 1);
+  }
+  const Line after(*strand);
+  for (int i = 0; i < strand->points(); ++i)
+    EXPECT_LE(
+        (after.x.segment<3>(3 * i) - (0.5 * velocity + turn_by(0.5 * spin) * x.segment<3>(3 * i))).norm(),
+        0.01 * spec.length);
 }
 
 TEST_P(Bodies, ImplicitStepsFeelPointForces) {

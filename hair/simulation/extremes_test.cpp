@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -31,25 +30,35 @@ Eigen::VectorXd zigzag(int n, double length) {
   return x;
 }
 
+struct ExtremeState {
+  const char* name;
+  void (*change)(particles::State& state);  // of any strand with at least four particles
+};
+const ExtremeState kExtremeStates[] = {
+    {"all particles in one place", [](particles::State& state) { state.x.setZero(); }},
+    {"two neighbours in one place",
+     [](particles::State& state) { state.x.segment<3>(9) = Eigen::Vector3d(state.x.segment<3>(6)); }},
+    {"compressed to 1 %", [](particles::State& state) { state.x *= 0.01; }},
+    {"stretched to 300 %", [](particles::State& state) { state.x *= 3; }},
+    {"folded at pi",
+     [](particles::State& state) { state.x = zigzag(static_cast<int>(state.x.size() / 3), 0.01); }},
+    {"nearly folded",
+     [](particles::State& state) {
+       state.x = zigzag(static_cast<int>(state.x.size() / 3), 0.01);
+       for (Eigen::Index i = 0; i < state.x.size() / 3; ++i)
+         state.x[3 * i + 1] = 1e-9 * static_cast<double>(i);
+     }},
+    {"a root flung at 100 m/s", [](particles::State& state) { state.v.head<3>() = Vector3d(60, 80, 0); }},
+};
+
 // Curls that methods must not break.
 std::vector<Case> extreme_curls() {
-  std::vector<Case> all;
-  const auto add = [&](const std::string& name, auto change) {
-    all.push_back({"a curl, " + name, hair::start_at_rest({}, hair::curly_shape(12, 0.12, 0.01, 0.02, {}))});
-    change(all.back().start.state);
-  };
-  add("at rest", [](particles::State&) {});
-  add("all particles in one place", [](particles::State& state) { state.x.setZero(); });
-  add("two neighbours in one place",
-      [](particles::State& state) { state.x.segment<3>(9) = Eigen::Vector3d(state.x.segment<3>(6)); });
-  add("compressed to 1 %", [](particles::State& state) { state.x *= 0.01; });
-  add("stretched to 300 %", [](particles::State& state) { state.x *= 3; });
-  add("folded at pi", [](particles::State& state) { state.x = zigzag(13, 0.01); });
-  add("nearly folded", [](particles::State& state) {
-    state.x = zigzag(13, 0.01);
-    for (int i = 0; i < 13; ++i) state.x[3 * i + 1] = 1e-9 * i;
-  });
-  add("a root flung at 100 m/s", [](particles::State& state) { state.v.head<3>() = Vector3d(60, 80, 0); });
+  const StrandStart at_rest = hair::start_at_rest({}, hair::curly_shape(12, 0.12, 0.01, 0.02, {}));
+  std::vector<Case> all = {{"a curl, at rest", at_rest}};
+  for (const ExtremeState& state : kExtremeStates) {
+    all.push_back({std::string("a curl, ") + state.name, at_rest});
+    state.change(all.back().start.state);
+  }
   return all;
 }
 
@@ -70,23 +79,13 @@ std::vector<Case> extreme_strands(double stiffer) {
   add("2 particles", 1, as_it_is);
   add("3 particles, collinear", 2, as_it_is);
   add("10 segments, level", 10, as_it_is);
-  add("all particles in one place", 6, [](StrandStart& start) { start.state.x.setZero(); });
-  add("two neighbours in one place", 6,
-      [](StrandStart& start) { start.state.x.segment<3>(9) = Eigen::Vector3d(start.state.x.segment<3>(6)); });
-  add("compressed to 1 %", 6, [](StrandStart& start) { start.state.x *= 0.01; });
-  add("stretched to 300 %", 6, [](StrandStart& start) { start.state.x *= 3; });
-  add("folded at pi", 6, [](StrandStart& start) { start.state.x = zigzag(7, 0.01); });
-  add("nearly folded", 6, [](StrandStart& start) {
-    start.state.x = zigzag(7, 0.01);
-    for (int i = 0; i < 7; ++i) start.state.x[3 * i + 1] = 1e-9 * i;
-  });
+  for (const ExtremeState& state : kExtremeStates)
+    add(state.name, 6, [&](StrandStart& start) { state.change(start.state); });
   add("a tip of 1e6 times the mass", 6, [](StrandStart& start) { start.strand.mass[6] *= 1e6; });
   add("a tip of 1e-6 times the mass", 6, [](StrandStart& start) { start.strand.mass[6] *= 1e-6; });
   add("masses that alternate by 1e6", 6, [](StrandStart& start) {
     for (int i = 1; i < 7; i += 2) start.strand.mass[i] *= 1e6;
   });
-  add("a root flung at 100 m/s", 6,
-      [](StrandStart& start) { start.state.v.head<3>() = Vector3d(60, 80, 0); });
   add("a root flung at 100 m/s along the hair", 6,
       [](StrandStart& start) { start.state.v.head<3>() = Vector3d(100, 0, 0); });
   add("rest lengths that alternate by 1e4", 6, [](StrandStart& start) {

@@ -13,6 +13,7 @@
 #include "hair/simulation/simulation.h"
 #include "hair/strand/turns.h"
 #include "handout/check/derivative.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
 namespace {
@@ -388,12 +389,7 @@ TEST(LinkedGuides, WarnOfStepsThatAreTooLongForStrips) {
 
 TEST(LinkedGuides, RefuseWhatCantBeLinked) {
   const auto said = [](hair::Description hair) {
-    try {
-      hair::Simulation simulation(std::move(hair));
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return tests::refusal<std::invalid_argument>([&] { hair::Simulation simulation(std::move(hair)); });
   };
   const hair::Description right = linked(guides(2), {1, 1, 2});
   EXPECT_EQ(said(right), "");

@@ -134,40 +134,5 @@ TEST(Models, ASpecifiedStrandMovesAsTheSameStrandInSegments) {
   EXPECT_EQ(again, q);
 }
 
-// Two separate particles: the root, and one that a point force pulls.
-Description loose_particle(Method method) {
-  Description description;
-  description.method = method;
-  description.gravity = Vector3d::Zero();
-  description.point_forces = true;
-  StrandStart start = discretise({});
-  start.strand.mass = Eigen::Vector2d(1, 2);
-  start.strand.rest_length = Eigen::VectorXd::Ones(1);
-  start.strand.stretch_rigidity = start.strand.bend_rigidity = 0;
-  start.state.x = start.state.v = Eigen::VectorXd::Zero(6);
-  start.state.x[5] = -1;
-  start.state.v[3] = 3;
-  description.strands.push_back(start);
-  return description;
-}
-
-// (m + h^2 k) dv = h (f - h k v): linearly implicit Euler with a force whose derivative is -k.
-TEST(MassSpringBody, ImplicitStepsFeelThePointForcesAndTheirStiffness) {
-  const Description description = loose_particle(Method::implicit_euler);
-  Simulation simulation(description);
-  const double h = 0.1, k = 1e4, m = 2;
-  const Vector3d f(5, 0, -7), v(3, 0, 0);
-  const PointForce force{1, f, k * Eigen::Matrix3d::Identity()};
-  Body& body = simulation.body(0);
-  Eigen::MatrixXd scratch(body.scratch_rows(), body.scratch_columns());
-  Work work;
-  ASSERT_FALSE(body.step({h, 1e-12, {}, {&force, 1}}, scratch, work));
-  const Vector3d after = v + h * (f - h * k * v) / (m + h * h * k);
-  EXPECT_NEAR((simulation.state(0).v.tail<3>() - after).norm(), 0, 1e-11 * v.norm());
-  // Without forces its velocity does not change.
-  ASSERT_FALSE(body.step({h, 1e-12, {}, {}}, scratch, work));
-  EXPECT_NEAR((simulation.state(0).v.tail<3>() - after).norm(), 0, 1e-11 * v.norm());
-}
-
 }  // namespace
 }  // namespace hair

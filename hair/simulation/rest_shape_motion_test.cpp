@@ -64,55 +64,5 @@ TEST(RestShapeMotion, UnderGravityACurlSagsAndWithoutItComesBack) {
     }
 }
 
-// A root that turns by a right angle takes the whole curl with it.
-TEST(RestShapeMotion, ACurlFollowsItsRootsFrame) {
-  for (Method method : {Method::implicit_euler, Method::predictor_corrector}) {
-    const hair::RestShape shape = curl();
-    Simulation simulation(damped(shape, method, 0));
-    const int turning = 120;
-    Eigen::Matrix3d turn;
-    for (int step = 1; step <= turning; ++step) {
-      turn = Eigen::AngleAxisd(EIGEN_PI / 2 * step / turning, Vector3d(1, 2, 3).normalized());
-      simulation.set_root_frame(0, turn * shape.tangent, turn * shape.normal);
-      ASSERT_FALSE(simulation.step());
-    }
-    ASSERT_FALSE(simulation.advance(480));
-    double most = 0;
-    for (int i = 0; i <= 12; ++i)
-      most = std::max(most, (particle(simulation, i) - turn * Vector3d(shape.x.segment<3>(3 * i))).norm());
-    EXPECT_LE(most, 0.01 * kLength) << name_of(method);
-  }
-}
-
-// The largest energy of a level curl of 30 segments in 2 s, less that at the start, in m g L.
-double most_gained(Method method, double step) {
-  Description description = alone(
-      hair::start_at_rest({}, hair::curly_shape(30, 0.3, 0.01, 0.02,
-                                                {Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY()})),
-      method, step);
-  description.gravity = kG * kDown;
-  Simulation simulation(std::move(description));
-  const auto energy = [&] {
-    return hair::measure(simulation.strand(0), simulation.particles(0), simulation.force(0),
-                         simulation.state(0))
-        .energy();
-  };
-  const hair::Strand& strand = simulation.strand(0);
-  const double at_first = energy();
-  double most = 0;
-  while (simulation.time() < 2) {
-    if (simulation.step()) return INFINITY;
-    most = std::max(most, (energy() - at_first) / (strand.mass.sum() * kG * strand.rest_length.sum()));
-  }
-  return most;
-}
-
-// There is no theorem. Measured: 2.0e-2 at 1/60, where a step is long compared with a curl's bounces, and 0
-// from 1/90 on. The bound at 1/60 is twice that; at 1/120, that of straight hair.
-TEST(RestShapeMotion, ACurlGainsEnergyOnlyFromLongSteps) {
-  EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 60), 0.04);
-  EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 120), 0.01);
-}
-
 }  // namespace
 }  // namespace reference_tests

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "hair/strand/measures.h"
 #include "solver/test_allocations.h"
 #include "solver/test_numbers.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
 namespace {
@@ -135,12 +135,7 @@ TEST(Simulation, ImplicitMethodsNameTheStageThatBroke) {
 std::string refusal(const std::function<void(Description&)>& spoil) {
   Description description = alone(straight_hair(3, 0.3), Method::predictor_corrector, 0.01);
   spoil(description);
-  try {
-    Simulation simulation(std::move(description));
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<std::invalid_argument>([&] { Simulation simulation(std::move(description)); });
 }
 
 TEST(Simulation, RefusesWhatIsOutOfBoundsAndSaysWhat) {

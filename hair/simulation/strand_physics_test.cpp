@@ -1,4 +1,4 @@
-// STAFF ONLY. Strands against closed forms, and against bounds from energy.
+// STAFF ONLY. Strands against closed forms.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 
 #include "hair/simulation/test_hairs.h"
 #include "hair/strand/measures.h"
-#include "hair/stretch_springs.h"
 
 namespace reference_tests {
 namespace {
@@ -141,92 +140,6 @@ TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
   EXPECT_NEAR(length / 0.1 - 1, v / c, 0.02 * v / c);
   // The part ahead of the front has not moved.
   EXPECT_LE(std::abs(particle(simulation, 260)[2] + 0.26), 1e-6);
-}
-
-// 30 cm of hair, 1 g: every segment has its length to 1e-10, and neighbours move apart by at most 1e-4 m/s.
-TEST(StrandPhysics, ASwingingHairKeepsItsLengthsWithThePredictorCorrector) {
-  for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
-    Description description =
-        alone(straight_hair(30, 0.3, Vector3d::UnitX()), Method::predictor_corrector, step);
-    description.gravity = kG * kDown;
-    Simulation simulation(std::move(description));
-    double stretch = 0, apart = 0;
-    while (simulation.time() < 0.4) {
-      ASSERT_FALSE(simulation.step());
-      stretch = std::max(stretch, hair::largest_stretch(simulation.strand(0), simulation.state(0).x));
-      for (int i = 0; i < 30; ++i) {
-        const Vector3d along = (particle(simulation, i + 1) - particle(simulation, i)).normalized();
-        const Vector3d dv =
-            simulation.state(0).v.segment<3>(3 * i + 3) - simulation.state(0).v.segment<3>(3 * i);
-        apart = std::max(apart, std::abs(along.dot(dv)));
-      }
-    }
-    EXPECT_LE(stretch, 1e-10) << "h = " << step;
-    EXPECT_LE(apart, 1e-4) << "h = " << step;
-    EXPECT_LT(particle(simulation, 30)[2], -0.1) << "h = " << step;
-  }
-}
-
-// --- Energy, in units of m g L: the difference between standing and level hair ---
-
-struct EnergyGain {
-  double most = 0;             // above that at the start
-  double without_stretch = 0;  // the same, without stretching
-  double in_the_end = 0;
-};
-
-EnergyGain energy_gain(Description description, double seconds) {
-  const StrandStart& start = description.strands[0];
-  const double unit = start.strand.mass.sum() * kG * start.strand.rest_length.sum();
-  Simulation simulation(description);
-  const double at_first = measures(simulation).energy();
-  EnergyGain gain;
-  while (simulation.time() < seconds) {
-    if (simulation.step()) return {INFINITY, INFINITY, INFINITY};
-    const double stretching = hair::stretch_energy(simulation.strand(0), simulation.state(0).x);
-    gain.in_the_end = (measures(simulation).energy() - at_first) / unit;
-    gain.most = std::max(gain.most, gain.in_the_end);
-    gain.without_stretch = std::max(gain.without_stretch, gain.in_the_end - stretching / unit);
-  }
-  return gain;
-}
-
-// A hair that starts level, or stands on its root; with bending or without.
-std::vector<Description> falling_hairs(Method method, double step) {
-  std::vector<Description> all;
-  for (const bool stands : {false, true})
-    for (const bool limp : {false, true}) {
-      Description description =
-          alone(straight_hair(12, 0.12, stands ? Vector3d::UnitZ() : Vector3d::UnitX()), method, step);
-      // A push moves it out of its unstable balance: it adds 4e-4 / 2 m g L.
-      if (stands) description.strands[0].state.v.tail(36) = Vector3d(0.012, 0.018, 0).replicate(12, 1);
-      if (limp) description.strands[0].strand.bend_rigidity = 0;
-      description.gravity = kG * kDown;
-      all.push_back(std::move(description));
-    }
-  return all;
-}
-
-// H6 has no theorem on energy: right lengths and the dissipation of the filter bound it. 1/100 of the fall's
-// energy is far below the 0.16 that a single relaxation sweep would add.
-TEST(StrandPhysics, WithThePredictorCorrectorAFallGainsNoEnergy) {
-  for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 960})
-    for (Description& description : falling_hairs(Method::predictor_corrector, step)) {
-      const EnergyGain gain = energy_gain(std::move(description), 0.5);
-      EXPECT_LE(gain.most, 0.01) << "h = " << step;
-      EXPECT_LE(gain.in_the_end, 0.01) << "h = " << step;
-    }
-}
-
-// One linearisation stretches turning hair by (angle in a step)^2 / 2, and the stretch of a stiff hair has a
-// large energy for a moment: 300 m g L at h = 1/240. But the motion never receives this energy.
-TEST(StrandPhysics, WithImplicitEulerAFallGainsNoEnergyBesideThatOfStretching) {
-  for (const double step : {1.0 / 240, 1.0 / 960})
-    for (Description& description : falling_hairs(Method::implicit_euler, step)) {
-      const EnergyGain gain = energy_gain(std::move(description), 0.5);
-      EXPECT_LE(gain.without_stretch, 0.01) << "h = " << step;
-      EXPECT_LE(gain.most, 300) << "h = " << step;
-    }
 }
 
 }  // namespace

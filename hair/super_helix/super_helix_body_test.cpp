@@ -37,28 +37,6 @@ TEST(SuperHelixBody, FollowsAWaveToTheSecondOrder) {
   EXPECT_NEAR(std::log2(off[0] / off[1]), 2, 0.3) << off[0] << ", " << off[1];
 }
 
-// A root that turns and moves takes a stiff strand along, as a rigid body.
-TEST(SuperHelixBody, FollowsItsRoot) {
-  StrandSpec spec = curl(3);
-  spec.fibre.bend_factor = spec.fibre.twist_factor = 1e6;
-  const auto strand = body(spec, {});
-  const VectorXd x = Line(*strand).x;
-  const RestShape shape = root_of_curve(spec);
-  const double h = 1e-3;
-  const int steps = 500;
-  const Vector3d velocity(0.1, -0.2, 0.05), spin(0, 0, 2);
-  Eigen::Quaterniond turned = Eigen::Quaterniond::Identity();
-  for (int k = 1; k <= steps; ++k) {
-    turned = turn_by(k * h * spin);
-    strand->set_root({k * h * velocity, turned * shape.tangent, turned * shape.normal, velocity, spin});
-    advance(*strand, h, 1);
-  }
-  const VectorXd after = Line(*strand).x;
-  for (int i = 0; i < strand->points(); ++i)
-    EXPECT_LE((after.segment<3>(3 * i) - (steps * h * velocity + turned * x.segment<3>(3 * i))).norm(), 1e-6);
-  EXPECT_EQ(strand->root_position(), steps * h * velocity);
-}
-
 // Overdamped bends return like exp(-t / tau).
 TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
   StrandSpec spec = straight_hair(1, 0.05);
@@ -69,18 +47,6 @@ TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
   strand->write(state.q, state.rate);
   advance(*strand, 1e-3, 2000);
   EXPECT_NEAR(BodyState(*strand).q[6], 5 / std::numbers::e, 0.01 * 5);
-}
-
-// Drag takes energy, and no force gives any.
-TEST(SuperHelixBody, DragTakesEnergy) {
-  const auto strand = body(curl(5), {Vector3d(0, 0, -9.81), 2e-4});
-  double before = energy(*strand);
-  for (int k = 0; k < 200; ++k) {
-    advance(*strand, 1e-3, 1);
-    const double now = energy(*strand);
-    EXPECT_LE(now, before + 1e-12);
-    before = now;
-  }
 }
 
 // Kirchhoff's rod by two models that share only its constants. A sagging level curl bends back and forth with

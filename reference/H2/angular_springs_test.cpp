@@ -13,18 +13,11 @@
 #include "hair/strand/test_strand_states.h"
 #include "hair/stretch_springs.h"
 #include "solver/symmetric_eigen.h"
-#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {
 
 using std::numbers::pi;
-
-VectorXd bend_force(const Strand& strand, const VectorXd& x) {
-  VectorXd sum = VectorXd::Zero(x.size());
-  add_bend_force(strand, x, sum);
-  return sum;
-}
 
 VectorXd bend_product(const Strand& strand, const VectorXd& x, const VectorXd& dx) {
   VectorXd sum = VectorXd::Zero(x.size());
@@ -44,35 +37,6 @@ MatrixXd bend_matrix_spd(const Strand& strand, const VectorXd& x) {
         return sum;
       },
       x.size());
-}
-
-// k pi / l and k pi / l^2 of the stiffest joint, where k is 2 EI over the shortest rest length. Next to the
-// fold they are divided by the rest of the angle.
-double force_scale(const StrandState& s) {
-  return 2 * s.strand.bend_rigidity / s.strand.rest_length.minCoeff() * pi / s.shortest;
-}
-double product_scale(const StrandState& s) {
-  return force_scale(s) / s.shortest / std::min(1.0, s.least_bend);
-}
-
-TEST(AngularSprings, TurnWithARigidMotion) {
-  const RigidMotion motion = some_motion();
-  for (const StrandState& s : strand_states()) {
-    SCOPED_TRACE(s.name);
-    Strand turned = s.strand;
-    turned.root_tangent = motion.rotation * s.strand.root_tangent;
-    const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
-    // Positions of a few metres round by 16 u, angles by that over the shortest segment, and all results in
-    // proportion.
-    const double angle = 64 * kUnit * 4 / s.shortest, relative = angle / std::min(1.0, s.least_bend);
-    EXPECT_NEAR(bend_energy(turned, x), bend_energy(s.strand, s.x),
-                angle * force_scale(s) * s.strand.count());
-    EXPECT_LE((bend_force(turned, x) - motion.vectors(bend_force(s.strand, s.x))).norm(),
-              8 * relative * force_scale(s));
-    EXPECT_LE((bend_product(turned, x, motion.vectors(dx)) - motion.vectors(bend_product(s.strand, s.x, dx)))
-                  .norm(),
-              64 * relative * product_scale(s));
-  }
 }
 
 // Three particles, segments of length l, bent by phi in the plane of x and z.
@@ -152,18 +116,6 @@ TEST(AngularSprings, MakeAnImplicitStepOfHairIndefiniteFromTwentyToTwentySixDegr
   EXPECT_NEAR(bend_that_is_too_much(12, false), 25.25, 0.5);
   for (int n : {3, 12})
     EXPECT_EQ(bend_that_is_too_much(n, true), 90) << "never, with the semi-definite product";
-}
-
-TEST(AngularSprings, AllocateNothing) {
-  const StrandState s = strand_states()[2];
-  VectorXd out = VectorXd::Zero(s.x.size());
-  const long before = allocations();
-  ASSERT_GT(before, 0) << "nothing is counted";
-  bend_energy(s.strand, s.x);
-  add_bend_force(s.strand, s.x, out);
-  add_bend_product(s.strand, s.x, s.x, out);
-  add_bend_product_spd(s.strand, s.x, s.x, out);
-  EXPECT_EQ(allocations(), before);
 }
 
 }  // namespace

@@ -17,46 +17,11 @@ namespace {
 
 using hair::GeometricTerm;
 
-VectorXd bend_spring_force(const Strand& strand, const VectorXd& x) {
-  VectorXd result = VectorXd::Zero(x.size());
-  add_bend_spring_force(strand, x, result);
-  return result;
-}
-
 VectorXd bend_spring_product(const Strand& strand, const VectorXd& x, const VectorXd& dx,
                              GeometricTerm term) {
   VectorXd result = VectorXd::Zero(x.size());
   add_bend_spring_product(strand, x, term, dx, result);
   return result;
-}
-
-// The shortest distance of particles i and i + 2.
-double shortest(const StrandState& s) {
-  double result = s.shortest;
-  for (int i = 0; i + 2 < s.strand.count(); ++i)
-    result = std::min(result, (s.x.segment<3>(3 * i + 6) - s.x.segment<3>(3 * i)).norm());
-  return result;
-}
-
-// Twice k (1 + d0/d), with k at most 9 N over 1 m and d0 at most 3 m.
-double stiffest_bend_spring(const StrandState& s) {
-  return 2 * 9 * (1 + 3 / shortest(s));
-}
-
-TEST(BendSprings, TurnWithARigidMotion) {
-  const RigidMotion motion = some_motion();
-  for (const StrandState& s : strand_states()) {
-    const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
-    SCOPED_TRACE(s.name);
-    EXPECT_NEAR(bend_spring_energy(s.strand, x), bend_spring_energy(s.strand, s.x), 64 * kUnit * 9 * 9 * 7);
-    // Positions of a few metres round by 16 u, directions by that over the distance.
-    EXPECT_LE((bend_spring_force(s.strand, x) - motion.vectors(bend_spring_force(s.strand, s.x))).norm(),
-              1e3 * 64 * kUnit / shortest(s));
-    EXPECT_LE((bend_spring_product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
-               motion.vectors(bend_spring_product(s.strand, s.x, dx, GeometricTerm::full)))
-                  .norm(),
-              1e3 * 64 * kUnit * stiffest_bend_spring(s) / shortest(s));
-  }
 }
 
 TEST(BendSprings, ServeTenThousandParticlesAndAllocateNothing) {

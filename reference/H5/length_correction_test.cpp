@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "reference/H6/stepping_for_tests.h"
-#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {
@@ -134,18 +133,6 @@ TEST(CorrectVelocities, IsAccurateForLongStraightStrandsAndUnevenMasses) {
     EXPECT_LE(largest_rate(strand, x, v), 1e-10);
     EXPECT_TRUE(v.allFinite());
   }
-}
-
-TEST(Correction, AllocatesNothing) {
-  const Strand strand = uniform(30);
-  VectorXd x = disturbed(strand, 0.3, 0.02), y = x, v = scattered_vector(x.size(), 3);
-  MatrixXd scratch(x.size(), hair::kCorrectionScratch);
-  const long before = allocations();
-  ASSERT_GT(before, 0) << "nothing is counted";
-  correct_lengths(strand, 1e-12, 100, x, scratch);
-  relax_lengths(strand, 1e-12, 10, y);
-  correct_velocities(strand, x, 1e-12, 100, v, scratch);
-  EXPECT_EQ(allocations(), before);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "particles/system.h"
 #include "reference/H6/stepping_for_tests.h"
 #include "solver/dense_solve.h"
-#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {
@@ -97,25 +96,6 @@ TEST(PredictorCorrector, KeepsAngularMomentumIfItCorrectsAlongTheOldRod) {
   EXPECT_NEAR(left_after_a_revolution(true, true), left_after_a_revolution(true, false), 80 * 8 * kUnit);
   EXPECT_NEAR(left_after_a_revolution(false, false), 0.8176, 5e-5);
   EXPECT_NEAR(left_after_a_revolution(false, true), 1, 80 * 8 * kUnit);
-}
-
-// The steps of H4 and H6 allocate only in ConjGrad, and for the matrix.
-TEST(Steps, AllocateNothingBeyondConjGradAndTheMatrix) {
-  const Strand strand = soft();
-  Hair hair(strand, GeometricTerm::filtered);
-  set_in_motion(hair);
-  const auto taken = [](const auto& step) {
-    const long before = allocations();
-    step();
-    return allocations() - before;
-  };
-  const auto matrix = implicit_matrix(hair.force, hair.particles, hair.state, 0.01, 0.01);
-  VectorXd x = VectorXd::Ones(hair.state.x.size()), b = x;
-  ASSERT_GT(allocations(), 0) << "nothing is counted";
-  EXPECT_EQ(taken([&] { matrix->matVecMult(x.data(), b.data()); }), 0);
-  EXPECT_EQ(taken([&] { hair.implicit_step(0.01); }), 6)
-      << "ConjGrad's three vectors, the matrix and its memory, b v";
-  EXPECT_EQ(taken([&] { hair.corrected_step(0.01); }), 12) << "the same, twice";
 }
 
 }  // namespace

@@ -160,22 +160,6 @@ Modes hanging_modes(const Strand& strand) {
   return {eigen.values, root.asDiagonal() * eigen.vectors};
 }
 
-TEST(SwingingHair, FastestModeIsALaguerrePolynomialsZero) {
-  // The zeros of L_30 are the eigenvalues of its Jacobi matrix (Golub and Welsch, 1969).
-  MatrixXd jacobi = MatrixXd::Zero(30, 30);
-  for (int i = 0; i < 30; ++i) {
-    jacobi(i, i) = 2 * i + 1;
-    if (i > 0) jacobi(i, i - 1) = jacobi(i - 1, i) = i;
-  }
-  const double zero = solver::symmetric_eigenvalues(jacobi).maxCoeff();
-  Strand strand = human_hair();
-  strand.mass[30] *= 2;  // all particles alike
-  EXPECT_NEAR(hanging_modes(strand).squares[29] / (kGravity / 0.01), zero, 1e-9 * zero);
-  EXPECT_NEAR(2 / std::sqrt(kGravity / 0.01 * zero), 6.26e-3, 5e-6) << "s";
-  // With half of that mass at the tip, as a hair has it:
-  EXPECT_NEAR(2 / std::sqrt(hanging_modes(human_hair()).squares[29]), 6.31e-3, 5e-6) << "s";
-}
-
 // Lets the hair hang still, displaced by `amplitude` of a mode. H4's springs carry the weight.
 void hang(Hair& hair, const VectorXd& mode, double amplitude, bool stretched) {
   hair.place(-Vector3d::UnitZ());
@@ -252,23 +236,6 @@ TEST(SwingingHair, HasALimitOfTheTimeStep) {
   EXPECT_GE(growth(1.02 * limit, 29, 200, true, h4), 1e4);
   EXPECT_LE(growth(0.98 * limit, 29, 1000, false, h6), 10);
   EXPECT_GE(growth(1.02 * limit, 29, 200, false, h6), 1e4);
-}
-
-TEST(FlungRoot, StrainsHairByItsSpeedOverThatOfSound) {
-  const int n = 300;
-  const hair::Material material;
-  const Strand strand = hair::uniform_strand(material, n, 0.3);
-  Hair hair(strand, GeometricTerm::filtered, 0);
-  hair.place(Vector3d::UnitX());
-  hair.state.v[0] = -100;
-  const double sound = std::sqrt(material.young_modulus / material.density);
-  const double h = 0.05 * strand.rest_length[0] / sound;
-  for (int i = 0; i < 3000; ++i) hair.implicit_step(h);
-  // The wave is half-way. Behind it the strain is uniform, up to the front's ripples.
-  double strain = 0;
-  for (int i = 0; i < 75; ++i) strain += (segment(hair.state.x, i).norm() / strand.rest_length[i] - 1) / 75;
-  EXPECT_NEAR(strain, 100 / sound, 0.002 * 100 / sound) << "6.6 %";
-  EXPECT_NEAR(100 / sound, 0.066, 5e-4);
 }
 
 }  // namespace

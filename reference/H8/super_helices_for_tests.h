@@ -22,7 +22,4 @@ hair::MaterialFrame some_start();
 // Calls helix_step with the scratch memory that it needs.
 VectorXd helix_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h);
 
-// The coordinates at which a straight strand balances that is clamped level, with its weight under `gravity`.
-VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity, VectorXd q);
-
 }  // namespace reference_tests

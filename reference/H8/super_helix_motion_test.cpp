@@ -1,11 +1,9 @@
-// STAFF ONLY. H8 at rest and in motion: super-helices compared with the elastica, beams, and the laws of
-// energy.
+// STAFF ONLY. H8 in motion: super-helices compared with beams and the laws of energy.
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "hair/lab/validate/elastica.h"
 #include "hair/super_helix/helix_momentum.h"
 #include "reference/H8/super_helices_for_tests.h"
 #include "solver/symmetric_eigen.h"
@@ -22,52 +20,6 @@ MaterialFrame level() {
   MaterialFrame root;
   root.axes << Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX();
   return root;
-}
-
-Vector3d gravity_for(double gamma, const HelixStrand& strand) {
-  const double g = gamma * strand.bend_rigidity / (strand.line_density * std::pow(strand.lengths.sum(), 3));
-  return Vector3d(0, 0, -g);
-}
-
-// ---- Statics
-
-struct Hanging {
-  double error;   // the tip's error over L
-  double energy;  // the energy over EI / L
-};
-
-Hanging hang(double gamma, int elements) {
-  HelixMotion motion(hair_strand(elements, kHairLength));
-  const Vector3d gravity = gravity_for(gamma, motion.strand());
-  const VectorXd q = balanced(motion, level(), gravity, VectorXd::Zero(3 * elements));
-  motion.place(level(), q);
-  const Vector3d tip = motion.elements.back().end.position / kHairLength;
-  const double energy = hair::elastic_energy(motion.strand(), q) + hair::weight_energy(gravity, motion);
-  return {(Eigen::Vector2d(tip.x(), -tip.z()) - hair::elastica(gamma).tip()).norm(),
-          energy * kHairLength / motion.strand().bend_rigidity};
-}
-
-// The elastica has the least energy of all curves, so also of those with curvatures that are constant in
-// pieces. A strand with twice the elements has all shapes of the one before. The tip is off by order 2 in the
-// elements' length if elements are short compared with the bend at the clamp, L / sqrt(Gamma).
-TEST(SuperHelixAtRest, IsTheElasticaToTheSecondOrder) {
-  for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5}) {
-    double before = 0, error_before = 0;
-    std::string errors;
-    for (const int elements : {1, 2, 5, 10, 20}) {
-      const Hanging found = hang(gamma, elements);
-      if (elements == 2 || elements == 10 || elements == 20) {
-        EXPECT_LE(found.energy, before + 1e-9 * std::abs(before)) << "Gamma " << gamma << ", " << elements;
-      }
-      if (elements == 20 && gamma <= 100) {
-        EXPECT_NEAR(std::log2(error_before / found.error), 2, 0.2) << "Gamma " << gamma;
-      }
-      before = found.energy;
-      error_before = found.error;
-      errors += " " + std::to_string(found.error);
-    }
-    RecordProperty("gamma_" + std::to_string(static_cast<int>(10 * gamma)) + "_tenths", errors);
-  }
 }
 
 // ---- Small oscillations of a straight beam: K v = omega^2 M v for kappa1. Rayleigh and Ritz: every

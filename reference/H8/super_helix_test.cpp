@@ -10,7 +10,6 @@
 #include "hair/super_helix/helix_momentum.h"
 #include "reference/H8/super_helices_for_tests.h"
 #include "solver/symmetric_eigen.h"
-#include "solver/test_allocations.h"
 
 namespace reference_tests {
 namespace {
@@ -196,30 +195,6 @@ TEST(HelixSteps, LeaveAHelixAtRest) {
     EXPECT_EQ(force.norm(), 0);
     EXPECT_EQ(helix_step(motion, q, rates, 1.0 / 30).norm(), 0);
   }
-}
-
-TEST(HelixSteps, AllocateNothing) {
-  HelixMotion motion(hair_strand(20, 0.1, Vector3d(100, 0, 30)));
-  VectorXd q = motion.strand().natural, rates = VectorXd::Ones(60), change(60);
-  MatrixXd scratch(60, 70);
-  const HelixRoot root;
-  hair::HelixMomentum momentum;
-  long before = 0;
-  for (int k = 0; k < 5; ++k) {
-    motion.place(root.frame, q);
-    motion.move(root, rates);
-    motion.accelerate(root, rates);
-    hair::add_motion(motion);
-    momentum.add_to(motion, 1e-3);
-    hair::add_weight(Vector3d(0, 0, -9.81), motion);
-    hair::add_drag(1e-5, Vector3d::Zero(), 1e-3, motion);
-    hair::helix_step(motion.strand(), motion.elements, motion.points, q, rates, 1e-3, scratch, change);
-    rates += change;
-    momentum.keep(motion, root, rates);
-    q += 1e-3 * rates;
-    if (k == 0) before = allocations();  // keep() has taken its memory
-  }
-  EXPECT_EQ(allocations(), before);
 }
 
 }  // namespace

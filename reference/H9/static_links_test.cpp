@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "handout/check/derivative.h"
@@ -34,32 +33,11 @@ struct Linked {
           {ends[l][0], ends[l][1], scattered_vector(3, 10 + l), 0.5 + 0.1 * l, 2.0 + l, 1, 2.0 + 0.5 * l});
     largest << 0.5, 1, 1.5, 3, 9;
   }
-  double energy() const { return link_energy(links, frames, largest, x); }
-  VectorXd force() const {
-    VectorXd f = VectorXd::Zero(21);
-    add_link_force(links, frames, largest, x, f);
-    return f;
-  }
 
   std::vector<StaticLink> links;
   std::vector<Matrix3d> frames;
   VectorXd x = scattered_vector(21, 1), largest = VectorXd(5);
 };
-
-// If hair and frames turn and move as a whole, the forces turn with them.
-TEST(StaticLinks, TurnWithTheHair) {
-  Linked s;
-  const Matrix3d R = turn(1.2, 77);
-  VectorXd expected = s.force();
-  const double energy = s.energy();
-  for (int i = 0; i < 7; ++i) {
-    s.x.segment<3>(3 * i) = (R * s.x.segment<3>(3 * i)).eval() + Vector3d(1, -2, 0.5);
-    expected.segment<3>(3 * i) = (R * expected.segment<3>(3 * i)).eval();
-    s.frames[i] = R * s.frames[i];
-  }
-  EXPECT_LE((s.force() - expected).norm(), 100 * kRounding);
-  EXPECT_NEAR(s.energy(), energy, 100 * kRounding);
-}
 
 // One particle is linked to a held one. Symplectic Euler is stable only if h^2 k / m < 4; implicit Euler,
 // (m + h^2 k) v' = m v + h f, is stable at any stiffness.

@@ -20,7 +20,6 @@
 #include "particles/gravity.h"
 #include "particles/springs.h"
 #include "particles/system.h"
-#include "solver/test_allocations.h"
 #include "solver/test_numbers.h"
 
 namespace reference_tests {
@@ -187,23 +186,6 @@ TEST(Stability, EndsWhereTheoryPutsIt) {
     }
   }
 }
-
-class Integrator : public testing::TestWithParam<Method> {};
-
-TEST_P(Integrator, AllocatesNothing) {
-  Oscillator oscillator(1);
-  State state{VectorXd::Ones(300), VectorXd::Ones(300)};
-  MatrixXd scratch(300, kIntegratorScratch);
-  Scratch scratch_view = scratch;
-  Output x = state.x, v = state.v;
-  const long before = allocations();
-  ASSERT_GT(before, 0) << "nothing is counted";
-  GetParam().step(oscillator, 0.1, x, v, scratch_view);
-  EXPECT_EQ(allocations(), before);
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Integrator, testing::ValuesIn(kMethods),
-                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace reference_tests

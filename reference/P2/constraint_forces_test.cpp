@@ -34,28 +34,6 @@ ConstrainedMotion tangle() {
   return motion;
 }
 
-TEST(SolveConstraints, DoesNotMindRigidMotion) {
-  ConstrainedMotion motion = tangle();
-  motion.particles.pinned.assign(5, 0);
-  motion.constraints.stiffness = 30;
-  motion.solve();
-  const VectorXd before = motion.lambda;
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(2, -1, 2) / 3).toRotationMatrix();
-  const Vector3d shift(1, -2, 0.5);
-  for (int i = 0; i < 5; ++i) {
-    motion.state.x.segment<3>(3 * i) = R * motion.state.x.segment<3>(3 * i) + shift;
-    motion.state.v.segment<3>(3 * i) = R * motion.state.v.segment<3>(3 * i);
-    motion.f.segment<3>(3 * i) = R * motion.f.segment<3>(3 * i);
-  }
-  for (particles::Wire& wire : motion.constraints.wires) {
-    wire.centre = R * wire.centre + shift;
-    wire.normal = R * wire.normal;
-  }
-  motion.solve();
-  // Both are off by the tolerance over the smallest eigenvalue, which is about 0.1.
-  EXPECT_LE((motion.lambda - before).norm(), 1e-7 * before.norm());
-}
-
 TEST(SolveConstraints, HasNothingToDoWithoutConstraintsOrForces) {
   ConstrainedMotion motion = tangle();
   motion.constraints = {};
