@@ -36,10 +36,7 @@ void unpack(const fs::path& archive, const fs::path& folder) {
 class GradescopePackage : public testing::Test {
  protected:
   GradescopePackage() {
-    Json roles;
-    for (const Exercise& exercise : read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises)
-      if (exercise.id != "S1") roles[exercise.id] = {{"role", "given"}};
-    std::ofstream(folder_.path() / "course.json") << Json{{"exercises", roles}};
+    std::ofstream(folder_.path() / "course.json") << course_of({"S1"});
     std::ofstream(folder_.path() / "secret") << kSecret;
   }
 

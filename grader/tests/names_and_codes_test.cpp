@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "grader/course/course.h"
 #include "grader/record/record.h"
 #include "grader/tests/run_program.h"
 #include "grader/text/letters.h"
@@ -35,11 +34,7 @@ class NamesAndCodes : public testing::Test {
   // Writes a class whose files don't compile, which saves time.
   void write_class() const {
     fs::create_directory(root_ / "class");
-    nlohmann::json roles;
-    for (const Exercise& exercise :
-         read_course(fs::path(HAIR_PROJECT) / "handout" / "exercises.json").exercises)
-      if (exercise.id != "S1") roles[exercise.id] = {{"role", "given"}};
-    std::ofstream(root_ / "course.json") << nlohmann::json{{"exercises", roles}};
+    std::ofstream(root_ / "course.json") << course_of({"S1"});
     std::ofstream(root_ / "secret") << "a secret for this test";
     std::ofstream(root_ / "class/mustermannerika_4711047110_90001_conj_grad.cpp")
         << "int mustermann = \"Erika\";  // Erika Mustermann, e.mustermann@u.de\n";

@@ -44,13 +44,7 @@ class RecordCommands : public testing::Test {
     words.insert(words.end(), {"--out", out_.string()});
     return run_hairgrade(words);
   }
-  std::map<string, string> files() const {
-    std::map<string, string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(out_))
-      if (entry.is_regular_file() && !entry.path().filename().string().starts_with(kRecordFile))
-        all[fs::relative(entry.path(), out_).string()] = hair::bytes_of(entry.path());
-    return all;
-  }
+  std::map<string, string> files() const { return files_in(out_); }
   void expect_refused(const std::vector<string>& words, const string& because) const {
     const ProgramRun refused = run(words);
     EXPECT_EQ(refused.code, 2) << refused.errors;

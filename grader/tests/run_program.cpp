@@ -1,10 +1,13 @@
 // STAFF ONLY. Starts hairgrade and reads both of its streams.
 #include "grader/tests/run_program.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 
+#include "grader/course/course.h"
+#include "grader/record/record.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
@@ -48,6 +51,22 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   if (run.code == 1 || run.code == -1)
     std::cout << HAIRGRADE << " ended with " << run.code << ": " << run.errors << "\n";
   return run;
+}
+
+nlohmann::json course_of(const std::vector<std::string>& ids) {
+  nlohmann::json roles;
+  for (const Exercise& exercise :
+       read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json").exercises)
+    if (std::ranges::count(ids, exercise.id) == 0) roles[exercise.id] = {{"role", "given"}};
+  return {{"exercises", roles}};
+}
+
+std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && !entry.path().filename().string().starts_with(kRecordFile))
+      all[std::filesystem::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
+  return all;
 }
 
 std::string sample(const std::string& name) {

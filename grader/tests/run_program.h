@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,12 @@ struct RunningProgram {
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(const RunningProgram&)>& meanwhile = {},
                          const std::string& script = "");
+
+// A course file where all exercises but these are given.
+nlohmann::json course_of(const std::vector<std::string>& ids);
+
+// The bytes of all files below a folder, by path, but for the record's own.
+std::map<std::string, std::string> files_in(const std::filesystem::path& folder);
 
 // Returns the path of a sample of the sample class, in its form there.
 std::string sample(const std::string& name);

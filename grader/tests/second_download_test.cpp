@@ -4,9 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "grader/course/course.h"
 #include "grader/record/record.h"
 #include "grader/tests/run_program.h"
 #include "grader/text/letters.h"
@@ -27,11 +25,7 @@ bool has(const string& text, const string& words) {
 class SecondDownload : public testing::Test {
  protected:
   SecondDownload() {
-    nlohmann::json roles;
-    for (const Exercise& exercise :
-         read_course(fs::path(HAIR_PROJECT) / "handout" / "exercises.json").exercises)
-      if (exercise.id != "S1") roles[exercise.id] = {{"role", "given"}};
-    write("course.json", nlohmann::json{{"exercises", roles}}.dump());
+    write("course.json", course_of({"S1"}).dump());
     write("secret", "a secret for this test");
   }
   string path(const string& name) const { return (root_ / name).string(); }
