@@ -162,38 +162,6 @@ TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
   EXPECT_EQ(hair::bytes_of(compiled[0].object), hair::bytes_of(compiled[1].object));
 }
 
-// The lecture's own programs have it so.
-TEST_F(CompilerTest, TheLecturesIncludeIsFound) {
-  const Exercise& exercise = *course_.find("S1");
-  std::string source = reference(exercise);
-  const std::string ours = "\"solver/linearSolver.h\"";
-  ASSERT_NE(source.find(ours), std::string::npos);
-  source.replace(source.find(ours), ours.size(), "\"linearSolver.h\"");
-  const Compiled compiled = compiler_.compile(exercise, source, kit_.new_job("lectures-include"), kSeconds);
-  EXPECT_FALSE(compiled.object.empty()) << compiled.log;
-}
-
-// At home a student's file lies in student/, beside the folders of the given code.
-TEST_F(CompilerTest, AnIncludeFromTheFolderAboveIsFound) {
-  const Exercise& exercise = *course_.find("S1");
-  const Compiled compiled = compiler_.compile(
-      exercise,
-      "#include \"../solver/linearSolver.h\"\n#include \"../solver/timing.h\"\n" + reference(exercise),
-      kit_.new_job("from-above"), kSeconds);
-  EXPECT_FALSE(compiled.object.empty()) << compiled.log;
-}
-
-// A student's build links all functions of the given headers, too.
-TEST_F(CompilerTest, GivenFunctionsAreLinked) {
-  const std::string source = "#include \"particles/require.h\"\n#include \"solver/block_cholesky.h\"\n" +
-                             reference(with_eigen_) +
-                             "bool given(double x, Eigen::Matrix3d A) {\n"
-                             "  particles::require_finite(\"x\", x);\n"
-                             "  return solver::block_cholesky::factor(A);\n}\n";
-  const Compiled compiled = compiler_.compile(with_eigen_, source, kit_.new_job("given"), kSeconds);
-  EXPECT_FALSE(compiled.object.empty()) << compiled.messages << compiled.log;
-}
-
 TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {
   const Exercise& without = *course_.find("S1");
   const Compiled compiled = compiler_.compile(without, "#include <Eigen/Core>\n" + reference(without),
