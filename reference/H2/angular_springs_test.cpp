@@ -59,32 +59,6 @@ TEST(AngularSprings, HaveASecondProductThatApproachesTheExactOneWithTheBend) {
   }
 }
 
-// A helix of curvature kappa: E = EI/2 kappa^2 L, whatever its torsion.
-TEST(AngularSprings, ApproachTheContinuumsEnergyToSecondOrder) {
-  const double EI = 4, radius = 0.3, pitch = 0.2, L = 2;
-  const double a = std::sqrt(radius * radius + pitch * pitch), kappa = radius / (a * a);
-  const double exact = EI / 2 * kappa * kappa * L;
-  std::vector<double> errors;
-  for (int n : {16, 32, 64, 128}) {
-    Strand strand = test_strand(n + 1);
-    strand.bend_rigidity = EI;
-    strand.rest_length.setConstant(L / n);
-    VectorXd x(3 * n + 3);
-    for (int i = 0; i <= n; ++i) {
-      const double t = L * i / n / a;
-      x.segment<3>(3 * i) = Vector3d(radius * std::cos(t), radius * std::sin(t), pitch * t);
-    }
-    strand.clamped = true;
-    // This is the tangent at the curve's start, so that the root's joint bends like half of another one.
-    strand.root_tangent = Vector3d(0, radius, pitch) / a;
-    // No joint has the last half segment's bend.
-    errors.push_back(std::abs(bend_energy(strand, x) + EI / 2 * kappa * kappa * L / n / 2 - exact));
-  }
-  for (std::size_t i = 1; i < errors.size(); ++i)
-    EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.4)
-        << "halving the segments, the " << i << "th time: second order";
-}
-
 // The bend of each joint, in degrees to a quarter, at which M + h^2 K stops being positive definite, for
 // human hair on a hinge, in segments of 1 cm; h = 1/60 s.
 double bend_that_is_too_much(int n, bool spd) {

@@ -48,21 +48,6 @@ double moved(const Strand& strand, const VectorXd& from, const VectorXd& to) {
   return std::sqrt(sum);
 }
 
-// The counts of the assignment's text.
-TEST(RelaxLengths, TakesSweepsThatGrowWithTheSquare) {
-  int sweeps[3], at = 0;
-  for (int n : {15, 30, 60}) {
-    const Strand strand = uniform(n);
-    VectorXd x = 1.01 * bent(strand, 0);
-    const CorrectionReport report = relax_lengths(strand, 1e-10, 1000000, x);
-    EXPECT_TRUE(report.converged);
-    sweeps[at++] = report.iterations;
-  }
-  EXPECT_GT(sweeps[1], 5000) << "at 30 segments";
-  EXPECT_NEAR(sweeps[1] / static_cast<double>(sweeps[0]), 4, 0.3);
-  EXPECT_NEAR(sweeps[2] / static_cast<double>(sweeps[1]), 4, 0.3);
-}
-
 // In each state it ends with finite positions and the right lengths.
 TEST(CorrectLengths, SurvivesExtremes) {
   for (int n : {1, 2, 10, 30, 100, 1000, 9999})

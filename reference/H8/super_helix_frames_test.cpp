@@ -1,9 +1,8 @@
-// STAFF ONLY. H8's functions, frames and Jacobians beyond its public checks: digits, jumps, and the helix
-// that many elements make.
+// STAFF ONLY. H8's functions, frames and Jacobians beyond its public checks: digits and jumps.
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <cmath>
 
 #include "reference/H8/super_helices_for_tests.h"
 
@@ -66,35 +65,6 @@ TEST(HelixFrames, HaveNoJump) {
     const HelixJacobian Ja = hair::jacobian_at(start, before, 1), Jb = hair::jacobian_at(start, after, 1);
     EXPECT_LE((Jb.moves - Ja.moves).norm() + (Jb.turns - Ja.turns).norm(), 2e-10) << size;
   }
-}
-
-// Any number of elements makes the helix of radius kappa / (kappa^2 + tau^2) and pitch 2 pi tau / (kappa^2 +
-// tau^2) about the axis Omega.
-TEST(HelixFrames, MakeTheHelixThatItsRadiusAndPitchDescribe) {
-  for (const double turns : {0.001, 1.0, 8.0, 400.0})
-    for (const int elements : {1, 2, 7, 20, 40}) {
-      const double length = 0.1;
-      const Vector3d curvature = 2 * std::numbers::pi * turns / length * Vector3d(0.48, 0.64, 0.6);
-      HelixMotion motion(hair_strand(elements, length));
-      const MaterialFrame root = some_start();
-      motion.place(root, curvature.replicate(elements, 1));
-      const double square = curvature.squaredNorm(), kappa = curvature.head<2>().norm(), tau = curvature[2];
-      const double radius = kappa / square, pitch = 2 * std::numbers::pi * tau / square;
-      const Vector3d axis = (root.axes * curvature).normalized(), t = root.axes.col(2);
-      // The centre of curvature is at the radius along the normal Omega x t.
-      const Vector3d centre = root.position + radius * (root.axes * curvature).cross(t).normalized();
-      const double tolerance = 1e-15 * elements * (1 + turns);
-      for (const hair::HelixPoint& point : motion.points) {
-        const Vector3d from = point.position - centre;
-        EXPECT_NEAR((from - from.dot(axis) * axis).norm(), radius, tolerance * length + 1e-15 * radius)
-            << turns << " turns";
-        const double s = point.s + point.element * length / elements;
-        EXPECT_NEAR(from.dot(axis), pitch * s * curvature.norm() / (2 * std::numbers::pi),
-                    tolerance + 1e-15 * radius);
-      }
-      const Vector3d tip = hair::frame_at(root, curvature, length).position;
-      EXPECT_LE((motion.elements.back().end.position - tip).norm(), tolerance);
-    }
 }
 
 }  // namespace

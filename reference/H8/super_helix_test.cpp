@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <cmath>
 
 #include "hair/super_helix/helix_momentum.h"
 #include "reference/H8/super_helices_for_tests.h"
@@ -177,23 +177,6 @@ TEST(HelixMotions, IntegralsAreExactHoweverMuchAnElementWinds) {
     for (int i = 0; i < 64; ++i)
       for (int k = 0; k < 64; ++k) sum += fine.block<3, 3>(3 * i, 3 * k);
     EXPECT_LE((M - sum).norm(), 1e-12 * sum.norm()) << angle;
-  }
-}
-
-// ---- The step
-
-TEST(HelixSteps, LeaveAHelixAtRest) {
-  for (const double turns : {0.0, 0.1, 1.0, 20.0}) {
-    const Vector3d natural = 2 * std::numbers::pi * turns / 0.01 * Vector3d(0.48, 0.64, 0.6);
-    HelixMotion motion(hair_strand(10, 0.1, natural));
-    const VectorXd q = motion.strand().natural, rates = VectorXd::Zero(30);
-    motion.place(some_start(), q);
-    motion.accelerate({}, rates);
-    hair::add_motion(motion);
-    VectorXd force(30);
-    hair::elastic_force(motion.strand(), q, force);
-    EXPECT_EQ(force.norm(), 0);
-    EXPECT_EQ(helix_step(motion, q, rates, 1.0 / 30).norm(), 0);
   }
 }
 

@@ -94,15 +94,6 @@ TEST(PendulumAndBead, ComeBackAfterTheirPeriod) {
   }
 }
 
-TEST(Bead, KeepsItsSpeedWithoutForces) {
-  ConstrainedMotion motion = bead(2, 0.25, 1);
-  motion.f.setZero();
-  motion.state.v = 3 * Vector3d(std::cos(1), 0, std::sin(1));
-  for (int i = 0; i < 1000; ++i) step(motion, 2 * std::numbers::pi * 2 / 3 / 1000);  // one turn
-  EXPECT_NEAR(motion.state.v.norm(), 3, 1e-9);
-  EXPECT_LE((motion.state.x - 2 * Vector3d(std::sin(1), 0, -std::cos(1))).norm(), 1e-9);
-}
-
 TEST(Energy, IsKeptToTheIntegratorsOrder) {
   const auto worst = [](ConstrainedMotion motion, double h, double* off) {
     const double before = energy(motion);

@@ -5,12 +5,16 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/S1/solve_for_tests.h"
+#include <vector>
+
 #include "solver/matrices.h"
 #include "solver/test_allocations.h"
+#include "solver/test_numbers.h"
 
 namespace reference_tests {
 namespace {
+
+using Vector = std::vector<double>;
 
 struct Normal {
   Vector x;

@@ -37,31 +37,6 @@ TEST(SolverTheory, TheErrorInTheANormIsBelowTheBoundOfConjugateGradients) {
   }
 }
 
-TEST(SolverTheory, AsManyDifferentEigenvaluesAsIterations) {
-  // Cancellation costs digits, as these polynomials are large between the clusters. The test shows that the
-  // error is far below the one after one iteration fewer.
-  for (const int clusters : {2, 3, 5}) {
-    const System system = clustered_system(200, 1e3, clusters);
-    const History measured = history(system, 10);
-    EXPECT_GT(measured.progress.at(clusters - 2).error, 1e-4) << clusters << " clusters, one iteration fewer";
-    EXPECT_LT(measured.progress.at(clusters - 1).error, 1e-8) << clusters << " clusters";
-    EXPECT_LT(measured.progress.at(clusters + 1).error, rounding_floor(system))
-        << clusters << " clusters, two iterations more";
-  }
-}
-
-TEST(SolverTheory, ProductsAreThoseOfTheContract) {
-  for (const Progress& one : history(spread_system(200, 1e3)).progress)
-    EXPECT_EQ(one.products, 1 + one.iterations + one.iterations / 64) << one.iterations << " iterations";
-}
-
-TEST(SolverTheory, TheResidualThatIsReturnedIsTheTrueOneUntilRoundingEndsIt) {
-  for (const Progress& one : history(spread_system(200, 1e3)).progress)
-    if (one.squared_residual > 1e-24) {
-      EXPECT_NEAR(one.claimed / one.squared_residual, 1, 1e-2) << one.iterations << " iterations";
-    }
-}
-
 // The slope of the errors' logarithm while the condition number grows by a factor of 10^decades.
 double slope(double first, double last, int decades) {
   return std::log10(last / first) / decades;
