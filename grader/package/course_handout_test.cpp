@@ -258,7 +258,7 @@ TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
   const Files files = handout_files(sources_, course_);
   expect_scenes_to_play(files, all);
   const std::string& readme = files.at("README.md");
-  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # plays it, and keeps numbers",
+  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # runs it, and keeps numbers",
                            "\nbuild/hairlab run head-of-hair --jobs 2",
                            "\nbuild/hairlab study long-straight --out study            # error against run "
                            "time, of each method\n"})
@@ -358,7 +358,7 @@ TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
 // A text promises only numbers that a command or a check prints.
 TEST_F(RealProject, PromisesWhatIsThere) {
   const auto text = [&](const char* name) { return hair::bytes_of(root_ / "handout/assignment" / name); };
-  EXPECT_NE(text("README.md").find("fewer than five checks, it says only that it is not right"),
+  EXPECT_NE(text("README.md").find("fewer than five checks it says only that the category is not right"),
             std::string::npos);
   // check-H5 goes to 60 segments.
   EXPECT_EQ(text("H5-length-correction.md").find("| 120 | 108,066 | |"), std::string::npos);

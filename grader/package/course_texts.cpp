@@ -105,7 +105,7 @@ std::string destination_of(const std::string& path, const Shipped& shipped) {
 
 // Changes links, [words](file#place), and pictures.
 std::string relinked(const std::string& text, const ManifestLine& line, const Shipped& shipped) {
-  static const std::regex link("!?\\[([^\\]\\n]*)\\]\\(([^)\\s#]+)(#[^)\\s]*)?\\)");
+  static const std::regex link("!?\\[([^\\[\\]]*)\\]\\(([^)\\s#]+)(#[^)\\s]*)?\\)");
   const fs::path from = fs::path(project_path(line)).parent_path(),
                  to = fs::path(line.destination).parent_path();
   std::string result;

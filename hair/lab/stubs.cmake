@@ -11,7 +11,9 @@ foreach(file ${FILES})
     string(APPEND stubs "${stub}\\n")
   endforeach()
 endforeach()
-set(text "// Made by hair/lab/stubs.cmake of the exercises' files.\n\nnamespace hair {\n\nextern const char* const kStubs;\nconst char* const kStubs = \"${stubs}\";\n\n}  // namespace hair\n")
+string(CONCAT text "// Made by hair/lab/stubs.cmake of the exercises' files.\n\nnamespace hair {\n\n"
+                   "extern const char* const kStubs;\nconst char* const kStubs = \"${stubs}\";\n\n"
+                   "}  // namespace hair\n")
 set(before)
 if(EXISTS "${OUT}")
   file(READ "${OUT}" before)

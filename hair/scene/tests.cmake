@@ -7,15 +7,18 @@ function(scene_test NAME)
   target_compile_definitions(${NAME} PRIVATE HAIR_SCENES="${scenes}")
 endfunction()
 
-scene_test(read_scene_test SANITISED SOURCES read_scene_test.cpp read_bad_scene_test.cpp read_groom_test.cpp test_reading.cpp scene_keys_test.cpp
+scene_test(read_scene_test SANITISED SOURCES read_scene_test.cpp read_bad_scene_test.cpp read_groom_test.cpp
+           reading.cpp scene_keys_test.cpp
            LIBRARIES hair_scene hair_simulation ${exercises})
-scene_test(playback_test SANITISED SOURCES angular_momentum_test.cpp playback_test.cpp LIBRARIES hair_allocations hair_scene hair_simulation ${exercises})
+scene_test(playback_test SANITISED SOURCES angular_momentum_test.cpp playback_test.cpp
+           LIBRARIES hair_allocations hair_scene hair_simulation ${exercises})
 scene_test(shipped_scenes_test SLOW Watch.NoOtherShippedSceneWarns
            SOURCES shipped_scenes_test.cpp watch_test.cpp LIBRARIES hair_scene hair_simulation ${exercises})
 
 # A course without any exercise.
 hair_left_out(not_in_course ${HAIR_EXERCISES})
-scene_test(not_in_course_test SANITISED SOURCES not_in_course_test.cpp LIBRARIES hair_scene hair_simulation not_in_course)
+scene_test(not_in_course_test SANITISED SOURCES not_in_course_test.cpp LIBRARIES hair_scene hair_simulation
+           not_in_course)
 
 # With one exercise's stub among the reference, the scenes that need it stop there and name it, and the others
 # run.
@@ -29,7 +32,10 @@ foreach(id ${HAIR_EXERCISES})
   if(HAIR_RELEASE_BUILD AND NOT id MATCHES "^(S2|H10)$")
     continue()
   endif()
-  file(CONFIGURE OUTPUT stub_${id}.cpp CONTENT "extern const char* const kStub;\nconst char* const kStub = \"${id}\";\n")
-  hair_test(exercises_of_${id}_test SOURCES "${CMAKE_CURRENT_BINARY_DIR}/stub_${id}.cpp" $<TARGET_OBJECTS:exercises_of_test>
-            $<TARGET_OBJECTS:student_${id}> LIBRARIES hair_scene_drawing hair_scene hair_simulation ${exercises})
+  file(CONFIGURE OUTPUT stub_${id}.cpp
+       CONTENT "extern const char* const kStub;\nconst char* const kStub = \"${id}\";\n")
+  hair_test(exercises_of_${id}_test SOURCES "${CMAKE_CURRENT_BINARY_DIR}/stub_${id}.cpp"
+            $<TARGET_OBJECTS:exercises_of_test>
+            $<TARGET_OBJECTS:student_${id}> LIBRARIES hair_scene_drawing hair_scene hair_simulation
+            ${exercises})
 endforeach()

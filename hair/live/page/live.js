@@ -25,7 +25,8 @@ function makeLiveMotion(told) {
 
 function watchSimulation() {
   const query = location.search, runs = [];
-  let orbit = null, stage = null, plots = [], going = true, over = false, dirty = false, whole = 0, usual = 0, shown = -1; // shown: a frame; -1: the newest
+  let orbit = null, stage = null, plots = [], going = true, over = false, dirty = false, whole = 0, usual = 0;
+  let shown = -1; // a frame, or -1 for the newest
   const again = () => { dirty = true; };
   const state = (text) => told("state", text);
   const send = (command) => fetch(`command${query}`, { method: "POST", body: command })

@@ -19,8 +19,9 @@ AXE = "axe-core@4.10.3"  # finds what keeps people from using a page
 WAIT = 300  # s; a machine may be busy
 
 # Debian's chromium without a card, and without the network.
-FLAGS = """--headless --no-sandbox --disable-dev-shm-usage --disable-quic --no-first-run --disable-background-networking
---disable-component-update --disable-sync --disable-extensions --window-size=1000,1100""".split()
+FLAGS = """--headless --no-sandbox --disable-dev-shm-usage --disable-quic --no-first-run
+--disable-background-networking --disable-component-update --disable-sync --disable-extensions
+--window-size=1000,1100""".split()
 NO_NAMES = "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1"
 WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"]
@@ -76,8 +77,9 @@ class PageTest(unittest.TestCase):
             self.wait_for("return innerWidth === arguments[0]", width)
             self.driver.execute_async_script("const [done] = arguments; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 200)))")
             with self.subTest(width=width):
-                wide = self.run_script("""return [...document.querySelectorAll("body, body *")].filter((one) =>
-                    one.getBoundingClientRect().right > innerWidth + 0.5).map((one) => one.tagName + "#" + one.id)""")
+                wide = self.run_script("""return [...document.querySelectorAll("body, body *")]
+                    .filter((one) => one.getBoundingClientRect().right > innerWidth + 0.5)
+                    .map((one) => one.tagName + "#" + one.id)""")
                 self.assertEqual(wide, [])
                 self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), width)
         self.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
@@ -90,7 +92,8 @@ class PageTest(unittest.TestCase):
             self.skipTest(f"npm does not install {AXE}")
         self.run_script(Path(self.folder.name, "node_modules/axe-core/axe.min.js").read_text(encoding="utf-8"))
         self.assertEqual(self.driver.execute_async_script("""const [done] = arguments;
-            axe.run().then((found) => done(found.violations.map((one) => [one.id, one.impact, one.help, ...one.nodes.map((node) => node.html)])))"""), [])
+            axe.run().then((found) => done(found.violations.map((one) =>
+              [one.id, one.impact, one.help, ...one.nodes.map((node) => node.html)])))"""), [])
 
     # The part of the picture that is hair, or anything except its background.
     def share_drawn(self):
@@ -102,10 +105,12 @@ class PageTest(unittest.TestCase):
               [canvas.width, canvas.height] = [image.width, image.height];
               const pen = canvas.getContext("2d");
               pen.drawImage(image, 0, 0);
-              const { data } = pen.getImageData(0, 0, image.width, image.height), middle = 4 * Math.floor(image.width / 2 + image.width * 5);
+              const { data } = pen.getImageData(0, 0, image.width, image.height);
+              const middle = 4 * Math.floor(image.width / 2 + image.width * 5);
               let other = 0;
               for (let i = 0; i < data.length; i += 4)
-                if (Math.abs(data[i] - data[middle]) + Math.abs(data[i + 1] - data[middle + 1]) + Math.abs(data[i + 2] - data[middle + 2]) > 60) ++other;
+                if (Math.abs(data[i] - data[middle]) + Math.abs(data[i + 1] - data[middle + 1]) +
+                    Math.abs(data[i + 2] - data[middle + 2]) > 60) ++other;
               done(other / (data.length / 4));
             };
             image.src = "data:image/png;base64," + png;""", png)

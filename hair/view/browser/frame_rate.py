@@ -29,12 +29,14 @@ def motion(strands, points, frames):
         for i in range(points):
             t = i / (points - 1)
             out = 1 + 0.3 * math.sin(1.57 * t)
-            rest.append((radius * math.cos(angle) * out + 0.006 * math.sin(20 * t + angle), radius * math.sin(angle) * out, z * out - 0.25 * t ** 1.5, t))
+            rest.append((radius * math.cos(angle) * out + 0.006 * math.sin(20 * t + angle),
+                         radius * math.sin(angle) * out, z * out - 0.25 * t ** 1.5, t))
     numbers = array.array("H")
     for frame in range(frames):
         phase = 2 * math.pi * frame / 30
         for x, y, z, t in rest:
-            numbers.extend(int((c - a) * s) for c, a, s in zip((x + 0.03 * math.sin(phase + 3 * t) * t, y, z), low, scale))
+            moved = (x + 0.03 * math.sin(phase + 3 * t) * t, y, z)
+            numbers.extend(int((c - a) * s) for c, a, s in zip(moved, low, scale))
     return {"name": "sway", "shows": "hair that sways", "ended": "finished", "blow_up": None,
             "camera": {"eye": [0.3, -0.8, 0.1], "target": [0, 0, -0.05], "field_of_view": 0.6, "aspect": 16 / 9},
             "times": [k / 30 for k in range(frames)], "series": [{"name": "energy", "unit": "J", "values": [0.0] * frames}],
@@ -51,7 +53,8 @@ const { clock } = hairView;
 const begin = performance.now(), look = (at) => {
   if (!clock.playing) clock.play();
   times.push(at);
-  at < begin + 1000 * seconds ? requestAnimationFrame(look) : done(times.slice(1).map((time, i) => time - times[i]));
+  at < begin + 1000 * seconds ? requestAnimationFrame(look)
+    : done(times.slice(1).map((time, i) => time - times[i]));
 };
 requestAnimationFrame(look);
 """

@@ -8,7 +8,8 @@ from browser import HAIRLAB, PageTest, main
 
 class LivePage(PageTest):
     def setUp(self):
-        self.server = subprocess.Popen([HAIRLAB, "live", "strand-swing"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.server = subprocess.Popen([HAIRLAB, "live", "strand-swing"], stdout=subprocess.PIPE,
+                                       stderr=subprocess.DEVNULL, text=True)
         self.driver.get(self.server.stdout.readline().strip())
         self.wait_for("return window.hairView && hairView.pictures > 0")
 
@@ -66,7 +67,8 @@ class LivePage(PageTest):
         self.go_to("restart")
         self.press(" ")
         self.wait_for_state("running")
-        children = subprocess.run(["pgrep", "-P", str(self.server.pid)], check=True, capture_output=True, text=True).stdout
+        children = subprocess.run(["pgrep", "-P", str(self.server.pid)], check=True, capture_output=True,
+                                  text=True).stdout
         os.kill(int(children.split()[0]), signal.SIGSEGV)
         self.wait_for_state("The code crashed after step")
         os.utime(HAIRLAB + "-live")

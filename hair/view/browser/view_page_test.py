@@ -114,8 +114,10 @@ class ViewPage(PageTest):
             self.assertIn(part, words)
         for label in self.run_script("return [...document.querySelectorAll('.plot canvas')].map((one) => one.getAttribute('aria-label'))"):
             self.assertIn("over time", label)
-        unnamed = self.run_script("""return [...document.querySelectorAll("button, input, select")].filter((one) =>
-            !(one.textContent.trim() && one.tagName === "BUTTON") && !one.getAttribute("aria-label") && !one.labels?.length).map((one) => one.id)""")
+        unnamed = self.run_script("""return [...document.querySelectorAll("button, input, select")]
+            .filter((one) => !(one.textContent.trim() && one.tagName === "BUTTON") &&
+              !one.getAttribute("aria-label") && !one.labels?.length)
+            .map((one) => one.id)""")
         self.assertEqual(unnamed, [])
 
     def test_has_no_findings_of_axe(self):
