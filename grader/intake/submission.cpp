@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "grader/course/input.h"
-#include "grader/intake/archive_format.h"
+#include "grader/intake/archives/folder.h"
 #include "grader/intake/clashes.h"
 #include "grader/intake/draft.h"
-#include "grader/intake/folder.h"
 #include "grader/intake/hand_in_reader.h"
-#include "grader/intake/ignored.h"
 #include "grader/intake/left_over.h"
-#include "grader/intake/names.h"
+#include "grader/intake/names/archive_format.h"
+#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 #include "grader/intake/plan.h"
 #include "grader/intake/question.h"
 #include "grader/intake/sections.h"

@@ -26,10 +26,10 @@
 #include <vector>
 
 #include "grader/course/course.h"
-#include "grader/intake/accounted.h"
-#include "grader/intake/archive.h"
+#include "grader/intake/archives/accounted.h"
+#include "grader/intake/archives/archive.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/owner.h"
+#include "grader/intake/names/owner.h"
 
 namespace grader::inline intake {
 
@@ -53,7 +53,7 @@ struct Submission {
       {};  // as in the download (text/time_text.h); "": it has no time; "-": a table has an empty cell
   bool marked_late = false;     // by the learning system
   std::string about = {};       // is the text of about.txt, a student's answers on the course; "": none
-  std::string known_as = {};    // is the name in the download if `name` is a code (tool/blind.h)
+  std::string known_as = {};    // is the name in the download if `name` is a code (class_folder/blind.h)
   std::string drawn_from = {};  // is the name for random inputs, from the class's record; "": `name`
 };
 inline const std::string& drawn_from(const Submission& submission) {

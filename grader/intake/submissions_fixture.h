@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "grader/course/input.h"
-#include "grader/intake/archive_builder.h"
-#include "grader/intake/caged_archive.h"
+#include "grader/intake/archives/archive_builder.h"
+#include "grader/intake/archives/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"

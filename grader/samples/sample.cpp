@@ -70,7 +70,7 @@ std::vector<Sample> read_samples(const std::filesystem::path& project) {
   for (const Exercise& exercise : course.exercises)
     if (const auto own = project / "reference" / exercise.id / "wrong.samples"; std::filesystem::exists(own))
       groups[exercise.id] = own;
-  for (const auto& entry : std::filesystem::directory_iterator(project / "grader" / "samples"))
+  for (const auto& entry : std::filesystem::directory_iterator(project / "grader/samples/groups"))
     if (entry.path().extension() == ".samples") groups[entry.path().stem().string()] = entry.path();
   std::vector<Sample> samples;
   std::set<std::string> names;

@@ -18,10 +18,10 @@
 
 #include "grader/sandbox/bubblewrap.h"
 #include "grader/sandbox/container_root.h"
-#include "grader/sandbox/identity.h"
-#include "grader/sandbox/launch.h"
-#include "grader/sandbox/own_groups.h"
-#include "grader/sandbox/warden.h"
+#include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/processes/launch.h"
+#include "grader/sandbox/processes/own_groups.h"
+#include "grader/sandbox/processes/warden.h"
 
 namespace grader::inline sandbox {
 namespace {

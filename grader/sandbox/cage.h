@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "grader/course/isolation.h"
-#include "grader/sandbox/control_group.h"
-#include "grader/sandbox/descriptor.h"
-#include "grader/sandbox/syscalls.h"
+#include "grader/sandbox/processes/control_group.h"
+#include "grader/sandbox/processes/descriptor.h"
+#include "grader/sandbox/system_calls/syscalls.h"
 
 namespace grader::inline sandbox {
 

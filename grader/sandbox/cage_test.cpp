@@ -13,9 +13,9 @@
 #include <functional>
 
 #include "grader/sandbox/caged_for_tests.h"
-#include "grader/sandbox/launch.h"
 #include "grader/sandbox/listener.h"
-#include "grader/sandbox/warden.h"
+#include "grader/sandbox/processes/launch.h"
+#include "grader/sandbox/processes/warden.h"
 #include "hair/io/files/bad_input.h"
 #include "solver/timing.h"
 

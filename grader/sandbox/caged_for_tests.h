@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "grader/sandbox/cage.h"
-#include "grader/sandbox/identity.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/processes/staging_folder.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline sandbox {

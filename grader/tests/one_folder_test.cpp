@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "grader/record/record.h"
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/processes/descriptor.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "grader/grading/exercise_grading.h"
 #include "grader/sandbox/system_mounts.h"
-#include "grader/tool/exercise_grading.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {

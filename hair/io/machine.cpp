@@ -6,7 +6,7 @@
 #include <string_view>
 #include <thread>
 
-#include "hair/io/digest.h"
+#include "hair/io/files/digest.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/files/this_program.h"
 

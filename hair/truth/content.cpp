@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "hair/io/digest.h"
+#include "hair/io/files/digest.h"
 #include "hair/simulation/models.h"
 
 namespace hair {

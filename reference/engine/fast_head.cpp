@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/head/full_head.h"
+#include "hair/dense/full_head.h"
 #include "hair/lab/head/moving_head.h"
 #include "particles/require.h"
 

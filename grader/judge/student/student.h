@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/judge/allowance.h"
+#include "grader/judge/student/allowance.h"
 #include "grader/judge/student/provided.h"
 #include "grader/sandbox/cage.h"
 #include "grader/sandbox/watchdog.h"

@@ -10,7 +10,7 @@
 #include <map>
 #include <thread>
 
-#include "grader/report/pages.h"
+#include "grader/report/pages/pages.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/tests/parsed.h"
 #include "hair/scene/playback.h"

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <utility>
 
+#include "hair/groom/groom_file.h"
+#include "hair/groom/groom_measures.h"
 #include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"
-#include "hair/head/groom_file.h"
-#include "hair/head/groom_measures.h"
 #include "hair/head/hair_colours.h"
 #include "hair/head/kept_net.h"
 #include "hair/head/scalp_roots.h"
@@ -21,7 +21,7 @@
 #include "hair/io/files/write_file.h"
 #include "hair/io/image/png.h"
 #include "hair/lab/commands/groom_info.h"
-#include "hair/render/renderer.h"
+#include "hair/render/opengl/renderer.h"
 #include "hair/render/strand_clearance.h"
 
 namespace hair {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <variant>
 
-#include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/digest.h"
 #include "hair/io/machine.h"
 #include "hair/lab/stability/hanging_body.h"
 #include "hair/lab/stability/theory.h"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hair/head/groom_file.h"
+#include "hair/groom/groom_file.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

@@ -6,11 +6,11 @@
 #include <ostream>
 
 #include "hair/lab/validate/elastica.h"
+#include "hair/obstacles/tests/placed_ball.h"
 #include "hair/simulation/models.h"
 #include "hair/strand/centre_line.h"
 #include "hair/strand/implicit_contacts.h"
 #include "hair/strand/tests/bodies.h"
-#include "hair/strand/tests/placed_ball.h"
 #include "solver/tests/allocations.h"
 
 namespace hair {
