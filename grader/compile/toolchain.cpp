@@ -12,6 +12,7 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/system_mounts.h"
 

@@ -14,6 +14,7 @@
 #include "grader/grading/suite_jobs.h"
 #include "grader/judge/memory_points.h"
 #include "grader/report/facts/student_view.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/identity.h"
 #include "grader/wire/memory_error.h"

@@ -16,7 +16,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/archives/archive_builder.h"
 #include "grader/intake/archives/caged_archive.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/launch.h"

@@ -1,5 +1,5 @@
 // STAFF ONLY. Tries from inside, with a shell, that a sandbox keeps the process in.
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/processes/staging_folder.h"

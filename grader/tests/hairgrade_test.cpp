@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "grader/course/course.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/record/record.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/report.h"

@@ -11,6 +11,7 @@
 #include "grader/course/input.h"
 #include "grader/grading/isolation_here.h"
 #include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/sandbox/inherited.h"
 #include "grader/tool/gradescope_hand_in.h"
 #include "grader/tool/public_checks.h"

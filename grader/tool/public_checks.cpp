@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "grader/grading/exercise_grading.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/system_mounts.h"
 #include "hair/io/files/read_file.h"
 

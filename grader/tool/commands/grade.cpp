@@ -17,7 +17,7 @@
 #include "grader/intake/archives/caged_archive.h"
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/names/names.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/record.h"
 #include "grader/report/report.h"

@@ -6,7 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/grading/grading.h"
 #include "grader/intake/archives/caged_archive.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/report/report.h"
 #include "grader/tool/commands/command.h"

@@ -10,7 +10,7 @@
 #include "grader/grading/isolation_here.h"
 #include "grader/intake/archives/caged_archive.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/similar/similar_pages.h"
 #include "grader/tool/commands/command.h"

@@ -1,5 +1,5 @@
 // STAFF ONLY. Reads hand-ins and classes out of folders and archives.
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that hand-ins of every form are read, and that each rejection has a reason.
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // STAFF ONLY. Starts a command in a sandbox of either kind, and reads from the kernel what the command does.
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
