@@ -165,7 +165,7 @@ bool goes_on(const std::string& answer) {
     if (answer.empty()) close(STDIN_FILENO);
     bool classes = false, replace = false;
     try {
-      asking(classes, replace, [&] {
+      until_answered(classes, replace, [&] {
         if (!classes) throw Question("it may be one student's; if it is a class, say", kSaysClass);
       });
     } catch (const Question&) {

@@ -11,7 +11,7 @@ bool says_yes(const Question& question);
 // Does `work`, again after each question that a person confirms; a yes to --class is kept in `classes`, one
 // to --replace in `replace`. Throws a question without a yes.
 template <class Work>
-auto asking(bool& classes, bool& replace, const Work& work) {
+auto until_answered(bool& classes, bool& replace, const Work& work) {
   for (;;) try {
       return work();
     } catch (const Question& question) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. The settings that made a folder of grades. Submissions of one gradebook can be compared only if
+// STAFF ONLY. The settings that made a folder of grades. Submissions of one class can be compared only if
 // all of them have the same settings.
 #pragma once
 

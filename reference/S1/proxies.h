@@ -10,7 +10,7 @@ double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon
   Eigen::Map<Eigen::VectorXd> solution(x, n);
   Eigen::VectorXd right_hand_side = Eigen::Map<Eigen::VectorXd>(b, n);
   int taken = *steps;
-  const double value = grader::asked<grader::s1::Calls, grader::s1::conj_grad>(
+  const double value = grader::proxied<grader::s1::Calls, grader::s1::conj_grad>(
       grader::Operator{n, n, A}, solution, right_hand_side, epsilon, taken);
   grader::bound_steps(taken);
   *steps = taken;

@@ -19,7 +19,7 @@ struct PlayAsker {
 };
 
 template <class Calls, auto function, class... Arguments>
-ResultOf<function> asked(Arguments&&... arguments) {
+ResultOf<function> proxied(Arguments&&... arguments) {
   PlayAsker asker;
   if constexpr (Signature<decltype(function)>::returns_matrix)
     return matrix_of<Calls, function>(asker, arguments...);

@@ -109,7 +109,7 @@ int grade(GradeOptions options) {
   CallersWord& word = batch_settings.word;
   if (roster) word.choices.known = known_by(*roster);
   word.class_over_rows = word.choices.classes;
-  Intake intake = asking(word.choices.classes, word.replace, [&] {
+  Intake intake = until_answered(word.choices.classes, word.replace, [&] {
     return read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here, {},
                             word.choices);
   });
@@ -128,8 +128,8 @@ int grade(GradeOptions options) {
     return 130;
   }
   Record& record = folder->record();
-  const Plan plan = asking(word.class_over_rows, word.replace,
-                           [&] { return plan_of(intake, record, roster, batch_settings); });
+  const Plan plan = until_answered(word.class_over_rows, word.replace,
+                                   [&] { return plan_of(intake, record, roster, batch_settings); });
   for (const std::string& line : plan.replaced) std::cerr << "hairgrade: " << line << "\n";
   for (const std::string& line : plan.taken_for) std::cout << line << "\n" << std::flush;
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
