@@ -45,7 +45,7 @@ double link_energy(std::span<const StaticLink> links, std::span<const Matrix3d> 
 
 // (4) f += -dE/dx: -k s d on b, and the opposite on a. So links preserve linear momentum, but not angular
 // momentum: this force leaves out the torque that the arm R offset exerts on the guide of particle a. In
-// simulations that part is given (hair/mass_spring/frame_torque.h).
+// simulations that part is given (hair/linked_guides/frame_torque.h).
 void add_link_force(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input largest,
                     Input x, Output f);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "all_calls.h"
-#include "grader/calls/draw.h"
+#include "grader/calls/draw_for_tests.h"
 #include "grader/calls/relay.h"
 #include "hair/io/fuzz/fuzz.h"
 

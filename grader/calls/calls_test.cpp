@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "all_calls.h"
-#include "grader/calls/draw.h"
+#include "grader/calls/draw_for_tests.h"
 #include "grader/calls/in_words.h"
 #include "grader/calls/relay.h"
 #include "hair/course/course.h"

@@ -8,10 +8,10 @@
 //   asker.scratch(scratch, n)     `scratch` is the caller's; the contract gives the function n columns of it
 //   asker.changed()               reports that the function wrote to an input
 //
-// Askers are cases (grader/judge/case_asker.h), whole runs (grader/judge/run/asked.h), and a worker's code
-// that calls a provided function (grader/worker/provided.h). A server that counts questions may replace an
-// object of the caller's: ForceServer, DynamicsServer; Served for an Operator or a matrix. Filling replaces
-// Scratch.
+// Askers are cases (grader/judge/cases/case_asker.h), whole runs (grader/judge/run/proxies.h), and a worker's
+// code that calls a provided function (grader/worker/provided.h). A server that counts questions may replace
+// an object of the caller's: ForceServer, DynamicsServer; Served for an Operator or a matrix. Filling
+// replaces Scratch.
 #pragma once
 
 #include <limits>

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "grader/calls/client.h"
-#include "grader/calls/draw.h"
+#include "grader/calls/draw_for_tests.h"
 #include "grader/calls/in_words.h"
 #include "reference/P1/calls.h"
 #include "reference/P2/calls.h"

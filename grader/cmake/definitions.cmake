@@ -2,14 +2,15 @@
 # functions that call another process are made of their signatures in exercises.json:
 #
 #   hair_definitions(OUT ID ASKED)  writes the file OUT: each function of exercise ID calls
-#       grader::asked<Calls, function>(arguments...) of the header ASKED. reference/<ID>/asked.h replaces it.
+#       grader::proxied<Calls, function>(arguments...) of the header ASKED. reference/<ID>/proxies.h
+#       replaces it.
 function(hair_definitions OUT ID ASKED)
   string(TOLOWER ${ID} space)
   string(CONCAT text
          "// STAFF ONLY. ${ID}'s functions, asked of somebody else. Made by grader/cmake/definitions.cmake.\n"
          "#include \"reference/${ID}/calls.h\"\n#include \"${ASKED}\"\n")
-  if(EXISTS "${PROJECT_SOURCE_DIR}/reference/${ID}/asked.h")
-    string(APPEND text "#include \"reference/${ID}/asked.h\"\n")
+  if(EXISTS "${PROJECT_SOURCE_DIR}/reference/${ID}/proxies.h")
+    string(APPEND text "#include \"reference/${ID}/proxies.h\"\n")
   else()
     foreach(signature ${HAIR_${ID}_FUNCTIONS})
       string(REGEX REPLACE "[(].*" "" name "${signature}")
@@ -30,7 +31,7 @@ function(hair_definitions OUT ID ASKED)
       list(JOIN passed ", " passed)
       string(APPEND text
              "\ngrader::ResultOf<${name}> ${name}(${declared}) {\n"
-             "  return grader::asked<grader::${space}::Calls, ${name}>(${passed});\n}\n")
+             "  return grader::proxied<grader::${space}::Calls, ${name}>(${passed});\n}\n")
     endforeach()
   endif()
   file(CONFIGURE OUTPUT "${OUT}" CONTENT "${text}" @ONLY)

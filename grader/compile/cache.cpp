@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/processes/descriptor.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline compile {

@@ -10,7 +10,7 @@
 #include "grader/compile/switched_off.h"
 #include "grader/compile/symbols.h"
 #include "grader/course/input.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/text/encoding.h"
 #include "hair/io/files/read_file.h"
 

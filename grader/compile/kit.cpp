@@ -5,7 +5,7 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/processes/identity.h"
 
 namespace grader::inline compile {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "grader/course/course.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/staging_folder.h"
 
 namespace grader::inline compile {
 

@@ -5,7 +5,7 @@
 
 #include "grader/compile/cache.h"
 #include "grader/compile/hash.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/processes/identity.h"
 
 namespace grader::inline compile {
 namespace {

@@ -12,7 +12,8 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/caged_process.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline compile {

@@ -3,7 +3,7 @@
 // Each exercise has an equal share: one that needs more takes nothing from another. A share is no grade: an
 // exercise that uses up its share ends there, with the points of its other categories. These shares suffice
 // on a machine that is ten times as slow as most. An exercise ends far earlier if it takes many times the
-// reference's time here (grader/tool/suite_jobs.h).
+// reference's time here (grader/grading/suite_jobs.h).
 #pragma once
 
 #include <span>

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "grader/course/input.h"
-#include "grader/intake/archive.h"
+#include "grader/intake/archives/archive.h"
 
 namespace grader::inline gradebook {
 namespace {

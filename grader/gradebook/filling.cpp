@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "grader/course/input.h"
-#include "grader/report/text.h"
+#include "grader/report/facts/text.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline gradebook {

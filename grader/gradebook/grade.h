@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "grader/intake/owner.h"
+#include "grader/intake/names/owner.h"
 
 namespace grader::inline gradebook {
 

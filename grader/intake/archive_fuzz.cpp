@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "grader/course/input.h"
-#include "grader/intake/archive.h"
-#include "grader/intake/archive_builder.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/archives/archive.h"
+#include "grader/intake/archives/archive_builder.h"
+#include "grader/intake/read_submissions.h"
 #include "hair/io/fuzz/fuzz.h"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
-#include "grader/intake/names.h"
-#include "grader/intake/origin.h"
+#include "grader/intake/names/names.h"
+#include "grader/intake/names/origin.h"
 
 namespace grader::inline intake {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "grader/intake/archive.h"
-#include "grader/intake/container.h"
-#include "grader/intake/exercise_names.h"
+#include "grader/intake/archives/archive.h"
+#include "grader/intake/archives/container.h"
+#include "grader/intake/names/exercise_names.h"
 #include "grader/intake/submission.h"
 
 namespace grader::inline intake {

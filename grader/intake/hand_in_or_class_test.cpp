@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that one student's archive gets nobody else a submission, even if it looks like a class.
-#include "grader/intake/origin.h"
+#include "grader/intake/names/origin.h"
 #include "grader/intake/submissions_fixture.h"
 
 namespace grader::inline intake {

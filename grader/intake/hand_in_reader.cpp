@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include "grader/intake/archive_format.h"
-#include "grader/intake/ignored.h"
-#include "grader/intake/same_name.h"
+#include "grader/intake/names/archive_format.h"
+#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/same_name.h"
 #include "grader/text/encoding.h"
 #include "grader/text/letters.h"
 #include "hair/io/plot/readable.h"

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "grader/intake/archive.h"
-#include "grader/intake/container.h"
+#include "grader/intake/archives/archive.h"
+#include "grader/intake/archives/container.h"
 #include "grader/intake/draft.h"
-#include "grader/intake/exercise_names.h"
-#include "grader/intake/same_name.h"
+#include "grader/intake/names/exercise_names.h"
+#include "grader/intake/names/same_name.h"
 
 namespace grader::inline intake {
 

@@ -4,13 +4,13 @@
 #include <set>
 
 #include "grader/course/input.h"
-#include "grader/intake/archive_format.h"
-#include "grader/intake/ignored.h"
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/layouts/folders.h"
 #include "grader/intake/layouts/gradescope.h"
-#include "grader/intake/names.h"
-#include "grader/intake/origin.h"
+#include "grader/intake/names/archive_format.h"
+#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
+#include "grader/intake/names/origin.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline intake {

@@ -11,8 +11,8 @@
 
 #include "grader/intake/draft.h"
 #include "grader/intake/hand_in_reader.h"
+#include "grader/intake/layouts/several_people.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/several_people.h"
 
 namespace grader::inline intake {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "grader/intake/archive_format.h"
 #include "grader/intake/draft.h"
-#include "grader/intake/ignored.h"
 #include "grader/intake/layouts/division.h"
+#include "grader/intake/names/archive_format.h"
+#include "grader/intake/names/ignored.h"
 
 namespace grader::inline intake {
 namespace {

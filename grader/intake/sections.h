@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "grader/intake/container.h"
+#include "grader/intake/archives/container.h"
 #include "grader/intake/layouts/system.h"
 
 namespace grader::inline intake {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "grader/course/input.h"
-#include "grader/intake/archive_builder.h"
-#include "grader/intake/caged_archive.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/archives/archive_builder.h"
+#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"

@@ -6,11 +6,11 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "grader/judge/cases/suite_table.h"
+#include "grader/judge/cases/trial.h"
 #include "grader/judge/memory_errors.h"
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_program.h"
-#include "grader/judge/suite_table.h"
-#include "grader/judge/trial.h"
 #include "grader/sandbox/inherited.h"
 
 namespace {

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/cases/suite_table.h"
+#include "grader/judge/cases/trial.h"
 #include "grader/judge/memory_points.h"
 #include "grader/judge/student/recording.h"
 #include "grader/judge/student/student.h"
-#include "grader/judge/suite_table.h"
-#include "grader/judge/trial.h"
 
 namespace grader::inline judge {
 

@@ -15,8 +15,8 @@
 #include <limits>
 #include <map>
 
+#include "grader/judge/cases/suite_table.h"
 #include "grader/judge/student/recording.h"
-#include "grader/judge/suite_table.h"
 
 namespace {
 

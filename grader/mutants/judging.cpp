@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "grader/tool/exercise_grading.h"
-#include "grader/tool/reference_grading.h"
+#include "grader/grading/exercise_grading.h"
+#include "grader/grading/reference_grading.h"
 
 namespace grader::inline mutants {
 namespace {

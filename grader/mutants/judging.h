@@ -7,14 +7,14 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/compile/kit.h"
+#include "grader/grading/suite_jobs.h"
 #include "grader/mutants/judgement.h"
-#include "grader/tool/suite_jobs.h"
 
 namespace grader::inline mutants {
 
 class Judging {
  public:
-  // `settings.exercise` names the exercise. Throws as Grading does, in grader/tool/grading.h.
+  // `settings.exercise` names the exercise. Throws as Grading does, in grader/grading/grading.h.
   explicit Judging(GradingSettings settings);
 
   // Judges the file `source` of the submission `name`. Threads may call it in parallel, with different names.

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "grader/course/input.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
 #include "hair/io/files/read_file.h"

@@ -68,7 +68,7 @@ bool is_hidden(const std::string& path) {
   const bool tests = path.starts_with("grader/") && file.stem().string().ends_with("_test");
   const std::string name = file.filename().string();
   const bool calls =
-      name == "calls.h" || name == "asked.h" || name == "CMakeLists.txt" || name.starts_with("make_");
+      name == "calls.h" || name == "proxies.h" || name == "CMakeLists.txt" || name.starts_with("make_");
   return tests || file.extension() == ".samples" || (path.starts_with("reference/") && !calls) ||
          is_below(path, {"grader/samples/solutions/", "grader/tests/", "reference/engine/"});
 }

@@ -9,7 +9,7 @@
 #include "grader/archive/archive_writer.h"
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/intake/archive.h"
+#include "grader/intake/archives/archive.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
 #include "hair/io/files/read_file.h"

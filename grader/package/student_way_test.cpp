@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/package/handout.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"

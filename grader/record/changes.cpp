@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grader/record/points_then.h"
+#include "grader/record/points/points_then.h"
 
 namespace grader::inline record {
 

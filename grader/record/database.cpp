@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "grader/course/input.h"
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline record {
 namespace {

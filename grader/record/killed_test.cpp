@@ -14,9 +14,9 @@
 #include <thread>
 
 #include "grader/course/input.h"
-#include "grader/record/points_then.h"
+#include "grader/record/points/points_then.h"
 #include "grader/record/record.h"
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/processes/descriptor.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader::inline record {

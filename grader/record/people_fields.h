@@ -1,7 +1,7 @@
 // STAFF ONLY. People as JSON (grader/result/fields.h): owners of hand-ins, and people on a roster.
 #pragma once
 
-#include "grader/intake/owner.h"
+#include "grader/intake/names/owner.h"
 #include "grader/result/fields.h"
 #include "grader/roster/person.h"
 

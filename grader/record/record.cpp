@@ -8,8 +8,8 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/record/hand_ins.h"
-#include "grader/record/points_then.h"
+#include "grader/record/points/hand_ins.h"
+#include "grader/record/points/points_then.h"
 #include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "grader/intake/accounted.h"
+#include "grader/intake/archives/accounted.h"
 #include "grader/record/database.h"
-#include "grader/record/decisions.h"
-#include "grader/record/rules.h"
+#include "grader/record/points/decisions.h"
+#include "grader/record/points/rules.h"
 #include "grader/record/same_people.h"
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
@@ -68,7 +68,7 @@ class Record {
   std::filesystem::path pages() const;        // is the folder of its pages: the record's, or one below
   std::vector<std::string> named_hand_ins();  // lists the record's, in the order of their due dates
 
-  // Is JSON of tool/made_by.h; "": nothing was graded.
+  // Is JSON of grading/made_by.h; "": nothing was graded.
   std::string made_by();
   void set_made_by(const std::string& json);
 
@@ -112,7 +112,7 @@ class Record {
 
   std::vector<std::string> names();  // have a result, sorted
   struct Row {
-    std::string origin;  // see intake/origin.h
+    std::string origin;  // see intake/names/origin.h
     std::string files;   // is the hash of the graded files; "": unknown
   };
   std::map<std::string, Row> rows();  // by name

@@ -1,7 +1,7 @@
 // STAFF ONLY. Stores decisions of people in a record.
 #include "grader/course/input.h"
+#include "grader/record/points/rules.h"
 #include "grader/record/record.h"
-#include "grader/record/rules.h"
 
 namespace grader::inline record {
 

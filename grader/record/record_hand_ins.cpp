@@ -2,8 +2,8 @@
 // totals.
 #include <algorithm>
 
+#include "grader/record/points/zone.h"
 #include "grader/record/record.h"
-#include "grader/record/zone.h"
 
 namespace grader::inline record {
 

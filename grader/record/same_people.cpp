@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "grader/intake/names.h"
+#include "grader/intake/names/names.h"
 
 namespace grader::inline record {
 namespace {

@@ -19,7 +19,7 @@ INSERT INTO class VALUES (0);
 CREATE TABLE assignments (
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE,      -- '' in a record of one assignment
-  made_by TEXT NOT NULL DEFAULT '',         -- JSON, see tool/made_by.h
+  made_by TEXT NOT NULL DEFAULT '',         -- JSON, see grading/made_by.h
   reference_costs TEXT NOT NULL DEFAULT '', -- JSON
   last_run TEXT NOT NULL DEFAULT '',        -- JSON
   rules TEXT NOT NULL DEFAULT '',           -- JSON, see rules.h
@@ -97,7 +97,7 @@ CREATE TABLE listed_files (
   place INTEGER PRIMARY KEY,
   assignment INTEGER NOT NULL REFERENCES assignments,
   person INTEGER REFERENCES people ON DELETE CASCADE,  -- null: nobody's
-  listed_as TEXT NOT NULL,        -- see intake/accounted.h
+  listed_as TEXT NOT NULL,        -- see intake/archives/accounted.h
   path TEXT NOT NULL,
   reason TEXT NOT NULL
 ) STRICT;

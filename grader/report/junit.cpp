@@ -1,5 +1,5 @@
 // STAFF ONLY. Writes results as JUnit's XML.
-#include "grader/report/gradebook.h"
+#include "grader/report/points_files.h"
 #include "hair/io/plot/readable.h"
 
 namespace grader::inline report {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "grader/course/input.h"
-#include "grader/report/gradebook.h"
-#include "grader/report/pages.h"
-#include "grader/report/picture_files.h"
+#include "grader/report/facts/picture_files.h"
+#include "grader/report/pages/pages.h"
+#include "grader/report/points_files.h"
 #include "grader/report/results_json.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/read_file.h"

@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/class_facts.h"
-#include "grader/report/course_table.h"
+#include "grader/report/facts/class_facts.h"
+#include "grader/report/facts/course_table.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 

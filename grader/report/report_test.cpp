@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "grader/course/input.h"
-#include "grader/report/picture_files.h"
-#include "grader/report/sample_results.h"
+#include "grader/report/facts/picture_files.h"
+#include "grader/report/facts/sample_results.h"
 #include "grader/result/base64.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"

@@ -7,8 +7,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "grader/report/facts/sample_results.h"
 #include "grader/report/gradescope_rules.h"
-#include "grader/report/sample_results.h"
 
 namespace grader::inline report {
 namespace {

@@ -1,8 +1,8 @@
 // STAFF ONLY. Writes reports as text.
 #include "grader/report/student_text.h"
 
-#include "grader/report/student_view.h"
-#include "grader/report/text.h"
+#include "grader/report/facts/student_view.h"
+#include "grader/report/facts/text.h"
 #include "hair/io/plot/readable.h"
 
 namespace grader::inline report {

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "grader/course/input.h"
-#include "grader/report/columns.h"
+#include "grader/report/facts/columns.h"
+#include "grader/report/facts/text.h"
 #include "grader/report/report.h"
-#include "grader/report/text.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline report {

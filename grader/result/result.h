@@ -92,7 +92,7 @@ struct Adjustment {
 
 struct SubmissionResult {
   std::string name;
-  std::string origin;  // see grader/intake/origin.h; for staff
+  std::string origin;  // see grader/intake/names/origin.h; for staff
   std::vector<ExerciseResult> exercises;
   std::string note;         // not empty: an error of the whole submission, for the student
   std::string fingerprint;  // hashes the submission's bytes and the suite, in hexadecimal
@@ -103,7 +103,7 @@ struct SubmissionResult {
   bool studied = false;  // there is a study.html, to which pages link
   std::vector<Adjustment> adjustments = {};
   std::vector<std::string> remarks = {};  // for the student: the staff's, and the choice among several files
-  std::string about = {};  // is the student's about.txt (report/about.h), for staff; readable text
+  std::string about = {};  // is the student's about.txt (report/facts/about.h), for staff; readable text
 
   bool operator==(const SubmissionResult&) const = default;
 };

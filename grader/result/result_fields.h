@@ -1,6 +1,6 @@
 // STAFF ONLY. The structs of results, studies and costs that have declared fields (fields.h).
 //
-//   staff/NAME.json     json_text(SubmissionResult, 1); pictures are names of files (report/picture_files.h)
+//   staff/NAME.json     json_text(SubmissionResult, 1); pictures are names of files (facts/picture_files.h)
 //   NAME/study.json     json_text(SubmissionStudy, 1); grader/result/study.h describes it
 //   timing.json         to_json(ClassCosts)
 //   hairsuite's output  json_text(SuiteResult, -1)

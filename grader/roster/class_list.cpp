@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grader/intake/names.h"
+#include "grader/intake/names/names.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline roster {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/intake/owner.h"
+#include "grader/intake/names/owner.h"
 #include "grader/roster/person.h"
 #include "grader/text/csv.h"
 

@@ -140,7 +140,7 @@ TEST(MakeSamples, FillsInTheOtherExercises) {
 
 TEST(MakeSamples, PutsPartsIntoEdits) {
   const fs::path project = small_project("one\n");
-  std::ofstream(project / "grader/samples/more.samples")
+  std::ofstream(project / "grader/samples/groups/more.samples")
       << "title More\npart both\n+three\n+four\n\nsample more\nshows It.\nform folder\nfile plain "
          "a.cpp\nedit\n=one\n*both\n+five\n";
   ASSERT_EQ(make_samples(project, project / "class").code, 0);

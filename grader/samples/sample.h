@@ -115,9 +115,10 @@ struct Sample {
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// Returns the exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples,
-// in the order of their names. The group "right" also has the right programs of all exercises: the sample
-// right-plain, of reference/<ID>/right/plain.cpp, and so on. Throws BadInput with file and line.
+// Returns the exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of
+// PROJECT/grader/samples/groups, in the order of their names. The group "right" also has the right programs
+// of all exercises: the sample right-plain, of reference/<ID>/right/plain.cpp, and so on. Throws BadInput
+// with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 
 }  // namespace grader::samples

@@ -82,7 +82,7 @@ TEST(ReadSamples, ExpectsWhatHasAFileToPassAndAllElseToBeMissing) {
 
 TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
   const fs::path project = small_project("one\n");
-  std::ofstream(project / "grader/samples/more.samples")
+  std::ofstream(project / "grader/samples/groups/more.samples")
       << "title More\n# A comment.\nform zip\nfile plain a.cpp\nfile plain b.cpp\nothers stub\n\n"
          "sample first\nshows It.\n\nsample second\nshows It.\nform folder\nzeros 3 a.bin\nothers none\n";
   const auto samples = read_samples(project);

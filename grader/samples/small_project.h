@@ -24,9 +24,9 @@ inline constexpr const char* kExercises = R"json({"exercises": [
 // Makes a project with two exercises and one sample, whose edit turns "one" to "two" in text `source`.
 inline fs::path small_project(const std::string& source) {
   const fs::path project = scratch("project");
-  const fs::path samples = project / "grader" / "samples";
+  const fs::path samples = project / "grader/samples/groups";
   fs::remove_all(project);
-  for (const char* folder : {"grader/samples", "handout/exercises/A", "handout/exercises/B",
+  for (const char* folder : {"grader/samples/groups", "handout/exercises/A", "handout/exercises/B",
                              "reference/A/right", "reference/B", "reference/right"})
     fs::create_directories(project / folder);
   std::ofstream(project / "handout" / "exercises.json") << kExercises;
@@ -47,7 +47,7 @@ inline fs::path small_project(const std::string& source) {
 // Adds a group with one sample, which has these further lines. They begin in line 4.
 inline void add_sample(const fs::path& project, const std::string& name, const std::string& lines,
                        const std::string& group = "more") {
-  std::ofstream(project / "grader" / "samples" / (group + ".samples"))
+  std::ofstream(project / "grader/samples/groups" / (group + ".samples"))
       << "title More\nsample " << name << "\nshows It.\n"
       << lines;
 }

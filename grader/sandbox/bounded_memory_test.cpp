@@ -8,14 +8,14 @@
 
 #include <fstream>
 
-#include "grader/sandbox/cage.h"
-#include "grader/sandbox/control_group.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/launch.h"
-#include "grader/sandbox/own_groups.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/control_group.h"
+#include "grader/sandbox/processes/launch.h"
+#include "grader/sandbox/processes/own_groups.h"
+#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/warden.h"
 #include "grader/sandbox/system_mounts.h"
-#include "grader/sandbox/warden.h"
 
 namespace grader::inline sandbox {
 namespace {

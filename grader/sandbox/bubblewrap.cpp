@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-#include "grader/sandbox/launch.h"
+#include "grader/sandbox/processes/launch.h"
 
 namespace grader::inline sandbox {
 

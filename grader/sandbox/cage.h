@@ -8,27 +8,15 @@
 // processes, and a watchdog outside that ends the whole sandbox.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
-#include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "grader/course/isolation.h"
-#include "grader/sandbox/control_group.h"
-#include "grader/sandbox/descriptor.h"
-#include "grader/sandbox/syscalls.h"
+#include "grader/sandbox/system_calls/syscalls.h"
 
 namespace grader::inline sandbox {
-
-class ContainerRoot;
-struct Launch;
-struct RunLimits;
-class Warden;
 
 struct Mount {
   std::filesystem::path source;
@@ -68,57 +56,5 @@ struct Ending {
 
   bool well() const { return code == 0 && signal == 0 && !timed_out && !out_of_memory; }
 };
-
-class CagedProcess {
- public:
-  // Starts a command, given by its path inside the sandbox. `requests` becomes descriptor 3 and `replies`
-  // descriptor 4 (both optional: -1), and `output` descriptors 1 and 2. Throws std::system_error if it can't
-  // be started.
-  CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
-               int output);
-  // Tests remove a layer with `leave_out` before the start, to show its purpose.
-  using LeaveOut = std::function<void(Launch&, RunLimits&)>;
-  CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
-               int output, const LeaveOut& leave_out);
-  CagedProcess(CagedProcess&&) noexcept;
-  CagedProcess& operator=(CagedProcess&&) = delete;
-  ~CagedProcess();  // kills it
-
-  int handle() const;  // a descriptor, readable once it has ended
-  void kill();
-  // Waits until it ends or the time is up, then kills it.
-  Ending wait(double seconds);
-
-  // The data for a watchdog: what the process has done so far, by the kernel's clocks.
-  struct Activity {
-    bool alive = false;
-    bool started = false;    // its sandbox is ready, and the command runs in it
-    double cpu_seconds = 0;  // counts all its threads, also ended ones
-    // Holds the times of each of its threads, and of the processes that made its sandbox. Empty if the kernel
-    // has no /proc/PID/task/TID/schedstat.
-    struct Busy {
-      double computed = 0, queued = 0;  // s; the kernel counts a wait only at its end
-      bool runnable = false;            // it runs, or waits for a processor
-    };
-    std::map<pid_t, Busy> busy = {};
-  };
-  Activity activity() const;
-
- private:
-  pid_t inner_process() const;
-  bool has_started(pid_t process) const;
-
-  Isolation isolation_;
-  Descriptor info_;  // bwrap writes its child's process id here
-  mutable pid_t init_ = -1;
-  std::optional<ControlGroup> group_;
-  std::optional<long> ended_for_memory_before_;  // set if no group of its own bounds memory
-  std::unique_ptr<ContainerRoot> root_;
-  std::unique_ptr<Warden> run_;
-  std::optional<Ending> ending_;
-};
-
-// Adds limits to a command inside the sandbox, as the unprivileged user: `prlimit ... -- command`.
-std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command);
 
 }  // namespace grader::sandbox

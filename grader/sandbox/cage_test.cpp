@@ -1,5 +1,5 @@
 // STAFF ONLY. Tries from inside, with a shell, that a sandbox keeps the process in.
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 #include <functional>
 
 #include "grader/sandbox/caged_for_tests.h"
-#include "grader/sandbox/launch.h"
 #include "grader/sandbox/listener.h"
-#include "grader/sandbox/warden.h"
+#include "grader/sandbox/processes/launch.h"
+#include "grader/sandbox/processes/warden.h"
 #include "hair/io/files/bad_input.h"
 #include "solver/timing.h"
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/processes/staging_folder.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline sandbox {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "grader/sandbox/cage.h"
-#include "grader/sandbox/descriptor.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/processes/descriptor.h"
+#include "grader/sandbox/processes/identity.h"
 
 namespace grader::inline sandbox {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grader/sandbox/listener.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/staging_folder.h"
 
 namespace grader::inline sandbox {
 namespace {

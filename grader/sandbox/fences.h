@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 
 namespace grader::inline sandbox {
 

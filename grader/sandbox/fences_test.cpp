@@ -10,12 +10,12 @@
 #include <string>
 #include <string_view>
 
-#include "grader/sandbox/identity.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/launch.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/processes/launch.h"
+#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/warden.h"
 #include "grader/sandbox/system_mounts.h"
-#include "grader/sandbox/warden.h"
 
 namespace grader::inline sandbox {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "grader/course/isolation.h"
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/processes/identity.h"
 
 namespace grader::inline sandbox {
 

@@ -1,7 +1,7 @@
 // STAFF ONLY. A silent server on the loopback. A process that reaches it is not cut off from the network.
 #pragma once
 
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline sandbox {
 

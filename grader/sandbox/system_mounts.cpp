@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/processes/descriptor.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/start_program.h"
 

@@ -13,7 +13,7 @@
 
 #include <chrono>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/caged_process.h"
 
 namespace grader::inline sandbox {
 

@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "grader/sandbox/descriptor.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/descriptor.h"
+#include "grader/sandbox/processes/staging_folder.h"
 #include "grader/sandbox/system_mounts.h"
 #include "solver/timing.h"
 

@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include "grader/course/input.h"
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/caged_process.h"
+#include "grader/sandbox/processes/descriptor.h"
 #include "grader/sandbox/system_mounts.h"
 #include "hair/io/files/write_file.h"
 

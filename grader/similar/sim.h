@@ -9,7 +9,7 @@
 
 #include "grader/course/isolation.h"
 #include "grader/sandbox/cage.h"
-#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/processes/staging_folder.h"
 
 namespace grader::inline similar {
 

@@ -12,7 +12,7 @@ namespace {
 
 using hair::plot::Attributes, hair::plot::XmlWriter;
 
-constexpr double kLeft = 20, kTop = 70, kWidth = 168, kHeight = 92, kAcross = 240, kDown = 150;
+constexpr double kLeft = 20, kTop = 70, kWidth = 168, kHeight = 92, kAcross = 290, kDown = 150;
 constexpr double kLine = 17, kTip = 6;
 constexpr double kPictureWidth = 2 * kLeft + 5 * kAcross + kWidth;
 constexpr double kPictureHeight = kTop + 3 * kDown + kHeight + 20;
@@ -93,8 +93,9 @@ void draw(XmlWriter& xml, const Arrow& arrow) {
 const std::vector<Room>& rooms() {
   static const std::vector<Room> all = {
       {"grader/sandbox", {"namespaces, limits,", "system call filter"}, 1, 0},
-      {"grader/course", {"exercises, roles,", "points: a JSON file"}, 3, 0},
-      {"grader/tool", {"hairgrade: starts all,", "collects, retries"}, 4, 0},
+      {"grader/class_folder", {"a class, in parallel,", "into one folder"}, 2, 0},
+      {"grader/grading", {"one hand-in: starts", "all that it needs"}, 3, 0},
+      {"grader/course", {"exercises, roles,", "points: a JSON file"}, 4, 0},
       {"grader/intake", {"reads archives,", "finds the owner", "of each file"}, 0, 1, true},
       {"grader/compile", {"a file becomes", "a shared object"}, 1, 1, true},
       {"grader/worker", {"student's object,", "and a server made", "of reference/*/calls.h"}, 2, 1, true},
@@ -119,14 +120,15 @@ const std::vector<Room>& rooms() {
 const std::vector<Arrow>& arrows() {
   static const std::vector<Arrow> all = {
       {"grader/sandbox", "grader/compile", "isolates"},
-      {"grader/course", "grader/judge", "weights"},
-      {"grader/tool", "grader/result", "puts together"},
-      {"grader/intake", "grader/compile", "S1.cpp"},
+      {"grader/class_folder", "grader/grading", "Submission"},
+      {"grader/grading", "grader/judge", "SuiteJob"},
+      {"grader/course", "grader/result", "weights"},
+      {"grader/intake", "grader/compile", "Submission"},
       {"grader/compile", "grader/worker", "S1.so"},
       {"grader/worker", "grader/judge", "messages", true},
-      {"grader/judge", "grader/result", "cases"},
-      {"grader/result", "grader/record", "results"},
-      {"grader/record", "grader/report", "results"},
+      {"grader/judge", "grader/result", "SuiteResult"},
+      {"grader/result", "grader/record", "SubmissionResult"},
+      {"grader/record", "grader/report", "Recorded"},
       {"grader/record", "grader/gradebook", "points"},
       {"grader/roster", "grader/gradebook", "people"},
       {"grader/intake", "grader/similar", "files"},

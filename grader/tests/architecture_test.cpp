@@ -1,20 +1,26 @@
-// STAFF ONLY. Tests that the picture in the repository is the drawn one, and that its folders exist.
+// STAFF ONLY. Tests that the picture is the drawn one, and that includes follow the lists of folders.
 #include "grader/tests/architecture.h"
 
+#include <fnmatch.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
 
 #include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
 
-const std::filesystem::path kProject = HAIR_PROJECT;
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
 
 TEST(Architecture, ShowsRoomsThatAreThere) {
-  for (const Room& room : rooms())
-    EXPECT_TRUE(std::filesystem::is_directory(kProject / room.folder)) << room.folder;
+  for (const Room& room : rooms()) EXPECT_TRUE(fs::is_directory(kProject / room.folder)) << room.folder;
 }
 
 TEST(Architecture, EveryRoomHasAWay) {
@@ -28,6 +34,119 @@ TEST(Architecture, EveryRoomHasAWay) {
 TEST(Architecture, ThePictureIsAsItIsDrawn) {
   EXPECT_EQ(hair::bytes_of(kProject / "grader/architecture.svg"), architecture())
       << "draw it anew: build/release/grader/tests/draw_architecture grader/architecture.svg";
+}
+
+using Names = std::vector<std::string>;
+
+// The first words of the lines of a document's first block of code: its list of folders.
+Names listed(const std::string& document) {
+  std::istringstream text(hair::bytes_of(kProject / document));
+  Names names;
+  bool inside = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) {
+      if (inside) break;
+      inside = true;
+    } else if (inside) {
+      names.push_back(line.substr(0, line.find(' ')));
+    }
+  }
+  return names;
+}
+
+// The folders of the project in the order of their needs. In a name, * is a word without "/".
+Names order() {
+  Names all;
+  for (const std::string& name : listed("grader/ARCHITECTURE.md")) {
+    if (name != "hair/") {
+      all.push_back(name);
+      continue;
+    }
+    for (const std::string& folder : listed("hair/README.md")) all.push_back("hair/" + folder);
+  }
+  return all;
+}
+
+// A folder's name stands for all files below it, unless a longer name stands for them, too.
+std::size_t place_of(const std::string& path, const Names& order) {
+  std::size_t found = order.size(), longest = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::string& name = order[i];
+    std::size_t end = path.size();
+    if (name.ends_with('/')) {
+      end = 0;
+      for (auto slashes = std::ranges::count(name, '/'); slashes > 0 && end != std::string::npos; --slashes)
+        end = path.find('/', end + (end > 0 ? 1 : 0));
+      if (end == std::string::npos) continue;
+      ++end;
+    }
+    if (name.size() > longest && fnmatch(name.c_str(), path.substr(0, end).c_str(), FNM_PATHNAME) == 0) {
+      found = i;
+      longest = name.size();
+    }
+  }
+  return found;
+}
+
+// By source file: the project's files that it includes.
+std::map<std::string, Names> read_includes() {
+  std::map<std::string, Names> includes;
+  for (const char* top : {"solver", "particles", "hair", "handout", "reference", "grader"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kProject / top)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      Names& found = includes[entry.path().lexically_relative(kProject).generic_string()];
+      std::istringstream text(hair::bytes_of(entry.path()));
+      for (std::string line; std::getline(text, line);)
+        if (const std::string begin = "#include \""; line.starts_with(begin))
+          found.push_back(line.substr(begin.size(), line.rfind('"') - begin.size()));
+    }
+  return includes;
+}
+
+bool is_for_tests(const std::string& path) {
+  const auto has = [&](const char* part) { return path.find(part) != std::string::npos; };
+  return has("_test.") || has("_fuzz.") || has("_for_tests.") || has("/tests/");
+}
+
+TEST(Includes, PointUpTheListsOfFolders) {
+  const Names folders = order();
+  const std::map<std::string, Names> includes = read_includes();
+  std::set<std::size_t> used;
+  for (const auto& [path, included] : includes) {
+    const std::size_t own = place_of(path, folders);
+    ASSERT_LT(own, folders.size()) << path
+                                   << " lies in no folder that ARCHITECTURE.md or hair/README.md lists";
+    used.insert(own);
+    for (const std::string& other : included)
+      if (includes.contains(other) && !is_for_tests(path))
+        EXPECT_LE(place_of(other, folders), own)
+            << path << " includes " << other << ", which is listed below " << folders[own];
+  }
+  for (std::size_t i = 0; i < folders.size(); ++i)
+    EXPECT_TRUE(used.contains(i)) << folders[i] << " has no file";
+}
+
+// A header and its source count as one.
+TEST(Includes, OfTheGraderGoInNoCircle) {
+  const auto name_of = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
+  std::map<std::string, std::set<std::string>> needs;
+  for (const auto& [path, included] : read_includes())
+    for (const std::string& other : included)
+      if (path.starts_with("grader/") && !is_for_tests(path) && name_of(other) != name_of(path))
+        needs[name_of(path)].insert(name_of(other));
+  // Files that need none of those left, or that none of those needs, are taken away: circles stay.
+  for (std::size_t before = 0; before != needs.size();) {
+    before = needs.size();
+    std::set<std::string> needed;
+    for (auto& [file, others] : needs) {
+      std::erase_if(others, [&](const std::string& other) { return !needs.contains(other); });
+      needed.insert(others.begin(), others.end());
+    }
+    std::erase_if(needs,
+                  [&](const auto& file) { return file.second.empty() || !needed.contains(file.first); });
+  }
+  for (const auto& [file, others] : needs) ADD_FAILURE() << file << " needs " << *others.begin();
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "grader/sandbox/identity.h"
+#include "grader/sandbox/processes/identity.h"
 
 namespace grader {
 

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "grader/intake/names.h"
+#include "grader/intake/names/names.h"
 #include "grader/record/record.h"
-#include "grader/report/picture_files.h"
+#include "grader/report/facts/picture_files.h"
 #include "grader/result/result.h"
 #include "grader/samples/sample.h"
 #include "grader/tests/broken_links.h"

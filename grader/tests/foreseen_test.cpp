@@ -8,7 +8,7 @@
 #include <set>
 
 #include "grader/course/course.h"
-#include "grader/judge/suite_table.h"
+#include "grader/judge/cases/suite_table.h"
 #include "hair/io/files/temporary_folder.h"
 #include "handout/check/category.h"
 

@@ -13,9 +13,9 @@
 #include <stdexcept>
 
 #include "grader/course/course.h"
-#include "grader/intake/submission.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/record/record.h"
-#include "grader/report/picture_files.h"
+#include "grader/report/facts/picture_files.h"
 #include "grader/report/report.h"
 #include "grader/tests/busy_user.h"
 #include "grader/tests/run_program.h"

@@ -5,11 +5,11 @@
 
 #include <filesystem>
 
+#include "grader/grading/secret.h"
+#include "grader/grading/settings_for_tests.h"
 #include "grader/mutants/judging.h"
 #include "grader/tests/mutants_found.h"
 #include "grader/tests/run_program.h"
-#include "grader/tool/secret.h"
-#include "grader/tool/settings_for_tests.h"
 
 namespace grader {
 namespace {

@@ -21,6 +21,7 @@
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/system_mounts.h"
 #include "grader/tests/mutants_found.h"

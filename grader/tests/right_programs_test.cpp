@@ -19,7 +19,7 @@
 #include "grader/course/course.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
-#include "grader/sandbox/processors.h"
+#include "grader/sandbox/processes/processors.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"

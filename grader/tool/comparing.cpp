@@ -7,13 +7,13 @@
 #include <iostream>
 #include <set>
 
+#include "grader/class_folder/progress.h"
 #include "grader/compare/comparison.h"
 #include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
 #include "grader/compare/pairs.h"
 #include "grader/course/input.h"
-#include "grader/report/comparison_page.h"
-#include "grader/tool/progress.h"
+#include "grader/report/pages/comparison_page.h"
 #include "hair/io/image/read_png.h"
 
 namespace grader::inline tool {

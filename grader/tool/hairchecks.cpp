@@ -9,10 +9,11 @@
 #include <iostream>
 
 #include "grader/course/input.h"
-#include "grader/intake/caged_archive.h"
+#include "grader/grading/isolation_here.h"
+#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/read_submissions.h"
 #include "grader/sandbox/inherited.h"
-#include "grader/tool/gradescope.h"
-#include "grader/tool/isolation_here.h"
+#include "grader/tool/gradescope_hand_in.h"
 #include "grader/tool/public_checks.h"
 #include "hair/io/files/finish_output.h"
 

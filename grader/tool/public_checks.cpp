@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "grader/grading/exercise_grading.h"
+#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/system_mounts.h"
-#include "grader/tool/exercise_grading.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "grader/compile/compiler.h"
+#include "grader/grading/grading.h"
 #include "grader/intake/submission.h"
-#include "grader/tool/grading.h"
 
 namespace grader::inline tool {
 

@@ -38,7 +38,7 @@ struct ProvidedAsker {
 };
 
 template <class Calls, auto function, class... Arguments>
-ResultOf<function> asked(Arguments&&... arguments) {
+ResultOf<function> proxied(Arguments&&... arguments) {
   using Call = typename Calls::template Of<function>;
   ProvidedAsker<Calls> asker;
   Call::Check::check(arguments...);

@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/stopped_calls.h"
-#include "grader/sandbox/syscalls.h"
+#include "grader/sandbox/system_calls/stopped_calls.h"
+#include "grader/sandbox/system_calls/syscalls.h"
 #include "grader/worker/request.h"
 #include "grader/worker/session.h"
 #include "solver/not_implemented.h"

@@ -12,10 +12,10 @@ namespace {
 
 // Hair grows above this line, as seen from the side: forehead, temple, sideburn, ear, and nape.
 double hairline(double y) {
-  struct Place {
+  struct Corner {
     double y, z;
   };
-  constexpr std::array<Place, 10> line = {{{-0.090, 0.062},
+  constexpr std::array<Corner, 10> line = {{{-0.090, 0.062},
                                            {-0.072, 0.056},
                                            {-0.056, 0.034},
                                            {-0.036, 0.022},

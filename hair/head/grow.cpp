@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "hair/groom/nearest_points.h"
+#include "hair/groom/resample.h"
 #include "hair/head/grow_line.h"
-#include "hair/head/nearest_points.h"
-#include "hair/head/resample.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/strand/variation.h"
 

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "hair/head/groom.h"
+#include "hair/groom/groom.h"
 #include "hair/head/hair_style.h"
 #include "hair/head/head.h"
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <tuple>
 
+#include "hair/groom/groom_measures.h"
+#include "hair/groom/nearest_points.h"
 #include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"
-#include "hair/head/groom_measures.h"
 #include "hair/head/grow_line.h"
-#include "hair/head/nearest_points.h"
 #include "hair/head/scalp_roots.h"
 #include "solver/test_refusal.h"
 

@@ -2,7 +2,7 @@
 // up, and the face looks along -y. Metres.
 #pragma once
 
-#include "hair/strand/solid.h"
+#include "hair/obstacles/solid.h"
 
 namespace hair {
 

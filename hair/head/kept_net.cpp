@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/digest.h"
 #include "hair/io/files/kept_file.h"
 #include "hair/strand/variation.h"
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "hair/groom/groom_measures.h"
+#include "hair/groom/nearest_points.h"
 #include "hair/head/ellipsoid_head.h"
-#include "hair/head/groom_measures.h"
-#include "hair/head/nearest_points.h"
 #include "hair/strand/variation.h"
 
 namespace hair {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hair/strand/solid.h"
+#include "hair/obstacles/solid.h"
 
 namespace hair {
 

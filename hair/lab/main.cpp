@@ -1,7 +1,7 @@
 // hairlab: runs scenes of hair with the exercises' code. It hands over to hairlab-study, which measures the
 // quality of runs, and to hairlab-groom, which reads grooms' files. Its exit codes are in
 // hair/lab/commands/exit_codes.h.
-#include "hair/head/groom_file.h"
+#include "hair/groom/groom_file.h"
 #include "hair/lab/commands/hand_over.h"
 #include "hair/lab/commands/play.h"
 #include "hair/lab/commands/program.h"

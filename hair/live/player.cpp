@@ -22,8 +22,8 @@
 #include "hair/live/commands_in.h"
 #include "hair/live/live_settings.h"
 #include "hair/live/whereabouts.h"
-#include "hair/render/scene_drawing.h"
 #include "hair/scene/playback.h"
+#include "hair/scene_drawing/scene_drawing.h"
 #include "solver/not_in_course.h"
 
 namespace hair {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hair/head/surface_net.h"
-#include "hair/strand/obstacles.h"
+#include "hair/obstacles/obstacles.h"
 
 namespace hair {
 

@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "hair/obstacles/obstacles.h"
 #include "hair/render/drawing.h"
 #include "hair/simulation/strand_threads.h"
-#include "hair/strand/obstacles.h"
 
 namespace hair {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "hair/render/scene_drawing.h"
 #include "hair/scene/playback.h"
+#include "hair/scene_drawing/scene_drawing.h"
 #include "solver/not_implemented.h"
 
 // The exercise whose stub this program has.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/mass_spring/mesh_record.h"
+#include "hair/linked_guides/mesh_record.h"
 #include "hair/scene/scene.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "hair/head/groom_file.h"
-#include "hair/head/hair_file.h"
-#include "hair/head/made_hair_file.h"
+#include "hair/groom/groom_file.h"
+#include "hair/groom/hair_file.h"
+#include "hair/groom/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/playback.h"
 #include "hair/simulation/models.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "hair/dense/synthesis.h"
 #include "hair/head/grow.h"
-#include "hair/head/synthesis.h"
 #include "hair/scene/motion.h"
 #include "hair/simulation/description.h"
 #include "particles/toys/toy.h"

@@ -8,7 +8,7 @@ function(scene_test NAME)
 endfunction()
 
 scene_test(read_scene_test SANITISED SOURCES read_scene_test.cpp read_bad_scene_test.cpp read_groom_test.cpp
-           reading.cpp scene_keys_test.cpp
+           test_reading.cpp scene_keys_test.cpp
            LIBRARIES hair_scene hair_simulation ${exercises})
 scene_test(playback_test SANITISED SOURCES angular_momentum_test.cpp playback_test.cpp
            LIBRARIES hair_allocations hair_scene hair_simulation ${exercises})

@@ -10,7 +10,7 @@
 #include "hair/strand/centre_line.h"
 #include "hair/strand/implicit_contacts.h"
 #include "hair/strand/test_bodies.h"
-#include "hair/strand/test_placed_ball.h"
+#include "hair/obstacles/test_placed_ball.h"
 #include "hair/strand/turns.h"
 #include "solver/test_allocations.h"
 

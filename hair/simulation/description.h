@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "hair/geometric_term.h"
-#include "hair/mass_spring/control_mesh.h"
+#include "hair/linked_guides/control_mesh.h"
 #include "hair/mass_spring/strand_forces.h"
 #include "hair/mass_spring/strand_start.h"
+#include "hair/obstacles/obstacles.h"
 #include "hair/simulation/methods.h"
-#include "hair/strand/obstacles.h"
 #include "hair/strand/strand_spec.h"
 #include "particles/gravity.h"
 

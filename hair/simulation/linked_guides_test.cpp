@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "hair/head/control_mesh.h"
-#include "hair/mass_spring/frame_torque.h"
-#include "hair/mass_spring/guide_frames.h"
-#include "hair/mass_spring/linked_energy.h"
-#include "hair/mass_spring/strip_contacts.h"
+#include "hair/linked_guides/frame_torque.h"
+#include "hair/linked_guides/guide_frames.h"
+#include "hair/linked_guides/linked_energy.h"
+#include "hair/linked_guides/make_control_mesh.h"
+#include "hair/linked_guides/strip_contacts.h"
 #include "hair/simulation/simulation.h"
 #include "hair/strand/turns.h"
 #include "handout/check/derivative.h"

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "hair/linked_guides/linked_guides.h"
 #include "hair/mass_spring/force_parts.h"
-#include "hair/mass_spring/linked_guides.h"
 #include "hair/mass_spring/step_methods.h"
 #include "hair/simulation/models.h"
 

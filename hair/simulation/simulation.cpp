@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "hair/mass_spring/linked_guides.h"
+#include "hair/linked_guides/linked_guides.h"
 #include "hair/simulation/mass_spring_strand.h"
 #include "hair/simulation/models.h"
 #include "particles/require.h"

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "hair/mass_spring/joint_step.h"
+#include "hair/linked_guides/joint_step.h"
 #include "hair/mass_spring/mass_spring_body.h"
 #include "hair/simulation/description.h"
 #include "hair/simulation/strand_threads.h"

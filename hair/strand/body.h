@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "hair/obstacles/obstacles.h"
 #include "hair/strand/blow_up.h"
-#include "hair/strand/obstacles.h"
 #include "hair/strand/watch.h"
 #include "hair/strand/work.h"
 #include "particles/vectors.h"

@@ -19,8 +19,8 @@
 #include <span>
 #include <vector>
 
+#include "hair/obstacles/obstacles.h"
 #include "hair/strand/energy_watch.h"
-#include "hair/strand/obstacles.h"
 
 namespace hair {
 

@@ -110,9 +110,9 @@ SUNContext make_context() {
 void say_nothing(int, const char*, const char*, char*, void*) {}
 #endif
 
-class Solver {
+class CvodeSolver {
  public:
-  Solver(Ode& ode, const CvodeWay& way, const std::atomic<bool>& interrupted)
+  CvodeSolver(Ode& ode, const CvodeWay& way, const std::atomic<bool>& interrupted)
       : call_{ode, interrupted, {}},
         context_(make_context()),
         y_(N_VNew_Serial(ode.size(), context_.get())),
@@ -236,7 +236,7 @@ std::optional<CvodeRun> run_cvode(Ode& ode, double duration, int moments, const 
       run.states.push_back(ode.state(duration * k / moments, Eigen::VectorXd()));
     return run;
   }
-  Solver solver(ode, way, interrupted);
+  CvodeSolver solver(ode, way, interrupted);
   run.states.push_back(solver.state());
   bool fresh = false;
   for (const Stop& stop : stops(ode, duration, moments)) {

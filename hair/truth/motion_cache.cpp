@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "hair/io/digest.h"
+#include "hair/io/files/digest.h"
 #include "hair/io/files/kept_file.h"
 #include "hair/strand/variation.h"
 

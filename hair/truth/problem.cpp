@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/io/digest.h"
+#include "hair/io/files/digest.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/simulation/models.h"
 #include "particles/require.h"

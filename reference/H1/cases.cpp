@@ -1,6 +1,6 @@
 // STAFF ONLY. H1: hidden cases of stretch_energy, add_stretch_force and add_stretch_product. Bounds:
-// grader/judge/strand_springs.h.
-#include "grader/judge/strand_springs.h"
+// grader/judge/cases/strand_springs.h.
+#include "grader/judge/cases/strand_springs.h"
 #include "hair/stretch_springs.h"
 #include "reference/H1/calls.h"
 

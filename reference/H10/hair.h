@@ -1,7 +1,7 @@
 // STAFF ONLY. Inputs of H10's hidden cases: triangles of roots, and guides with their points.
 #pragma once
 
-#include "grader/judge/random.h"
+#include "grader/judge/cases/random.h"
 #include "hair/strand_synthesis.h"
 
 namespace grader::h10 {

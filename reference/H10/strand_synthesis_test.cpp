@@ -1,5 +1,5 @@
 // STAFF ONLY. Compares H10's frames with the area that directions go around. Motions of the whole head,
-// threads and allocations are in hair/head/synthesis_test.cpp.
+// threads and allocations are in hair/dense/synthesis_test.cpp.
 #include "hair/strand_synthesis.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "grader/judge/strand_force.h"
+#include "grader/judge/cases/strand_force.h"
 
 namespace grader::h2 {
 

@@ -1,8 +1,8 @@
 // STAFF ONLY. H3: hidden cases of bend_spring_energy, add_bend_spring_force and add_bend_spring_product.
-// Bounds: grader/judge/strand_springs.h.
+// Bounds: grader/judge/cases/strand_springs.h.
 #include <cmath>
 
-#include "grader/judge/strand_springs.h"
+#include "grader/judge/cases/strand_springs.h"
 #include "hair/bend_springs.h"
 #include "reference/H3/calls.h"
 

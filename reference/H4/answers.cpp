@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "grader/judge/case_asker.h"
+#include "grader/judge/cases/case_asker.h"
 #include "reference/H4/calls.h"
 
 namespace grader::h4 {

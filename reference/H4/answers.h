@@ -2,8 +2,8 @@
 // the force or the matrix.
 #pragma once
 
-#include "grader/judge/implicit_system.h"
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/implicit_system.h"
+#include "grader/judge/cases/trial.h"
 
 namespace grader::h4 {
 

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "grader/judge/rounding.h"
+#include "grader/judge/cases/rounding.h"
 #include "reference/H4/answers.h"
 #include "reference/H4/clouds.h"
 

@@ -1,7 +1,7 @@
 // STAFF ONLY. The part of H4's cases in other units that is about solve_plain.
 #pragma once
 
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/trial.h"
 
 namespace grader::h4 {
 

@@ -1,7 +1,7 @@
 // STAFF ONLY. Particles under forces whose parts can be left out one by one, and soft hair.
 #pragma once
 
-#include "grader/judge/implicit_system.h"
+#include "grader/judge/cases/implicit_system.h"
 
 namespace grader::h4 {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "grader/judge/case_asker.h"
-#include "grader/judge/random_vector.h"
-#include "grader/judge/rounding.h"
+#include "grader/judge/cases/case_asker.h"
+#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/rounding.h"
 #include "reference/H4/answers.h"
 #include "reference/H4/calls.h"
 #include "reference/H4/cases.h"

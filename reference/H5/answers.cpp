@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "grader/judge/case_asker.h"
+#include "grader/judge/cases/case_asker.h"
 #include "reference/H5/calls.h"
 #include "solver/symmetric_eigen.h"
 

@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/trial.h"
 #include "hair/length_correction.h"
 #include "reference/H5/strands.h"
 

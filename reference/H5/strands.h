@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "grader/judge/random_vector.h"
-#include "grader/judge/rounding.h"
+#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/rounding.h"
 #include "hair/strand.h"
 
 namespace grader::h5 {

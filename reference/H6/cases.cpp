@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grader/judge/case_asker.h"
-#include "grader/judge/implicit_system.h"
-#include "grader/judge/other_force.h"
-#include "grader/judge/rounding.h"
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/case_asker.h"
+#include "grader/judge/cases/implicit_system.h"
+#include "grader/judge/cases/other_force.h"
+#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/trial.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grader/judge/case_asker.h"
+#include "grader/judge/cases/case_asker.h"
 #include "reference/H7/calls.h"
 
 namespace grader::h7 {

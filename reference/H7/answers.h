@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/trial.h"
 #include "reference/H7/trees.h"
 
 namespace grader::h7 {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "grader/judge/random_vector.h"
-#include "grader/judge/rounding.h"
+#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/rounding.h"
 #include "hair/rigid_links.h"
 
 namespace grader::h7 {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "grader/judge/random.h"
+#include "grader/judge/cases/random.h"
 #include "hair/rigid_links/tree_motion.h"
 
 namespace grader::h7 {

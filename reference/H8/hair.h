@@ -2,7 +2,7 @@
 // errors.
 #pragma once
 
-#include "grader/judge/random.h"
+#include "grader/judge/cases/random.h"
 #include "hair/super_helix/helix_forces.h"
 
 namespace grader::h8 {

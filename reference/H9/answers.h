@@ -1,7 +1,7 @@
 // STAFF ONLY. Asks a student's functions of H9 through the pipe.
 #pragma once
 
-#include "grader/judge/case_asker.h"
+#include "grader/judge/cases/case_asker.h"
 #include "reference/H9/calls.h"
 #include "reference/H9/mesh.h"
 

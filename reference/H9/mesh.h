@@ -1,7 +1,7 @@
 // STAFF ONLY. Inputs of H9's hidden cases: links, points near triangles, contacts.
 #pragma once
 
-#include "grader/judge/random.h"
+#include "grader/judge/cases/random.h"
 #include "hair/static_links.h"
 
 namespace grader::h9 {

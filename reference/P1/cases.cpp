@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "grader/judge/linear_system.h"
-#include "grader/judge/rounding.h"
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/linear_system.h"
+#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/trial.h"
 #include "particles/explicit_integrators.h"
 #include "reference/P1/runs.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "grader/calls/dynamics_server.h"
-#include "grader/judge/case_asker.h"
-#include "grader/judge/random_vector.h"
+#include "grader/judge/cases/case_asker.h"
+#include "grader/judge/cases/random_vector.h"
 #include "particles/explicit_integrators.h"
 
 namespace grader::p1 {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "grader/judge/case_asker.h"
+#include "grader/judge/cases/case_asker.h"
 #include "reference/P2/calls.h"
 
 namespace grader::p2 {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "grader/judge/random_vector.h"
-#include "grader/judge/rounding.h"
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/trial.h"
 #include "reference/P2/system.h"
 
 namespace grader::p2 {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "grader/judge/linear_system.h"
+#include "grader/judge/cases/linear_system.h"
 #include "reference/P2/answers.h"
 
 namespace grader::p2 {

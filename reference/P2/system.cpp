@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "grader/judge/rounding.h"
+#include "grader/judge/cases/rounding.h"
 
 namespace grader {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/judge/random.h"
+#include "grader/judge/cases/random.h"
 #include "particles/constraint_forces.h"
 
 namespace grader {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "grader/judge/linear_system.h"
+#include "grader/judge/cases/linear_system.h"
 
 namespace grader::s1 {
 

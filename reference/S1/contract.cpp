@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "grader/judge/linear_system.h"
+#include "grader/judge/cases/linear_system.h"
 #include "reference/S1/cases.h"
 
 namespace grader::s1 {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "grader/judge/linear_system.h"
+#include "grader/judge/cases/linear_system.h"
 #include "reference/S1/cases.h"
 
 namespace grader::s1 {

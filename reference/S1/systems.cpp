@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "grader/judge/linear_system.h"
+#include "grader/judge/cases/linear_system.h"
 #include "solver/matrix_market.h"
 
 namespace grader::s1 {

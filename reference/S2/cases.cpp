@@ -4,10 +4,10 @@
 #include <limits>
 #include <tuple>
 
-#include "grader/judge/case_asker.h"
-#include "grader/judge/linear_system.h"
-#include "grader/judge/rounding.h"
-#include "grader/judge/trial.h"
+#include "grader/judge/cases/case_asker.h"
+#include "grader/judge/cases/linear_system.h"
+#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/trial.h"
 #include "reference/S2/calls.h"
 
 namespace grader::s2 {

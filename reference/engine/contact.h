@@ -1,4 +1,4 @@
-// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the way back to memory, and the head. It
+// STAFF ONLY. Steps 5 and 6 of hair/dense/full_head.h: velocities, the way back to memory, and the head. It
 // first lists a group's points that are near the head, of all strands together, and then pushes them out, as
 // many at a time as a vector of single precision has lanes.
 #if defined(HAIR_REFERENCE_ENGINE_CONTACT_H_) == defined(HWY_TARGET_TOGGLE)

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "hair/strand/solid.h"
+#include "hair/obstacles/solid.h"
 #include "reference/engine/group.h"
 
 namespace hair::engine {

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "hair/length_correction.h"
+#include "hair/obstacles/obstacles.h"
 #include "hair/predictor_corrector.h"
 #include "hair/strand/measures.h"
-#include "hair/strand/obstacles.h"
 #include "particles/implicit_euler.h"
 #include "reference/engine/distance_grid.h"
 #include "reference/engine/engine_states.h"

@@ -1,6 +1,6 @@
 // STAFF ONLY. The engine's host side: groups of strands, their memory, and threads over them.
 
-#include "hair/head/full_head.h"
+#include "hair/dense/full_head.h"
 
 #include <hwy/aligned_allocator.h>
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "hair/head/full_head.h"
+#include "hair/dense/full_head.h"
 #include "hair/mass_spring/moving_strand.h"
 #include "hair/mass_spring/strand_forces.h"
 #include "hair/strand/make_strand.h"

@@ -1,6 +1,6 @@
-// STAFF ONLY. Step 4 of hair/head/full_head.h: H5's correct_lengths for several strands, as in the reference:
-// Newton's method with a tridiagonal matrix, halved steps, and `place` where that fails. A strand's steps
-// depend on no other strand: strands that are done wait unchanged for the rest.
+// STAFF ONLY. Step 4 of hair/dense/full_head.h: H5's correct_lengths for several strands, as in the
+// reference: Newton's method with a tridiagonal matrix, halved steps, and `place` where that fails. A
+// strand's steps depend on no other strand: strands that are done wait unchanged for the rest.
 //
 // A Newton step is one sweep along the strand. At each segment it solves for the multiplier, moves a point,
 // measures the segment, and eliminates it from the next step's matrix. An elimination ends where the solve

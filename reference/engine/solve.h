@@ -1,6 +1,6 @@
-// STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h: forces, matrix, factorisation and solve; without bending
-// in one sweep from the root to the tip, and one back. Everything is divided by the mass of a point within
-// the strand. Row i of the equation is
+// STAFF ONLY. Steps 1 to 3 of hair/dense/full_head.h: forces, matrix, factorisation and solve; without
+// bending in one sweep from the root to the tip, and one back. Everything is divided by the mass of a point
+// within the strand. Row i of the equation is
 //
 //   (w_i mass + h^2 S_i / m) y = w_i (v_i - v0 + push - drag v0) + h f_i / m,   w = 1, at the tip 1/2.
 #if defined(HAIR_REFERENCE_ENGINE_SOLVE_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,4 +1,4 @@
-// STAFF ONLY. Steps 1 to 3 of hair/head/full_head.h with bending. Two sweeps measure segments and joints,
+// STAFF ONLY. Steps 1 to 3 of hair/dense/full_head.h with bending. Two sweeps measure segments and joints,
 // whose points do not wait for each other; a third eliminates, and one goes back.
 //
 // The energy depends on the segments' vectors e. With its second derivatives H_ss and X_s = H_{s+1,s}, point

@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "grader/intake/archive_format.h"
-#include "grader/intake/ignored.h"
-#include "grader/intake/names.h"
+#include "grader/intake/names/archive_format.h"
+#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline intake {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/intake/accounted.h"
-#include "grader/intake/container.h"
+#include "grader/intake/archives/accounted.h"
+#include "grader/intake/archives/container.h"
 #include "grader/intake/layouts/system.h"
 
 namespace grader::inline intake {

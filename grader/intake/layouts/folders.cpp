@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "grader/intake/archive_format.h"
-#include "grader/intake/ignored.h"
-#include "grader/intake/same_name.h"
+#include "grader/intake/names/archive_format.h"
+#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/same_name.h"
 
 namespace grader::inline intake {
 namespace {

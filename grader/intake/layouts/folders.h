@@ -30,8 +30,8 @@
 #include <string_view>
 #include <vector>
 
-#include "grader/intake/container.h"
-#include "grader/intake/exercise_names.h"
+#include "grader/intake/archives/container.h"
+#include "grader/intake/names/exercise_names.h"
 
 namespace grader::inline intake {
 

@@ -13,7 +13,7 @@
 #include <map>
 #include <string>
 
-#include "grader/intake/owner.h"
+#include "grader/intake/names/owner.h"
 
 namespace grader::inline intake {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grader/intake/owner.h"
+#include "grader/intake/names/owner.h"
 
 namespace grader::inline intake {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "hair/head/synthesis.h"
+#include "hair/dense/synthesis.h"
 #include "hair/scene/scene.h"
 
 namespace grader::inline judge {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/course/input.h"
-#include "grader/judge/random.h"
+#include "grader/judge/cases/random.h"
 
 namespace grader::inline judge {
 

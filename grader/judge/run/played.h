@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "grader/judge/cases/trial.h"
 #include "grader/judge/run/play.h"
-#include "grader/judge/trial.h"
 
 namespace grader::inline judge {
 

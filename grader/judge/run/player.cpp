@@ -1,9 +1,9 @@
 // STAFF ONLY. Defines the one function that a player exports.
 #include <exception>
 
-#include "grader/judge/run/asking.h"
 #include "grader/judge/run/play.h"
 #include "grader/judge/run/play_scene.h"
+#include "grader/judge/run/proxies_worker.h"
 
 namespace grader::inline judge {
 namespace {

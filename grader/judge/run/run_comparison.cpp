@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "grader/judge/run/dense_strands.h"
-#include "hair/render/scene_drawing.h"
+#include "hair/scene_drawing/scene_drawing.h"
 
 namespace grader::inline judge {
 namespace {

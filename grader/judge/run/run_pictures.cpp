@@ -10,7 +10,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"
 #include "hair/io/image/read_png.h"
-#include "hair/render/renderer.h"
+#include "hair/render/opengl/renderer.h"
 
 namespace grader::inline judge {
 namespace {

@@ -17,7 +17,7 @@
 #include "grader/judge/run/hidden_scene.h"
 #include "grader/judge/run/played.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/processors.h"
+#include "grader/sandbox/processes/processors.h"
 
 namespace grader::inline judge {
 namespace {

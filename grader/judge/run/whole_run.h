@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/cases/suite_table.h"
+#include "grader/judge/cases/trial.h"
 #include "grader/judge/run/hidden_scene.h"
 #include "grader/judge/run/run_comparison.h"
-#include "grader/judge/suite_table.h"
-#include "grader/judge/trial.h"
 #include "grader/result/result.h"
 
 namespace grader::inline judge {

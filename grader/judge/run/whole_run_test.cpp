@@ -1,6 +1,6 @@
 // STAFF ONLY. Tests that hidden scenes have the promised properties, and that wrong runs are found.
 #include "grader/judge/run/whole_run.h"
-#include "grader/judge/suite_table.h"
+#include "grader/judge/cases/suite_table.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/judge/run/play_scene.h"
-#include "hair/head/synthesis.h"
+#include "hair/dense/synthesis.h"
 
 namespace grader::inline judge {
 namespace {

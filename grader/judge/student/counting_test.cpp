@@ -1,7 +1,7 @@
 // STAFF ONLY. Tests how many cases of a category hold when a worker with the reference's S1 answers.
 #include <gtest/gtest.h>
 
-#include "grader/judge/case_asker.h"
+#include "grader/judge/cases/case_asker.h"
 #include "reference/S1/calls.h"
 
 namespace grader::inline judge {

@@ -12,7 +12,7 @@ class NoProduct : public implicitMatrix {
 };
 
 template <class Calls, auto function, class... Arguments>
-ResultOf<function> asked(Arguments&&... /*arguments*/) {
+ResultOf<function> proxied(Arguments&&... /*arguments*/) {
   if constexpr (Signature<decltype(function)>::returns_matrix)
     return std::make_unique<NoProduct>();
   else if constexpr (!std::is_void_v<ResultOf<function>>)

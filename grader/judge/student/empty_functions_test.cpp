@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/course/course.h"
-#include "grader/judge/suite_table.h"
+#include "grader/judge/cases/suite_table.h"
 
 namespace grader::inline judge {
 namespace {

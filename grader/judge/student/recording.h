@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/judge/student/student.h"
+#include "grader/judge/student/outcome.h"
+#include "grader/wire/message.h"
 
 namespace grader::inline judge {
 

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/judge/allowance.h"
+#include "grader/judge/student/allowance.h"
+#include "grader/judge/student/outcome.h"
 #include "grader/judge/student/provided.h"
 #include "grader/sandbox/cage.h"
 #include "grader/sandbox/watchdog.h"
@@ -36,19 +37,6 @@ struct WorkerSetup {
   int cpu_seconds = 10;    // bounds one worker
   // Workers that share it may be copies of one setup.
   std::shared_ptr<Allowance> allowance = std::make_shared<Allowance>();
-};
-
-enum class Outcome {
-  done,
-  stopped,  // the suite stopped it after enough products
-  not_implemented,
-  threw,
-  out_of_memory,
-  crashed,
-  timed_out,
-  broke_rules,
-  cannot_load,
-  memory_error,  // the reply is a memory error, see grader/wire/memory_error.h
 };
 
 struct Answer {

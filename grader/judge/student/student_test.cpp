@@ -6,8 +6,8 @@
 
 #include <fstream>
 
-#include "grader/sandbox/identity.h"
 #include "grader/sandbox/isolation_for_tests.h"
+#include "grader/sandbox/processes/identity.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader::inline judge {

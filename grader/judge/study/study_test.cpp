@@ -8,8 +8,8 @@
 #include <map>
 #include <thread>
 
-#include "grader/report/pages.h"
-#include "hair/io/plot/tests/parsed.h"
+#include "grader/report/pages/pages.h"
+#include "hair/io/plot/test_parsed.h"
 #include "hair/scene/playback.h"
 
 namespace grader::inline judge {

@@ -3,7 +3,7 @@
 
 #include "grader/course/input.h"
 #include "grader/record/changes.h"
-#include "grader/report/text.h"
+#include "grader/report/facts/text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 

@@ -7,13 +7,13 @@
 #include "grader/course/input.h"
 #include "grader/gradebook/feedback.h"
 #include "grader/gradebook/recorded_grades.h"
-#include "grader/intake/caged_archive.h"
+#include "grader/grading/isolation_here.h"
+#include "grader/intake/archives/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/record/record.h"
 #include "grader/report/student_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
-#include "grader/tool/isolation_here.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {

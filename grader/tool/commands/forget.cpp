@@ -1,11 +1,11 @@
 // STAFF ONLY. `hairgrade forget`: removes all data of a student from record, pages and pictures.
 #include <iostream>
 
+#include "grader/class_folder/class_files.h"
+#include "grader/class_folder/folder_lock.h"
 #include "grader/report/report.h"
-#include "grader/tool/class_files.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
-#include "grader/tool/folder_lock.h"
 
 namespace grader::inline tool {
 namespace {

@@ -4,29 +4,29 @@
 #include <iostream>
 #include <memory>
 
+#include "grader/class_folder/at_rest.h"
+#include "grader/class_folder/batch.h"
+#include "grader/class_folder/blind.h"
+#include "grader/class_folder/folder_of_grades.h"
+#include "grader/class_folder/rows.h"
+#include "grader/class_folder/says_yes.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/intake/caged_archive.h"
+#include "grader/grading/grading.h"
+#include "grader/grading/secret.h"
+#include "grader/intake/archives/caged_archive.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/names.h"
-#include "grader/intake/submission.h"
-#include "grader/record/hand_ins.h"
+#include "grader/intake/names/names.h"
+#include "grader/intake/read_submissions.h"
+#include "grader/record/points/hand_ins.h"
 #include "grader/record/record.h"
 #include "grader/report/report.h"
 #include "grader/roster/groups.h"
 #include "grader/roster/times.h"
-#include "grader/sandbox/own_groups.h"
+#include "grader/sandbox/processes/own_groups.h"
 #include "grader/text/time_text.h"
-#include "grader/tool/asking.h"
-#include "grader/tool/at_rest.h"
-#include "grader/tool/batch.h"
-#include "grader/tool/blind.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/folder_of_grades.h"
-#include "grader/tool/grade_settings.h"
-#include "grader/tool/grading.h"
-#include "grader/tool/rows.h"
-#include "grader/tool/secret.h"
+#include "grader/tool/commands/grade_settings.h"
 
 namespace grader::inline tool {
 namespace {
@@ -109,7 +109,7 @@ int grade(GradeOptions options) {
   CallersWord& word = batch_settings.word;
   if (roster) word.choices.known = known_by(*roster);
   word.class_over_rows = word.choices.classes;
-  Intake intake = asking(word.choices.classes, word.replace, [&] {
+  Intake intake = until_answered(word.choices.classes, word.replace, [&] {
     return read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here, {},
                             word.choices);
   });
@@ -128,8 +128,8 @@ int grade(GradeOptions options) {
     return 130;
   }
   Record& record = folder->record();
-  const Plan plan = asking(word.class_over_rows, word.replace,
-                           [&] { return plan_of(intake, record, roster, batch_settings); });
+  const Plan plan = until_answered(word.class_over_rows, word.replace,
+                                   [&] { return plan_of(intake, record, roster, batch_settings); });
   for (const std::string& line : plan.replaced) std::cerr << "hairgrade: " << line << "\n";
   for (const std::string& line : plan.taken_for) std::cout << line << "\n" << std::flush;
   const std::string open_to_others = readable_by_others(staff_places(settings, options));

@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "grader/course/input.h"
-#include "grader/intake/caged_archive.h"
-#include "grader/intake/submission.h"
-#include "grader/record/hand_ins.h"
+#include "grader/grading/grading.h"
+#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/read_submissions.h"
+#include "grader/record/points/hand_ins.h"
 #include "grader/report/report.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/grade_settings.h"
-#include "grader/tool/gradescope.h"
-#include "grader/tool/grading.h"
+#include "grader/tool/commands/grade_settings.h"
+#include "grader/tool/gradescope_hand_in.h"
 
 namespace grader::inline tool {
 namespace {

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "grader/course/input.h"
-#include "grader/record/points_then.h"
-#include "grader/report/text.h"
+#include "grader/record/points/points_then.h"
+#include "grader/report/facts/text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 

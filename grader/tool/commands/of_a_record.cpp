@@ -3,11 +3,11 @@
 
 #include <iostream>
 
+#include "grader/class_folder/class_files.h"
+#include "grader/class_folder/folder_of_grades.h"
 #include "grader/course/input.h"
-#include "grader/record/hand_ins.h"
-#include "grader/tool/class_files.h"
+#include "grader/record/points/hand_ins.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/folder_of_grades.h"
 
 namespace grader::inline tool {
 

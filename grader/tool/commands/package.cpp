@@ -5,12 +5,12 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/grading/secret.h"
 #include "grader/package/gradescope_package.h"
 #include "grader/package/handout.h"
-#include "grader/record/hand_ins.h"
+#include "grader/record/points/hand_ins.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/gradescope.h"
-#include "grader/tool/secret.h"
+#include "grader/tool/gradescope_hand_in.h"
 
 namespace grader::inline tool {
 namespace {

@@ -1,5 +1,5 @@
 // STAFF ONLY. `hairgrade secret`: moves the staff's secret to another machine.
-#include "grader/tool/secret.h"
+#include "grader/grading/secret.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

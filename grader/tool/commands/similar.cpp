@@ -3,18 +3,18 @@
 #include <iostream>
 #include <memory>
 
+#include "grader/class_folder/blind.h"
+#include "grader/class_folder/rows.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/intake/caged_archive.h"
+#include "grader/grading/isolation_here.h"
+#include "grader/intake/archives/caged_archive.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/submission.h"
-#include "grader/record/hand_ins.h"
+#include "grader/intake/read_submissions.h"
+#include "grader/record/points/hand_ins.h"
 #include "grader/similar/similar_pages.h"
-#include "grader/tool/blind.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
-#include "grader/tool/isolation_here.h"
-#include "grader/tool/rows.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {

@@ -5,8 +5,8 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/record/hand_ins.h"
-#include "grader/report/text.h"
+#include "grader/record/points/hand_ins.h"
+#include "grader/report/facts/text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 

@@ -1,7 +1,7 @@
 #include "hair/io/files/kept_file.h"
 
-#include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/digest.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"
 

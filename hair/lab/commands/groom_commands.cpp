@@ -4,12 +4,12 @@
 #include <memory>
 #include <stdexcept>
 
+#include "hair/groom/groom_edit.h"
+#include "hair/groom/groom_file.h"
+#include "hair/groom/resample.h"
 #include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"
-#include "hair/head/groom_edit.h"
-#include "hair/head/groom_file.h"
 #include "hair/head/grow.h"
-#include "hair/head/resample.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/files/write_file.h"

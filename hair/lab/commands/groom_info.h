@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hair/head/groom_measures.h"
+#include "hair/groom/groom_measures.h"
 
 namespace hair {
 

@@ -1,6 +1,6 @@
 #include "hair/lab/head/head_hair.h"
 
-#include "hair/head/farthest_points.h"
+#include "hair/groom/farthest_points.h"
 #include "hair/head/grow.h"
 
 namespace hair::head_study {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "hair/lab/head/head_study.h"
-#include "hair/render/renderer.h"
+#include "hair/render/opengl/renderer.h"
 
 namespace hair::head_study {
 

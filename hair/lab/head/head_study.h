@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/head/synthesis.h"
+#include "hair/dense/synthesis.h"
 #include "hair/lab/head/head_errors.h"
 #include "hair/lab/head/moving_head.h"
 

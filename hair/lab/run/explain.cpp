@@ -9,7 +9,7 @@
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/run_record.h"
 #include "hair/mass_spring/force_parts.h"
-#include "hair/render/idle_guides.h"
+#include "hair/scene_drawing/idle_guides.h"
 #include "solver/not_implemented.h"
 
 namespace hair {

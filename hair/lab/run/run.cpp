@@ -13,10 +13,10 @@
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
 #include "hair/lab/run/strip_pushes.h"
-#include "hair/render/idle_guides.h"
-#include "hair/render/renderer.h"
-#include "hair/render/scene_drawing.h"
+#include "hair/render/opengl/renderer.h"
 #include "hair/scene/playback.h"
+#include "hair/scene_drawing/idle_guides.h"
+#include "hair/scene_drawing/scene_drawing.h"
 #include "solver/timing.h"
 
 namespace hair {

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "hair/lab/run/output_file.h"
-#include "hair/mass_spring/mesh_record.h"
+#include "hair/linked_guides/mesh_record.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <vector>
 
-#include "hair/mass_spring/guide_frames.h"
-#include "hair/mass_spring/strip_contacts.h"
+#include "hair/linked_guides/guide_frames.h"
+#include "hair/linked_guides/strip_contacts.h"
 
 namespace hair {
 

@@ -1,7 +1,7 @@
 // hairlab info, convert and groom, from outside.
 #include <gtest/gtest.h>
 
-#include "hair/head/groom_file.h"
+#include "hair/groom/groom_file.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "hair/head/farthest_points.h"
+#include "hair/groom/farthest_points.h"
+#include "hair/groom/resample.h"
 #include "hair/head/grow.h"
-#include "hair/head/resample.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/scene/json/group.h"
 #include "hair/scene/json/grown.h"

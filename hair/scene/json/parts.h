@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/head/control_mesh.h"
+#include "hair/linked_guides/make_control_mesh.h"
 #include "hair/scene/cloth.h"
 #include "hair/scene/json/keys.h"
 #include "hair/scene/json/scalp.h"

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
+#include "hair/dense/roots_between.h"
+#include "hair/groom/root_sphere.h"
 #include "hair/head/bust.h"
-#include "hair/head/root_sphere.h"
-#include "hair/head/roots_between.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/scene/roots.h"
 

@@ -12,12 +12,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "hair/dense/full_head.h"
 #include "hair/head/bust.h"
-#include "hair/head/full_head.h"
 #include "hair/head/grow.h"
 #include "hair/length_correction.h"
+#include "hair/obstacles/obstacles.h"
 #include "hair/predictor_corrector.h"
-#include "hair/strand/obstacles.h"
 #include "particles/implicit_euler.h"
 #include "reference/engine/head_of_strands.h"
 #include "solver/timing.h"

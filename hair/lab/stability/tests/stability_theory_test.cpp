@@ -9,7 +9,7 @@
 #include "hair/lab/stability/hanging.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/lab/validate/hanging_chain.h"
-#include "hair/simulation/tests/hairs.h"
+#include "hair/simulation/test_hairs.h"
 #include "solver/dense_solve.h"
 
 namespace reference_tests {

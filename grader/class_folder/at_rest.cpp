@@ -1,0 +1,62 @@
+// STAFF ONLY. Reads modes of files and of the folders above them.
+#include "grader/class_folder/at_rest.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <system_error>
+
+#include "grader/course/input.h"
+
+namespace grader::inline class_folder {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool lets_others(const fs::path& path, fs::perms right) {
+  std::error_code error;
+  return (fs::status(path, error).permissions() & right) != fs::perms::none && !error;
+}
+
+bool others_can_read(const fs::path& place) {
+  std::error_code error;
+  const fs::path real = fs::canonical(place, error);
+  if (error) return false;
+  // Other users who may enter a folder can open each file whose name they know.
+  if (!lets_others(real, fs::is_directory(real, error) ? fs::perms::others_exec : fs::perms::others_read))
+    return false;
+  for (fs::path above = real.parent_path(); above != above.root_path(); above = above.parent_path())
+    if (!lets_others(above, fs::perms::others_exec)) return false;
+  return true;
+}
+
+// Quotes a path for a shell.
+std::string word(const fs::path& path) {
+  const std::string text = printable(path.string(), 4096);
+  const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char letter) {
+    return std::isalnum(letter) != 0 ||
+           std::string_view("/._-+,=:@").find(static_cast<char>(letter)) != std::string_view::npos;
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+}  // namespace
+
+std::string readable_by_others(const std::vector<StaffPlace>& places) {
+  std::string names, command;
+  std::vector<fs::path> tops;
+  for (const StaffPlace& place : places) {
+    if (!others_can_read(place.path)) continue;
+    names += (names.empty() ? "" : ", ") + place.name;
+    if (std::find(tops.begin(), tops.end(), place.top) != tops.end()) continue;
+    tops.push_back(place.top);
+    command += " " + word(place.top);
+  }
+  if (names.empty()) return {};
+  return "others on this machine can read " + names + "; this keeps them out: chmod go=" + command;
+}
+
+}  // namespace grader::class_folder

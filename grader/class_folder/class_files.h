@@ -1,0 +1,24 @@
+// STAFF ONLY. The files of a folder of grades, made from its record and never read back: those of students,
+// and those of the class, with timing.json (all costs, compared with the reference in an identical worker)
+// and costs.html, the page that shows it, and left-over.json. The same record gives the same bytes, except
+// for times.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/record/record.h"
+
+namespace grader::inline class_folder {
+
+void write_student_files(const std::filesystem::path& folder, const Recorded& one,
+                         const NamesForPeople& people);
+
+// Writes all files of the record's hand-in: of all students except those in `written`, of the class, and of
+// the course (course_files.h). Returns all results, sorted by name.
+std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
+                                                const std::set<std::string>& written = {});
+
+}  // namespace grader::class_folder

@@ -1,0 +1,107 @@
+// STAFF ONLY. Opens a folder of grades, and compares how its grades were made.
+#include "grader/class_folder/folder_of_grades.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <vector>
+
+#include "grader/course/input.h"
+#include "grader/record/points/hand_ins.h"
+
+namespace grader::inline class_folder {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why, const std::string& way) {
+  throw BadInput(printable(folder.string(), 4096) + ": " + why + "; " + way +
+                 "name another folder with --out, or move this one away to grade all again");
+}
+
+// Joins differences as "a; b", and the ways to remove them as "a and b".
+void refuse(const fs::path& folder, const std::vector<Difference>& differences) {
+  std::string what, way;
+  for (const Difference& one : differences) {
+    what += (what.empty() ? "" : "; ") + one.what;
+    way += (way.empty() ? "" : " and ") + one.way;
+  }
+  refuse(folder, "its grades were made with " + what, way + " to add to it, ");
+}
+
+// Removes unfinished files of a killed hairgrade. No other process writes here.
+void remove_half_written(const fs::path& folder) {
+  std::vector<fs::path> left;
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored))
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with('.') && name.ends_with(".part"))
+      left.push_back(entry.path());
+  for (const fs::path& file : left) fs::remove(file, ignored);
+}
+
+// Versions without a record kept these files.
+bool has_older_grades(const fs::path& folder) {
+  std::error_code none;
+  if (fs::exists(folder / "made-by.json", none)) return true;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (fs::exists(entry.path() / "results.json", none)) return true;
+  return false;
+}
+
+// The record stores its settings before the first result.
+void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in) {
+  if (!Record::is_in(folder)) {
+    if (has_older_grades(folder))
+      refuse(folder, "it has grades of an older hairgrade, and no " + std::string(kRecordFile), "");
+    return;
+  }
+  Record record(folder, hand_in);
+  if (hand_in.empty())
+    check_hand_in(hand_in, record.named_hand_ins(), printable(folder.string(), 4096));
+  else if (!Record(folder).names().empty())
+    refuse(
+        folder,
+        "its grades are of a course with one hand-in without a name, not of \"" + printable(hand_in) + "\"",
+        "");
+  if (record.names().empty()) return;
+  const std::optional<MadeBy> there = made_by_from_json(record.made_by());
+  if (!there) refuse(folder, std::string(kRecordFile) + " in it does not say what they were made with", "");
+  if (const std::vector<Difference> found = differences(*there, mine); !found.empty()) refuse(folder, found);
+}
+
+}  // namespace
+
+std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
+                                                   const std::atomic<bool>& interrupted, std::ostream& says,
+                                                   const std::string& hand_in) {
+  std::optional<FolderLock> lock;
+  bool made = false;
+  do {  // tries again if the last process removed the folder
+    std::error_code error;
+    made = fs::create_directories(folder, error);
+    if (made) fs::permissions(folder, fs::perms::owner_all);  // it holds all grades
+    if (error) can_not_write(folder, error.message());
+    if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
+    lock = FolderLock::take(folder, interrupted, says);
+    if (!lock) return {};
+  } while (!fs::exists(folder / kFolderLock));
+  check_made_by(folder, mine, hand_in);
+  remove_half_written(folder);
+  FolderOfGrades opened(std::move(*lock), folder, made, hand_in);
+  opened.record().set_made_by(to_json(mine));
+  return opened;
+}
+
+FolderOfGrades::~FolderOfGrades() {
+  if (!record_ || made_.empty()) return;
+  try {
+    if (!record_->names().empty()) return;
+    record_.reset();
+    fs::remove_all(made_);
+  } catch (const std::exception&) {  // leaves an empty folder
+  }
+}
+
+}  // namespace grader::class_folder

@@ -1,0 +1,48 @@
+// STAFF ONLY. The plan of a run of grading: the submissions, and their rows in a folder of grades. It is made
+// once, while no other hairgrade can write to the folder, and then carried out (batch.h).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/class_folder/origins.h"
+#include "grader/intake/submission.h"
+#include "grader/record/points/rules.h"
+#include "grader/record/record.h"
+#include "grader/roster/roster.h"
+
+namespace grader::inline class_folder {
+
+struct BatchSettings {
+  std::filesystem::path out;
+  int jobs = 1;
+  bool resume = false;              // keeps results whose fingerprint has not changed
+  std::optional<std::string> only;  // grades only the submission with this name, its own or its row's
+  CallersWord word = {};            // is the caller's word about submissions that may be replaced
+  std::optional<Roster> roster;     // replaces the record's
+  bool blind = false;               // names are codes; a record that began so stays so
+  std::string hand_in = {};         // is its name in the record, "" if the course has one
+  HandInRules rules = {};           // come from the course file: lateness, and how much extra credit counts
+  bool merge = false;               // only one exercise is graded: earlier results of the others stay
+};
+
+struct Plan {
+  std::vector<Submission> submissions;      // have the names of their rows, and are sorted by these
+  std::optional<std::string> only = {};     // grades only the submission of this row
+  bool blind = false;                       // names are codes
+  std::vector<Accounted> listed = {};       // are files of the input that reached no hand-in
+  std::vector<std::string> replaced = {};   // a line for each replaced submission of another origin
+  std::vector<std::string> taken_for = {};  // say to staff how arguments were read
+  std::vector<std::string> notices = {};    // a person must look at these
+  std::vector<std::string> remarks = {};    // are other lines for staff
+};
+
+// Writes nothing into `record`, which is the folder's. `known` are the people of the class: the new roster,
+// or else the record's. Throws BadInput if settings.only names no submission, and Question as settle_origins
+// does.
+Plan plan_of(Intake intake, Record& record, const std::optional<Roster>& known,
+             const BatchSettings& settings);
+
+}  // namespace grader::class_folder

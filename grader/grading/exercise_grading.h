@@ -1,0 +1,47 @@
+// STAFF ONLY. Grades one exercise of a submission: compiles and links its file in sandboxes, and runs its
+// hidden suite.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/compile/compiler.h"
+#include "grader/grading/suite_jobs.h"
+#include "grader/intake/submission.h"
+#include "grader/result/result.h"
+
+namespace grader::inline grading {
+
+// Returns a category's share of an exercise's points for `held` cases, in whole points and exact: of 20
+// points 38/57 for 9 of 12 cases are 10, but doubles make 9.99. All numbers count in thousandths.
+double whole_points(double points, double weight, double weights, int held, int cases);
+
+// Returns the result without status, points and cases.
+ExerciseResult describe(const Exercise& exercise);
+
+// `job` is a folder for temporary files, `compiler_seconds` the limit of compiler and linker in CPU time.
+// Throws for errors on our side.
+void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
+                    const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
+                    ExerciseResult& result, ExerciseTiming& timing);
+
+// Compiles a file once more with the sanitizers that find memory errors. There is no object if the compiler
+// met a limit, or if the file switches them off.
+Compiled compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,
+                                 const std::string& source, const std::filesystem::path& job,
+                                 double cpu_seconds);
+
+// Runs only the suite, against an object of `student`. Without `sanitised` it looks for no memory errors.
+void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
+               const std::filesystem::path& object, const std::filesystem::path& job,
+               const std::optional<Compiled>& sanitised, ExerciseResult& result, ExerciseTiming& timing);
+
+// Returns the beginning of a worker's output.
+std::string beginning_of(const std::filesystem::path& log, std::size_t most);
+
+// Returns an exercise's status from those of its cases.
+Status overall_status(const std::vector<CaseResult>& cases);
+
+}  // namespace grader::grading

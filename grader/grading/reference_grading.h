@@ -1,0 +1,24 @@
+// STAFF ONLY. Every batch begins with the reference, in all kinds of workers that students' files have: it
+// must pass, with sanitizers, too, and its CPU time determines the students' limit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/compile/compiler.h"
+#include "grader/grading/suite_jobs.h"
+#include "grader/result/study.h"
+
+namespace grader::inline grading {
+
+struct ReferenceGraded {
+  TimingByExercise timing;               // by exercise, and for kStudy
+  std::optional<SubmissionStudy> study;  // is compared with itself: deviations of its ratios from 1 are noise
+  std::vector<std::string> problems;     // concern studies; they don't affect grades
+};
+
+// Throws std::runtime_error if the reference does not pass: then this machine or the suite is wrong.
+ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler);
+
+}  // namespace grader::grading

@@ -1,0 +1,187 @@
+// STAFF ONLY. Gives hidden suites their folders, seeds and limits.
+#include "grader/grading/suite_jobs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/compile/hash.h"
+#include "grader/course/input.h"
+#include "grader/grading/secret.h"
+#include "hair/render/opengl/renderer.h"
+#include "solver/timing.h"
+
+namespace grader::inline grading {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLeastCpuSeconds = 2;
+constexpr int kLeastRunCpuSeconds = 3;  // a run also has a bound of its own: see grader/judge/run/player.cpp
+// A worker, all workers of an exercise, and the suite while it asks them may take this many times the
+// reference's CPU time and messages.
+constexpr double kTimesReference = 20;
+constexpr double kTimesCompiled = 2.25, kLeastCompilerSeconds = 5;
+constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, but can grade
+
+// Returns a worker's limit for the reference's time.
+int cpu_limit(double reference) {
+  return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
+}
+
+bool asked_for(const Exercise& exercise) {
+  return exercise.role == Role::assigned || exercise.role == Role::optional;
+}
+
+SuiteResult timed(const fs::path& program, const SuiteJob& job, ExerciseTiming& timing) {
+  const timing::Stopwatch running;
+  SuiteResult found = run_suite(program, job);
+  timing.suite_seconds = running.seconds();
+  timing.worker_cpu_seconds = found.cpu_seconds;
+  timing.worker_starts = found.starts;
+  const double compiler = timing.spent.compiler_cpu_seconds;
+  timing.spent = found.spent;
+  timing.spent.compiler_cpu_seconds = compiler;
+  timing.sanitised_cpu_seconds = found.memory ? found.memory->cpu_seconds : 0;
+  timing.run_cpu_seconds = found.run_cpu_seconds;
+  timing.picture_cpu_seconds = found.picture_cpu_seconds;
+  return found;
+}
+
+// Names the renderer: OpenGL and its version. Throws BadInput if there is none.
+std::string what_draws() {
+  try {
+    hair::RenderSettings least;
+    least.width = least.height = 16;
+    least.shadows = false;
+    return hair::Renderer(least).about();
+  } catch (const hair::NoOpenGl& none) {
+    throw BadInput(
+        std::string("this machine can't draw: ") + none.what() +
+        "; install libosmesa6, or grade with --no-images, which judges whole runs without pictures and "
+        "stamps the report");
+  }
+}
+
+}  // namespace
+
+SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
+    : settings_(settings),
+      kit_(kit),
+      suite_hash_(sha256(sha256_of(settings.suite) + sha256_of(settings.players))),
+      drawn_(settings.images ? what_draws() : "") {
+  if (settings_.images) pictures_ = settings_.cache / "pictures" / sha256(suite_hash_ + drawn_);
+}
+
+std::string SuiteJobs::fingerprint() const {
+  std::string all = kit_.hash() + suite_hash_ + sha256_of(settings_.scenes) + sha256(settings_.secret) +
+                    to_string(settings_.isolation) + (settings_.images ? drawn_ : "no images") +
+                    (settings_.memory_errors ? "" : "no sanitizers") +
+                    (settings_.course.partial ? "partial" : "");
+  for (const BudgetField& field : budget_fields())
+    all += std::string(field.key) + std::to_string(settings_.course.budget.*field.value);
+  for (const Exercise& exercise : settings_.course.exercises)
+    if (selected(exercise)) all += exercise.id + to_string(exercise.role) + std::to_string(exercise.points);
+  return all;
+}
+
+bool SuiteJobs::selected(const Exercise& exercise) const {
+  return settings_.course.asks_for(exercise) && (!settings_.exercise || *settings_.exercise == exercise.id);
+}
+
+SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) const {
+  SuiteJob suite;
+  suite.exercise = exercise;
+  suite.kit = kit_.folder();
+  suite.log = folder / kLog;
+  suite.isolation = settings_.isolation;
+  suite.cpu_seconds = kLeastCpuSeconds;
+  suite.allowance = allowance(exercise);
+  if (const auto reference = reference_.find(exercise); reference != reference_.end())
+    suite.cpu_seconds = cpu_limit(reference->second.worker_cpu_seconds);
+  if (reference_.empty()) suite.allowance.wall_seconds = kReferenceWallSeconds;
+  return suite;
+}
+
+bool SuiteJobs::ended_by_the_clock(const ExerciseTiming& timing) const {
+  return timing.spent.wall_seconds > share().wall_seconds;
+}
+
+Budget SuiteJobs::share() const {
+  const auto parts =
+      std::ranges::count_if(settings_.course.exercises, [](const Exercise& one) { return asked_for(one); });
+  return share_of(settings_.course.budget, std::max(1, static_cast<int>(parts)));
+}
+
+Budget SuiteJobs::allowance(const std::string& exercise) const {
+  Budget most = share();
+  const auto reference = reference_.find(exercise);
+  if (reference == reference_.end()) return most;
+  for (const BudgetField& field : budget_fields()) {
+    const double limit = std::max(field.least, kTimesReference * reference->second.spent.*field.value);
+    if (field.least > 0) most.*field.value = std::min(most.*field.value, limit);
+  }
+  return most;
+}
+
+double SuiteJobs::compiler_seconds(const Exercise& exercise) const {
+  double own = 0, all = 0;
+  int files = 0;
+  for (const auto& [id, timing] : reference_) {
+    const double seconds = timing.spent.compiler_cpu_seconds;
+    if (id == exercise.id) own = seconds;
+    all += seconds;
+    files += seconds > 0 ? 1 : 0;
+  }
+  const double most = share().compiler_cpu_seconds;
+  return files == 0 ? most
+                    : std::min(most, std::max(kLeastCompilerSeconds, kTimesCompiled * (own + all / files)));
+}
+
+std::optional<WholeRunJob> SuiteJobs::whole_run(const std::string& exercise) const {
+  const fs::path scene = settings_.scenes / (exercise + ".json");
+  if (!fs::exists(scene)) return {};
+  WholeRunJob run;
+  run.scene = scene;
+  run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
+  run.player = settings_.players / (exercise + ".so");
+  run.cpu_seconds = kLeastRunCpuSeconds;
+  if (const auto reference = reference_.find(exercise); reference != reference_.end())
+    run.cpu_seconds = std::max(kLeastRunCpuSeconds, cpu_limit(reference->second.run_cpu_seconds));
+  return run;
+}
+
+SuiteJob SuiteJobs::cases(const Exercise& exercise, const std::string& student, const fs::path& object,
+                          const fs::path& folder) const {
+  SuiteJob suite = job(exercise.id, folder);
+  suite.seed = seed_for(settings_.secret, student, exercise.id);
+  suite.provided = exercise.prerequisites;
+  suite.objects.push_back(object);
+  suite.whole_run = whole_run(exercise.id);
+  if (pictures_ && suite.whole_run)
+    suite.pictures = *pictures_ / sha256(sha256_of(suite.whole_run->scene) + suite.whole_run->seed);
+  return suite;
+}
+
+SuiteJob SuiteJobs::study(const fs::path& folder) const {
+  SuiteJob study = job("runs", folder);
+  study.motions = settings_.cache / "motions" / sha256_of(settings_.study_program);
+  for (const Exercise& exercise : settings_.course.exercises)
+    study.reference_objects.push_back(reference_object(exercise));
+  return study;
+}
+
+fs::path SuiteJobs::reference_object(const Exercise& exercise) const {
+  return kit_.folder() / "lib" / (exercise.id + ".so");
+}
+
+SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
+  const Processors::Lease processor(processors_);
+  return timed(settings_.suite, job, timing);
+}
+
+// A study times methods that may use several threads.
+SuiteResult SuiteJobs::run_study(const SuiteJob& job, ExerciseTiming& timing) const {
+  return timed(settings_.study_program, job, timing);
+}
+
+}  // namespace grader::grading

@@ -1,0 +1,41 @@
+// STAFF ONLY. Reads archives in a sandbox: libarchive meets hostile bytes in a process that holds only the
+// system's libraries, without rights, network or names of files. Each archive, also a nested one, has a
+// process of its own, so that an archive that breaks its reader costs itself alone.
+//
+// The trusted side opens the file and passes the descriptor. So the process needs no right to the
+// instructor's folders, and no path leads out of it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "grader/intake/archives/archive.h"
+#include "grader/sandbox/cage.h"
+#include "grader/sandbox/processes/staging_folder.h"
+
+namespace grader::inline intake {
+
+class CagedReader {
+ public:
+  // `program` is hairintake. It is copied to a folder that the sandbox's user can read. A process with a
+  // CagedReader must ignore SIGPIPE: a reader may end at any time.
+  explicit CagedReader(const std::filesystem::path& program, Isolation isolation = Isolation::namespaces);
+
+  // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. The
+  // container must not outlive this object, and may be visited once. Its list and visit throw Unreadable if a
+  // reader breaks down, takes too much time or memory, or deviates from the protocol.
+  std::unique_ptr<Container> open(const ArchiveSource& source, const std::string& shown,
+                                  ArchiveLimits limits) const;
+
+  OpenArchive opener() const;
+
+ private:
+  StagingFolder folder_;
+  Cage cage_;
+};
+
+// Returns the sandbox of a reader, whose program is the file `program`.
+Cage reader_cage(const std::filesystem::path& program, Isolation isolation);
+
+}  // namespace grader::intake

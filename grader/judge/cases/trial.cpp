@@ -1,0 +1,175 @@
+// STAFF ONLY. Compares numbers of a student with the reference's, and describes the first failure.
+#include "grader/judge/cases/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include "grader/judge/cases/hint_for_students.h"
+
+namespace grader::inline judge {
+namespace {
+
+std::span<const double> as_span(const Eigen::VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+// Returns the first NaN, or the largest difference.
+std::optional<Eigen::Index> worst_entry(const Compared& numbers) {
+  const auto& [actual, expected, block, before, bound] = numbers;
+  std::optional<Eigen::Index> worst;
+  double error = 0;
+  for (Eigen::Index i = 0; i < expected.size() && !std::isnan(error); ++i)
+    if (const double one = std::abs(actual[i] - expected[i]); !worst || !(one <= error)) {
+      error = one;
+      worst = i;
+    }
+  return worst;
+}
+
+}  // namespace
+
+MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
+  ++cases_;
+  case_failed_ = false;
+  return ask_on(request, products, stopped);
+}
+
+MessageReader Trial::ask_on(const MessageWriter& request, const Products& products,
+                            const std::string& stopped) {
+  return reply_of(student_.ask(request, products), stopped);
+}
+
+MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
+  switch (answer.outcome) {
+    case Outcome::done:
+      return std::move(answer.reply);
+    case Outcome::stopped:
+      fail(Status::wrong, stopped, "stopped", stopped.empty() ? "" : "It " + stopped + ".");
+    case Outcome::not_implemented:
+      fail(Status::not_implemented, "not implemented yet", answer.note);
+    case Outcome::threw:
+      fail(Status::crashed, "the code threw an exception", "exception: " + answer.note);
+    case Outcome::out_of_memory:
+      fail(Status::out_of_memory, "the code asked for more memory than there is", answer.note);
+    case Outcome::crashed:
+      fail(Status::crashed, "the program ended in the middle of the call", answer.note);
+    case Outcome::timed_out:
+      fail(Status::timed_out, "no answer within the time limit", answer.note);
+    case Outcome::broke_rules:
+      fail(Status::broke_rules,
+           "the code " + (answer.note.starts_with("it tried") ? answer.note.substr(3)
+                          : answer.note.starts_with("used up")
+                              ? "broke the rules before, and is not asked again"
+                              : std::string("answered in a form that it has no business with")),
+           answer.note,
+           answer.note == kNestedCalls
+               ? "Its calls of given functions lie within each other too deeply: does a "
+                 "matrix or a force call what uses it?"
+               : "");
+    case Outcome::cannot_load:
+      fail(Status::does_not_compile, "a function is missing, or its declaration differs from the header's",
+           answer.note);
+    case Outcome::memory_error:
+      fail(Status::wrong, "the code has a memory error", answer.note);
+  }
+  fail(Status::wrong, "no answer", "unknown outcome");
+}
+
+void Trial::expect(bool holds, const std::string& feedback, const std::string& detail) {
+  if (!holds) wrong(feedback, detail);
+}
+
+void Trial::require(bool holds, const std::string& feedback, const std::string& detail,
+                    const std::string& hint) {
+  if (!holds) fail(Status::wrong, feedback, detail, hint);
+}
+
+void Trial::expect_at_most(double error, Bound bound, const std::string& what, const std::string& detail) {
+  expect_at_most(error, bound, what, Compared{}, detail);
+}
+
+void Trial::expect_at_most(double error, Bound bound, const std::string& what, const Compared& numbers,
+                           const std::string& detail) {
+  double& nearest = nearest_[what];
+  if (error > bound.promised) nearest = std::max(nearest, (error - bound.promised) / bound.rest);
+  const double most = bound.most();
+  // A bound that is not finite would accept anything.
+  if (error <= most && std::isfinite(most)) return;
+  std::ostringstream text;
+  text.precision(17);
+  text << what << ": " << error << ", bound " << most << (detail.empty() ? "" : "; ") << detail;
+  if (const auto worst = worst_entry(numbers))
+    text << "; worst entry " << *worst << ": " << numbers.actual[*worst] << ", expected "
+         << numbers.expected[*worst];
+  wrong(what + " is " + band(error, most), text.str(),
+        hint_for_students(checks::find_hint(as_span(numbers.actual), as_span(numbers.expected),
+                                            numbers.bound.value_or(most), numbers.block,
+                                            as_span(numbers.before))));
+}
+
+void Trial::expect_near(const Compared& numbers, Bound bound, const std::string& what) {
+  const auto worst = worst_entry(numbers);
+  expect_at_most(worst ? std::abs(numbers.actual[*worst] - numbers.expected[*worst]) : 0, bound, what,
+                 numbers);
+}
+
+void Trial::expect_close(const Compared& numbers, Bound bound, const std::string& what) {
+  expect_at_most((numbers.actual - numbers.expected).norm(), bound, what, numbers);
+}
+
+void Trial::wrong(const std::string& feedback, const std::string& detail, const std::string& hint) {
+  if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail, hint);
+  if (!case_failed_) ++failed_;
+  case_failed_ = true;
+}
+
+void Trial::fail(Status status, const std::string& feedback, const std::string& detail,
+                 const std::string& hint) const {
+  std::string text = description_ + (description_.empty() || detail.empty() ? "" : ": ") + detail;
+  if (!call_.empty()) text += (text.empty() ? "" : "; ") + call_;
+  throw CaseFailed{status, feedback, text, hint};
+}
+
+void Trial::ask_aside(const std::function<void()>& questions) {
+  const WhenWrong when_wrong = std::exchange(when_wrong_, WhenWrong::stop);
+  const int cases = cases_;
+  const bool case_failed = case_failed_;
+  const std::map<std::string, double> nearest = nearest_;
+  try {
+    questions();
+  } catch (const CaseFailed&) {
+    // A question without an answer excuses nothing.
+  }
+  when_wrong_ = when_wrong;
+  cases_ = cases;
+  case_failed_ = case_failed;
+  nearest_ = nearest;
+}
+
+std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source) {
+  Trial trial(student, source, WhenWrong::count);
+  try {
+    category.run(trial);
+  } catch (const CaseFailed&) {
+    return {};
+  } catch (const std::exception&) {  // a malformed message, or wrong answers that we can't use
+    return {};
+  }
+  if (trial.failed() == 0) return {};
+  const int cases = std::max(trial.cases(), trial.failed());
+  return CaseCount{cases, cases - trial.failed()};
+}
+
+std::string band(double error, double bound) {
+  if (!std::isfinite(error)) return "not a finite number";
+  const double ratio = error / bound;
+  if (ratio < 10) return "up to 10 times as large as allowed";
+  if (ratio < 1e3) return "10 to 1000 times as large as allowed";
+  if (ratio < 1e6) return "1000 to a million times as large as allowed";
+  return "more than a million times as large as allowed";
+}
+
+}  // namespace grader::judge

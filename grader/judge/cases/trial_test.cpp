@@ -1,0 +1,215 @@
+// STAFF ONLY. Tests comparisons of numbers, and the sentences about failures.
+#include "grader/judge/cases/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace grader::inline judge {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// Returns the texts for student and staff when `error` meets `bound`; the status is `passed` if it holds.
+CaseFailed verdict(double error, double bound) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "verdict"));
+  trial.describe("a hidden case");
+  try {
+    trial.expect_at_most(error, bound, "the error of x", "more for staff");
+  } catch (const CaseFailed& failure) {
+    return failure;
+  }
+  return {Status::passed, "", ""};
+}
+
+TEST(Band, GrowsWithTheRatioAlone) {
+  const std::string up_to_10 = band(2, 1), to_1000 = band(20, 1), to_a_million = band(2e3, 1),
+                    more = band(2e6, 1);
+  EXPECT_EQ(band(9.99e-20, 1e-20), up_to_10);
+  EXPECT_EQ(band(10, 1), to_1000);
+  EXPECT_EQ(band(999e200, 1e200), to_1000);
+  EXPECT_EQ(band(1e3, 1), to_a_million);
+  EXPECT_EQ(band(1e6, 1), more);
+  EXPECT_EQ(band(1e-300, 0), more);
+  EXPECT_NE(up_to_10, to_1000);
+  EXPECT_NE(to_1000, to_a_million);
+  EXPECT_NE(to_a_million, more);
+}
+
+TEST(Bound, HoldsUpToItselfAndNotForNan) {
+  EXPECT_EQ(verdict(1, 1).status, Status::passed);
+  EXPECT_EQ(verdict(0, 0).status, Status::passed);
+  EXPECT_EQ(verdict(1.0000001, 1).status, Status::wrong);
+  EXPECT_EQ(verdict(kNan, 1).status, Status::wrong);
+  EXPECT_EQ(verdict(1, kNan).status, Status::wrong);
+  EXPECT_EQ(verdict(std::numeric_limits<double>::infinity(), 1).status, Status::wrong);
+}
+
+TEST(Bound, KeepsTheLargestRatioOfAllButQuestionsAside) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "nearest"), WhenWrong::count);
+  for (const double error : {0.25, 0.5, 0.0}) trial.expect_at_most(error, 2, "the error of x");
+  trial.expect_close({Eigen::Vector2d(3, 4), Eigen::Vector2d(0, 0), 1}, 2, "the error of v");
+  trial.expect_at_most(3, {2, 4}, "the error beyond a tolerance of 2");
+  trial.expect_at_most(0, 0, "the error of nothing");
+  trial.ask_aside([&] { trial.expect_at_most(1, 2, "the error of x"); });
+  const std::map<std::string, double> expected = {{"the error of x", 0.25},
+                                                  {"the error of v", 2.5},
+                                                  {"the error beyond a tolerance of 2", 0.25},
+                                                  {"the error of nothing", 0}};
+  EXPECT_EQ(trial.nearest(), expected);
+}
+
+TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
+  const CaseFailed failure = verdict(0.0625, 0.03125);
+  EXPECT_EQ(failure.feedback, "the error of x is up to 10 times as large as allowed");
+  EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
+}
+
+// Returns the student's hint about numbers where (1, 2, 3) is expected.
+std::string hint_of(const std::vector<double>& numbers, const std::vector<double>& expected = {1, 2, 3}) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "hint"));
+  try {
+    const auto vector_of = [](const std::vector<double>& values) -> Eigen::VectorXd {
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    };
+    trial.expect_near({vector_of(numbers), vector_of(expected), 1, Eigen::Vector3d(4, 5, 6)}, 1e-9,
+                      "the error of x");
+  } catch (const CaseFailed& failure) {
+    EXPECT_EQ(failure.status, Status::wrong);
+    return failure.hint.empty() ? "nothing" : failure.hint;
+  }
+  return "";
+}
+
+TEST(Hint, IsOneOfAFewSentences) {
+  EXPECT_EQ(hint_of({1, 2, 3 + 1e-10}), "");
+  EXPECT_EQ(hint_of({-1, -2, -3}), "Its numbers are -1 times what is expected: a sign?");
+  EXPECT_EQ(hint_of({0.5, 1, 1.5, 2}, {1, 2, 3, 4}), "Its numbers are 1/2 times what is expected: a factor?");
+  EXPECT_EQ(hint_of({1.1, 2.2, 3.3, 4.4}, {1, 2, 3, 4}), "nothing")
+      << "a factor that code may choose could carry hidden inputs out";
+  EXPECT_EQ(
+      hint_of({0, 0, 0}),
+      "All of it is 0: never written, left out by a condition or a loop's bounds, or terms that cancel?");
+  EXPECT_EQ(hint_of({1, 2, 0}), "It is right but for its last entries: a loop's bound?");
+  EXPECT_EQ(hint_of({7, 2, 3}), "It is right but for its first entries: a loop's bound?");
+  EXPECT_EQ(hint_of({1, -2, 3}), "It is right but for signs of some entries.");
+  EXPECT_EQ(hint_of({1, kNan, 3}),
+            "One of its numbers is no number: 0/0, a division by 0, or the root of a negative one?");
+  EXPECT_EQ(
+      hint_of({4, 5, 6}),
+      "It is an input, or what stood there before the call, unchanged: never written, or nothing done?");
+  EXPECT_EQ(hint_of({2, 1, 5}), "nothing");
+  EXPECT_EQ(hint_of({}, {}), "");
+}
+
+TEST(Hint, SaysWhatStoppedACall) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "hint"));
+  const auto told = [&](Outcome outcome, const std::string& note) {
+    try {
+      trial.reply_of({outcome, MessageReader({}), note}, kTooManyProducts);
+    } catch (const CaseFailed& failure) {
+      return failure.hint;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(told(Outcome::stopped, ""), "It takes more products with the matrix than the step limit allows.");
+  EXPECT_EQ(
+      told(Outcome::broke_rules, kNestedCalls),
+      "Its calls of given functions lie within each other too deeply: does a matrix or a force call what "
+      "uses it?");
+  EXPECT_EQ(told(Outcome::broke_rules, "anything else"), "");
+}
+
+std::optional<CaseCount> counted_without_worker(const std::function<void(Trial&)>& run) {
+  Student nobody{WorkerSetup{}};
+  return count_of({"Name", "Title", 1, run}, nobody, Random("seed", "count"));
+}
+
+TEST(Count, GoesOnAfterAFailure) {
+  bool last = false;
+  const std::optional<CaseCount> count = counted_without_worker([&](Trial& trial) {
+    trial.expect(false, "the first");
+    trial.expect_at_most(2, 1, "the second");
+    last = true;
+  });
+  EXPECT_TRUE(last);
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->cases, 1);
+  EXPECT_EQ(count->held, 0) << "a case fails once";
+}
+
+TEST(Count, IsNothingWhereTheCategoryEndsEarly) {
+  bool last = false;
+  EXPECT_FALSE(counted_without_worker([&](Trial& trial) {
+    trial.expect(false, "the first");
+    trial.require(false, "nothing is there");
+    last = true;
+  }));
+  EXPECT_FALSE(counted_without_worker([](Trial& trial) {
+    trial.expect(false, "the first");
+    throw MalformedMessage("too short");
+  }));
+  EXPECT_FALSE(last);
+}
+
+TEST(Count, IsNothingWhereNothingFails) {
+  EXPECT_FALSE(counted_without_worker([](Trial& trial) { trial.expect(true, "nothing"); }));
+}
+
+TEST(Count, LeavesOutWhatIsAskedAside) {
+  int questions = 0;
+  EXPECT_FALSE(counted_without_worker([&](Trial& trial) {
+    trial.ask_aside([&] {
+      ++questions;
+      trial.expect(false, "what excuses nothing");
+      ++questions;
+    });
+    trial.expect(true, "nothing");
+  }));
+  EXPECT_EQ(questions, 1) << "the first that fails ends them";
+}
+
+TEST(Random, IsTheSameOnEveryMachine) {
+  // The standard fixes std::seed_seq and std::mt19937_64 to the bit.
+  Random random("seed", "purpose");
+  EXPECT_EQ(random.uniform(), 0x1.7b321b0acccecp-1);
+  EXPECT_EQ(random.integer(0, 1'000'000), 303'773);
+}
+
+TEST(Random, DependsOnSeedAndPurpose) {
+  const double first = Random("seed", "purpose").uniform();
+  EXPECT_EQ(Random("seed", "purpose").uniform(), first);
+  EXPECT_NE(Random("seed", "another").uniform(), first);
+  EXPECT_NE(Random("another", "purpose").uniform(), first);
+}
+
+// Tests means of 10,000 draws, within five standard deviations: a failure by chance has a probability of one
+// in two million, and the seed is fixed.
+TEST(Random, DrawsFromTheDistributionsNamed) {
+  constexpr int kDraws = 10'000;
+  Random random("seed", "distributions");
+  double uniform = 0, normal = 0, squared = 0;
+  bool low = false, high = false;
+  for (int i = 0; i < kDraws; ++i) {
+    const double u = random.uniform(-1, 3), z = random.normal(), l = random.log_uniform(1e-8, 1);
+    const int k = random.integer(-2, 2);
+    EXPECT_TRUE(u >= -1 && u < 3 && l >= 0.999e-8 && l <= 1.001 && k >= -2 && k <= 2);
+    low |= k == -2;
+    high |= k == 2;
+    uniform += u / kDraws;
+    normal += z / kDraws;
+    squared += z * z / kDraws;
+  }
+  EXPECT_NEAR(uniform, 1, 5 * 4 / std::sqrt(12.0 * kDraws));
+  EXPECT_NEAR(normal, 0, 5 / std::sqrt(kDraws));
+  EXPECT_NEAR(squared, 1, 5 * std::sqrt(2.0 / kDraws));  // z^2 has the variance 2
+  EXPECT_TRUE(low && high);
+}
+
+}  // namespace
+}  // namespace grader::judge

@@ -1,0 +1,162 @@
+// STAFF ONLY. Applies decisions of people to computed results.
+#include "grader/record/points/decisions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "grader/course/input.h"
+#include "grader/record/points/shown_number.h"
+
+namespace grader::inline record {
+namespace {
+
+constexpr std::array<const char*, 4> kKinds{"points", "excuse", "comment", "late-days"};
+constexpr double kSamePoints = 1e-9;  // points are sums of a few numbers near 1
+
+struct Place {
+  ExerciseResult* exercise = nullptr;  // null: there is no such place
+  CaseResult* category = nullptr;      // null: the whole exercise
+
+  double points() const { return category ? category->points : exercise->points; }
+  double max_points() const { return category ? category->max_points : exercise->max_points; }
+  // A category's feedback is written anew for students, so its exercise has the sentence.
+  void tell(const std::string& sentence) const {
+    std::string& text = exercise->feedback;
+    if (text.empty()) text = sentence_for(exercise->status);
+    text += " " + (category ? category->name + ": " : "") + sentence;
+  }
+};
+
+Place find(SubmissionResult& result, const std::string& place) {
+  for (ExerciseResult& exercise : result.exercises) {
+    if (exercise.id == place) return {&exercise, nullptr};
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i)
+      if (exercise.id + "." + std::to_string(i + 1) == place) return {&exercise, &exercise.cases[i]};
+  }
+  return {};
+}
+
+std::string with_reason(const std::string& what, const Decision& decision) {
+  return what + (decision.why.empty() ? "" : ": " + decision.why);
+}
+
+void set_points(const Place& place, const Decision& decision) {
+  place.tell(with_reason("The staff gave " + shown_number(decision.number) + " of " +
+                             shown_number(place.max_points()) + " points here, where " +
+                             shown_number(place.points()) + " had been computed",
+                         decision));
+  place.exercise->points += decision.number - place.points();
+  if (place.category) place.category->points = decision.number;
+}
+
+void excuse(ExerciseResult& exercise, const Decision& decision) {
+  Place{&exercise, nullptr}.tell(
+      with_reason("The staff excused you from this exercise: it does not count", decision));
+  exercise.points = exercise.max_points = 0;
+  for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
+}
+
+void apply(SubmissionResult& result, const Decision& decision) {
+  const Place place = find(result, decision.place);
+  if (!decision.place.empty() && !place.exercise) return;
+  switch (decision.kind) {
+    case DecisionKind::points:
+      return set_points(place, decision);
+    case DecisionKind::comment:
+      if (place.exercise) return place.tell("The staff say: " + decision.why);
+      result.remarks.push_back("The staff say: " + decision.why);
+      return;
+    case DecisionKind::excuse:
+      for (ExerciseResult& exercise : result.exercises)
+        if (!place.exercise || &exercise == place.exercise) excuse(exercise, decision);
+      return;
+    case DecisionKind::late_days:
+      result.remarks.push_back(
+          with_reason("The staff gave you " + shown_number(decision.number) + " more days", decision));
+  }
+}
+
+std::string places_of(const SubmissionResult& result) {
+  std::string all;
+  for (const ExerciseResult& exercise : result.exercises) {
+    all += (all.empty() ? "" : ", ") + exercise.id;
+    if (!exercise.cases.empty())
+      all += " (" + exercise.id + ".1 to " + exercise.id + "." + std::to_string(exercise.cases.size()) + ")";
+  }
+  return all.empty() ? "none" : all;
+}
+
+}  // namespace
+
+std::string to_string(DecisionKind kind) {
+  return kKinds.at(static_cast<std::size_t>(kind));
+}
+
+std::optional<DecisionKind> decision_kind_from(const std::string& word) {
+  const auto* found = std::ranges::find(kKinds, word);
+  if (found == kKinds.end()) return {};
+  return static_cast<DecisionKind>(found - kKinds.begin());
+}
+
+void check(Decision& decision, const SubmissionResult& computed) {
+  SubmissionResult result = computed;
+  const Place place = find(result, decision.place);
+  if (!decision.place.empty() && !place.exercise)
+    throw BadInput(printable(decision.place) + ": is no place in the result of " + result.name +
+                   "; there are " + places_of(result));
+  if (decision.kind == DecisionKind::excuse && place.category)
+    throw BadInput(decision.place + ": a category can't be excused alone; excuse " + place.exercise->id +
+                   ", or set points");
+  if (decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw BadInput(decision.kind == DecisionKind::comment
+                       ? "the comment is empty; write one"
+                       : "there is no reason; add --why TEXT, which the student sees");
+  if (decision.kind == DecisionKind::points) {
+    if (!place.exercise) throw BadInput("points need a place; there are " + places_of(result));
+    if (!(decision.number >= 0 && decision.number <= place.max_points() + kSamePoints))
+      throw BadInput(shown_number(decision.number) + " points: " + decision.place + " is worth " +
+                     shown_number(place.max_points()) + "; write a number from 0 to that");
+  }
+  if (decision.kind == DecisionKind::late_days && !(decision.number >= 0 && decision.number <= 366))
+    throw BadInput(shown_number(decision.number) + " days: write a number from 0 to 366");
+  decision.computed = place.exercise ? place.points() : points(computed);
+}
+
+SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>& decisions) {
+  // Exercises come before their categories: then both count. An excused exercise has no points.
+  std::vector<Decision> in_order = decisions;
+  std::ranges::stable_sort(in_order, {}, [](const Decision& one) {
+    return one.kind == DecisionKind::excuse ? 2 : one.place.find('.') != std::string::npos ? 1 : 0;
+  });
+  for (const Decision& decision : in_order) apply(computed, decision);
+  return computed;
+}
+
+std::string decision_text(const Decision& decision) {
+  std::string text = to_string(decision.kind) + (decision.place.empty() ? "" : " " + decision.place);
+  if (decision.kind == DecisionKind::points)
+    text += ": " + shown_number(decision.number) + " (computed: " + shown_number(decision.computed) + ")";
+  if (decision.kind == DecisionKind::late_days) text += ": " + shown_number(decision.number);
+  return text + ": " + decision.why;
+}
+
+std::vector<std::string> conflicts(const SubmissionResult& computed, const std::vector<Decision>& decisions) {
+  SubmissionResult result = computed;
+  std::vector<std::string> lines;
+  for (const Decision& decision : decisions) {
+    if (decision.kind != DecisionKind::points) continue;
+    const Place place = find(result, decision.place);
+    const std::string begin = result.name + ": " + decision.who + " set " + decision.place + " to " +
+                              shown_number(decision.number) + " where " + shown_number(decision.computed) +
+                              " points had been computed";
+    if (!place.exercise)
+      lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
+    else if (std::abs(place.points() - decision.computed) > kSamePoints)
+      lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
+                      "; set it again, or unset it");
+  }
+  return lines;
+}
+
+}  // namespace grader::record

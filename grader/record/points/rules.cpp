@@ -1,0 +1,153 @@
+// STAFF ONLY. Reads the rules of a hand-in, and applies them to a total.
+#include "grader/record/points/rules.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "grader/course/input.h"
+#include "grader/record/points/shown_number.h"
+#include "grader/record/points/zone.h"
+#include "grader/text/time_text.h"
+
+namespace grader::inline record {
+namespace {
+
+constexpr int kMinutesADay = 24 * 60;
+constexpr std::size_t kDueLength = std::size("2025-03-04 23:59") - 1;
+
+std::chrono::minutes minutes_of(std::chrono::seconds time) {
+  return std::chrono::floor<std::chrono::minutes>(time);
+}
+
+std::string days(double count) {
+  return shown_number(count) + (count == 1 ? " day" : " days");
+}
+
+void cap(const HandInRules& rules, SubmissionResult& result) {
+  const double most = max_points(result) * rules.total_per_cent_at_most / 100, total = points(result);
+  if (total <= most || max_points(result) <= 0) return;
+  result.adjustments.push_back({"With extra credit the total counts up to " +
+                                    shown_number(rules.total_per_cent_at_most) + " per cent of " +
+                                    shown_number(max_points(result)) + " points",
+                                most - total});
+}
+
+double per_cent_of(const HandInRules& rules, const Lateness& late) {
+  return std::min(rules.late_per_cent_at_most, (late.days - late.free_days) * rules.late_per_cent_a_day);
+}
+
+// The result's extra credit is capped already.
+Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, const std::string& handed_in,
+                     const MoreDays& more) {
+  const std::optional<TimeText> time = read_time(handed_in);
+  Lateness late{.handed_in = time ? shown_on_clock_of(*time, rules.zone) : handed_in,
+                .days = late_days(rules, handed_in).value_or(0)};
+  late.free_days =
+      std::min<double>(rules.free_days + more.given + used_of_all(rules, late.days, more), late.days);
+  const double per_cent = per_cent_of(rules, late);
+  const double base = rules.late_of == LateOf::reached ? points(capped) : max_points(capped);
+  late.taken = std::min(points(capped), base * per_cent / 100);
+  return late;
+}
+
+void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, const std::string& handed_in,
+                           const MoreDays& more) {
+  if (!late_days(rules, handed_in)) return;
+  const Lateness late = lateness_of(rules, result, handed_in, more);
+  if (rules.free_days_in_all > 0)
+    result.remarks.push_back(std::to_string(more.left_of_all - used_of_all(rules, late.days, more)) +
+                             " of the course's " + days(rules.free_days_in_all) +
+                             " without a deduction are left after this hand-in");
+  if (late.days == 0) return;
+  std::string reason = "Late by " + days(late.days) + ", handed in " + late.handed_in + ", due " + rules.due;
+  if (late.free_days > 0) reason += ", " + days(late.free_days) + " of them free";
+  reason += "; " + shown_number(per_cent_of(rules, late)) + " per cent of the points " +
+            to_string(rules.late_of) + " are taken off";
+  result.adjustments.push_back({reason, -late.taken});
+}
+
+}  // namespace
+
+std::string to_string(LateOf of) {
+  return of == LateOf::reached ? "reached" : "reachable";
+}
+
+}  // namespace grader::record
+
+namespace grader {
+
+const Rows<HandInRules>& Fields<HandInRules>::rows() {
+  using T = HandInRules;
+  const auto changed = [](auto member) {
+    return [member](const T& rules) { return rules.*member != T{}.*member; };
+  };
+  static const Rows<T> all = {
+      field<T>("due", &T::due, changed(&T::due)),
+      field<T>("zone", &T::zone, changed(&T::zone)),
+      field<T>("exercises", &T::exercises, changed(&T::exercises)),
+      field<T>("column", &T::column, changed(&T::column)),
+      field<T>("grace_minutes", &T::grace_minutes, changed(&T::grace_minutes)),
+      field<T>("free_days", &T::free_days, changed(&T::free_days)),
+      field<T>("free_days_in_all", &T::free_days_in_all, changed(&T::free_days_in_all)),
+      field<T>("late_per_cent_a_day", &T::late_per_cent_a_day, changed(&T::late_per_cent_a_day)),
+      field<T>("late_of", &T::late_of, changed(&T::late_of)),
+      field<T>("late_per_cent_at_most", &T::late_per_cent_at_most, changed(&T::late_per_cent_at_most)),
+      field<T>("total_per_cent_at_most", &T::total_per_cent_at_most, changed(&T::total_per_cent_at_most))};
+  return all;
+}
+
+}  // namespace grader
+
+namespace grader::inline record {
+
+void read_rules(const JsonValue& json, HandInRules& rules) {
+  from_json_value(rules, json, {});
+  const auto expect = [&](const char* key, double value, double most) {
+    if (!(value >= 0 && value <= most))
+      json[key].fail(json[key].shown() + " is not right; write a number from 0 to " + shown_number(most));
+  };
+  if (!rules.due.empty() && (!read_time(rules.due) || rules.due.size() != kDueLength))
+    json["due"].fail(json["due"].shown() + " is no time; write one such as \"2025-03-04 23:59\"");
+  if (json.has("zone") && !is_zone(rules.zone))
+    json["zone"].fail(json["zone"].shown() + " is no time zone; write its name, such as \"Europe/Berlin\"");
+  expect("grace_minutes", rules.grace_minutes, kMinutesADay);
+  expect("free_days", rules.free_days, 366);
+  expect("free_days_in_all", rules.free_days_in_all, 366);
+  expect("late_per_cent_a_day", rules.late_per_cent_a_day, 100);
+  expect("late_per_cent_at_most", rules.late_per_cent_at_most, 100);
+  expect("total_per_cent_at_most", rules.total_per_cent_at_most, 1000);
+}
+
+std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in) {
+  const std::optional<TimeText> due = read_time(rules.due), then = read_time(handed_in);
+  if (!due || !then) return {};
+  const auto minute = [&](const TimeText& time, Twice twice) {
+    return minutes_of(moment_of(time, rules.zone, twice).time_since_epoch());
+  };
+  if (minute(*then, Twice::earlier) - minute(*due, Twice::later) <= std::chrono::minutes(rules.grace_minutes))
+    return 0;
+  const auto on_clock = [&](const TimeText& time) { return minutes_of(on_clock_of(time, rules.zone)); };
+  const std::int64_t late = (on_clock(*then) - on_clock(*due)).count();
+  return std::max(1, static_cast<int>((late + kMinutesADay - 1) / kMinutesADay));
+}
+
+Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
+                  const MoreDays& more) {
+  cap(rules, result);
+  return lateness_of(rules, result, handed_in, more);
+}
+
+int used_of_all(const HandInRules& rules, int late, const MoreDays& more) {
+  const double needed = std::ceil(late - rules.free_days - more.given);
+  return std::clamp(static_cast<int>(needed), 0, std::max(0, more.left_of_all));
+}
+
+SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
+                       const MoreDays& more) {
+  cap(rules, result);
+  take_off_for_lateness(rules, result, handed_in, more);
+  return result;
+}
+
+}  // namespace grader::record

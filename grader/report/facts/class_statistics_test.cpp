@@ -1,0 +1,134 @@
+// STAFF ONLY. Tests statistics on classes with known numbers.
+#include "grader/report/facts/class_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "grader/report/pages/pages.h"
+
+namespace grader::inline report {
+namespace {
+
+// Makes one exercise of two points; each category that `passes` gives one.
+SubmissionResult person(const std::string& name, std::vector<bool> passes) {
+  SubmissionResult result;
+  result.name = name;
+  ExerciseResult exercise;
+  exercise.id = "S1";
+  exercise.status = Status::partly;
+  exercise.max_points = static_cast<double>(passes.size());
+  for (const bool passed : passes) {
+    CaseResult one;
+    one.name = "A category";
+    one.status = passed ? Status::passed : Status::wrong;
+    one.points = passed;
+    one.max_points = 1;
+    exercise.points += one.points;
+    exercise.cases.push_back(one);
+  }
+  result.exercises.push_back(exercise);
+  return result;
+}
+
+// 0.27 * 11 = 2.97: three of eleven people are strong, and three are weak.
+TEST(ClassStatistics, CategoriesTellStrongFromWeakPeople) {
+  std::vector<SubmissionResult> results;
+  for (int i = 0; i < 11; ++i) {
+    const bool strong = i < 3, weak = i >= 8;
+    // Strong people alone pass the first category, all people the second, weak ones alone the third. Weak
+    // people fail three more, which makes the others strong.
+    results.push_back(person("p" + std::to_string(i), {strong, true, weak, !weak, !weak, !weak}));
+  }
+  for (const CategoryStatistics& category : category_statistics(results)) {
+    ASSERT_TRUE(category.discrimination) << category.number;
+    const double expected = category.number == "S1.2" ? 0 : category.number == "S1.3" ? -1 : 1;
+    EXPECT_EQ(*category.discrimination, expected) << category.number;
+  }
+  EXPECT_EQ(category_statistics(results).front().passed, 3U) << "the hardest first";
+  results.resize(9);
+  EXPECT_FALSE(category_statistics(results).front().discrimination);
+}
+
+TEST(ClassStatistics, EachPersonCountsOnce) {
+  const std::vector<SubmissionResult> results{
+      person("a", {false, false, false}), person("b", {true, false, false}), person("c", {true, true, true})};
+  const std::vector<ExerciseStatistics> exercises = exercise_statistics(results);
+  ASSERT_EQ(exercises.size(), 1U);
+  EXPECT_EQ(exercises[0].tenths, (Tenths{1, 0, 0, 1, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(exercises[0].tenths, tenths_of_totals(results));
+  EXPECT_EQ(std::accumulate(exercises[0].points.begin(), exercises[0].points.end(), 0.0), 4);
+}
+
+TEST(ClassStatistics, QuartilesLieBetweenPeopleInProportion) {
+  EXPECT_EQ(quantile({}, 0.5), 0);
+  EXPECT_EQ(quantile({7}, 0.25), 7);
+  EXPECT_EQ(quantile({4, 0, 2}, 0.5), 2);
+  EXPECT_EQ(quantile({4, 0, 2}, 0.25), 1);
+  EXPECT_EQ(quantile({0, 2, 4, 6}, 0.75), 4.5);
+  EXPECT_EQ(quantile({0, 2, 4, 6}, 1), 6);
+}
+
+TEST(ClassStatistics, SectionsCountEachOfTheirPeopleOnce) {
+  std::vector<SubmissionResult> results;
+  for (int i = 0; i < 5; ++i) {
+    std::vector<bool> passes(4, false);
+    std::fill_n(passes.begin(), i, true);
+    results.push_back(person("p" + std::to_string(i), passes));
+  }
+  const std::vector<ClassLine> people{
+      {"p0", "Ann", "1", "", "Tutorial 10", ""},       {"p2", "Bo", "2", "", "Tutorial 10", ""},
+      {"p3", "Cy", "3", "", "Tutorial 2", ""},         {"p1", "Cy", "3", "", "Tutorial 2", ""},
+      {"p3", "Di", "4", "", "Tutorial 2", ""},         {"", "Ed", "5", "", "Tutorial 2", "nothing handed in"},
+      {"", "Flo", "6", "", "<b>", "nothing handed in"}};
+  const std::vector<SectionStatistics> sections = section_statistics(results, people);
+  ASSERT_EQ(sections.size(), 3U);
+  EXPECT_EQ(sections[1].name, "Tutorial 2") << "numbers count as such";
+  EXPECT_EQ(sections[1].people, 3U);
+  EXPECT_EQ(sections[1].handed_in, 2U) << "two hand-ins of one person; of a group's each member has one";
+  EXPECT_EQ(sections[1].median, 3) << "the better one";
+  EXPECT_EQ(sections[2].name, "Tutorial 10");
+  EXPECT_EQ(sections[2].first_quartile, 0.5);
+  EXPECT_EQ(sections[2].third_quartile, 1.5);
+  const std::string page = class_page(results, {.people = people});
+  EXPECT_NE(
+      page.find(
+          "<tr><th scope=\"row\">&lt;b&gt;</th><td class=\"number\">1</td><td class=\"number\">0</td><td "
+          "class=\"number\"></td>"),
+      std::string::npos);
+  EXPECT_TRUE(section_statistics(results, {{"p0", "Ann", "1", "", "", ""}}).empty());
+  EXPECT_EQ(class_page(results, {}).find("id=\"sections\""), std::string::npos);
+}
+
+// A person who loses one category, or all, is no sign; a group has at least three people.
+TEST(ClassStatistics, WhoFailAlikeIsNamed) {
+  std::vector<SubmissionResult> results;
+  for (const char* name : {"a", "b", "c"}) results.push_back(person(name, {true, false, false}));
+  for (const char* name : {"d", "e", "f"}) results.push_back(person(name, {true, true, false}));
+  for (const char* name : {"g", "h", "i"}) results.push_back(person(name, {false, false, false}));
+  for (const char* name : {"j", "k"}) results.push_back(person(name, {false, true, false}));
+  const std::vector<FailAlike> groups = who_fail_alike(results);
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups[0].people, (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(groups[0].categories, (std::vector<std::string>{"S1.2", "S1.3"}));
+}
+
+// A broken archive is one person, who is in no list of exercises.
+TEST(ClassStatistics, ThePageCountsPeopleAndNotCells) {
+  SubmissionResult broken = person("broken", {});
+  broken.note = "This is no archive.";
+  ExerciseResult unread;
+  unread.id = "S1";
+  unread.status = Status::unreadable;
+  broken.exercises.assign(14, unread);
+  const std::string page = class_page({broken, person("b", {true, false})});
+  EXPECT_NE(page.find("could not be taken</span> 1"), std::string::npos);
+  const std::string status = badge(Status::unreadable).text + " 1";
+  EXPECT_EQ(page.find(status), std::string::npos);
+  broken.note.clear();
+  EXPECT_NE(class_page({broken}).find(status + "</summary>"), std::string::npos)
+      << "one person, with 14 exercises";
+}
+
+}  // namespace
+}  // namespace grader::report

@@ -1,0 +1,68 @@
+// STAFF ONLY. Declares the HTML pages.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/report/facts/class_facts.h"
+#include "grader/report/facts/course_table.h"
+#include "grader/result/result.h"
+#include "grader/result/study.h"
+#include "hair/io/plot/html.h"
+
+namespace grader::inline report {
+
+using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
+
+std::string student_page(
+    const SubmissionResult& result,
+    const NamesForPeople& people = {});  // writes NAME/report.html, without the staff's texts
+std::string staff_page(const SubmissionResult& result, const NamesForPeople& people = {});  // staff/NAME.html
+
+// Writes NAME/study.html for both. `beside_itself` is the reference's study of itself: the noise.
+std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
+                       const SubmissionStudy& beside_itself, const NamesForPeople& people = {});
+
+std::string class_page(const std::vector<SubmissionResult>& results, const ClassFacts& facts = {},
+                       const NamesForPeople& people = {});  // writes index.html
+
+std::string course_page(const CourseTable& course, const std::vector<ClassLine>& lines,
+                        const NamesForPeople& people = {});  // writes index.html above several hand-ins
+
+// Writes the folder's name, which commands take, behind a person's name.
+Html folder_beside(const std::string& name, const NamesForPeople& people);
+
+// Lists people who are missing, or on no roster; empty if there are none.
+Html people_section(const std::vector<ClassLine>& people);
+
+// Lists files; empty if there are none.
+Html left_over_section(const std::vector<Accounted>& listed, const NamesForPeople& people = {});
+
+// Lists late people, if there is a due date.
+Html late_section(const ClassFacts& facts, const NamesForPeople& people = {});
+
+// Says that the last run was interrupted; otherwise empty.
+Html run_section(const std::optional<LastRun>& run);
+
+// These parts of the class's page count people (class_statistics.h).
+Html exercises_part(const std::vector<SubmissionResult>& results);
+Html distribution_part(const std::vector<SubmissionResult>& results);
+Html categories_part(const std::vector<SubmissionResult>& results);
+Html sections_part(const std::vector<SubmissionResult>& results,
+                   const std::vector<ClassLine>& people);  // empty without sections
+Html alike_part(const std::vector<SubmissionResult>& results,
+                const NamesForPeople& people = {});  // empty if no two people fail alike
+
+// Lists answers of about.txt (about.h), without names; empty if nobody answered.
+Html about_section(const std::vector<SubmissionResult>& results);
+
+// Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
+Html sort_script();
+
+const char* look_of(Status status);  // returns the status as a class of the style sheet
+Html badge(Status status);           // writes the status in words, coloured
+
+// Writes the warning of every page with results that were graded without namespaces, or without pictures.
+Html stamps(Isolation isolation, bool images);
+
+}  // namespace grader::report

@@ -1,0 +1,240 @@
+// STAFF ONLY. Writes the page of a study.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "grader/report/pages/pages.h"
+#include "hair/io/plot/figure.h"
+#include "hair/io/plot/page.h"
+#include "solver/timing.h"
+
+namespace grader::inline report {
+namespace {
+
+using hair::to_text;
+
+std::string rounded(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+// Returns "1/240 s".
+std::string step_text(const PartStudy& part, int steps) {
+  const double each_second = 1 / step_of(part, steps);
+  return "1/" + (each_second < 1000 ? rounded(each_second) : std::to_string(std::lround(each_second))) + " s";
+}
+
+const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
+  for (const StudyPoint& point : curve.points)
+    if (point.steps == steps) return &point;
+  return nullptr;
+}
+
+// Returns the median of a run's rounds. A failed run gets the time of the nearest finished one, times the
+// ratio of their steps, or the time of its first run if none finished. 0: unknown.
+double seconds_of(const StudyPoint& point, const StudyCurve& curve) {
+  if (point.end == StudyEnd::finished) return timing::median(point.seconds);
+  const StudyPoint* nearest = nullptr;
+  for (const StudyPoint& other : curve.points)
+    if (other.end == StudyEnd::finished && timing::median(other.seconds) > 0 &&
+        (nearest == nullptr || std::abs(other.steps - point.steps) < std::abs(nearest->steps - point.steps)))
+      nearest = &other;
+  return nearest == nullptr ? point.first_seconds
+                            : timing::median(nearest->seconds) * point.steps / nearest->steps;
+}
+
+// Divides the median of a run's measured times by its first time; 0: unknown.
+double again(const StudyPoint* point) {
+  if (point == nullptr || point->end != StudyEnd::finished || !(point->first_seconds > 0)) return 0;
+  return timing::median(point->seconds) / point->first_seconds;
+}
+
+// Returns the median over a curve's runs that another curve has, too: short runs take longer at first on both
+// sides.
+double again(const StudyCurve& curve, const StudyCurve& other) {
+  std::vector<double> all;
+  for (const StudyPoint& point : curve.points)
+    if (again(&point) > 0 && again(with_steps(other, point.steps)) > 0) all.push_back(again(&point));
+  return timing::median(all);
+}
+
+// True if the student's code is far faster in repetitions, compared with the reference's.
+bool far_less_again(const PartStudy& part) {
+  constexpr double kFarLess = 0.25;
+  const double theirs = again(part.student, part.reference), ours = again(part.reference, part.student);
+  return part.rounds > 0 && theirs > 0 && theirs < kFarLess * std::min(1.0, ours);
+}
+
+hair::Series series_of(const PartStudy& part, const StudyCurve& curve, const std::string& name) {
+  hair::Series series{name, {}};
+  for (const StudyPoint& point : curve.points) {
+    const bool failed = point.end != StudyEnd::finished;
+    const double seconds = seconds_of(point, curve);
+    if (!(seconds > 0)) continue;
+    std::string note = "h = " + step_text(part, point.steps);
+    if (point.steps == part.own_steps) note += ", the scene's own";
+    if (failed) note += ": " + to_string(point.end) + ", " + point.note;
+    series.points.push_back({1e3 * seconds, std::max(point.error, part.least_error), note, failed});
+  }
+  return series;
+}
+
+std::vector<std::string> figure_of(const PartStudy& part, const std::string& id) {
+  hair::Figure figure;
+  figure.id = id;
+  figure.title = part.name;
+  figure.description =
+      "Error against CPU time, one point for each step size, of your code and of ours. The further to the "
+      "left and the further down, the better.";
+  figure.x.title = "CPU time of one run, ms";
+  figure.y.title = "error, m";
+  figure.series = {series_of(part, part.student, "yours"), series_of(part, part.reference, "ours")};
+  std::erase_if(figure.series, [](const hair::Series& series) { return series.points.empty(); });
+  if (figure.series.empty()) return {};
+  figure.guides = {{-static_cast<double>(part.order), "order " + std::to_string(part.order)}};
+  return {to_svg(figure)};
+}
+
+std::string stability(const PartStudy& part, const StudyCurve& curve) {
+  if (curve.stable_steps == 0) {
+    const bool to_the_end = !curve.points.empty() && !part.reference.points.empty() &&
+                            curve.points.back().end != StudyEnd::broke &&
+                            curve.points.back().steps == part.reference.points.back().steps;
+    return to_the_end ? "none" : "not known";
+  }
+  return std::string(curve.stable_everywhere ? "all that were tried, up to " : "up to ") +
+         "h = " + step_text(part, curve.stable_steps);
+}
+
+std::string ratio_text(const TimeRatio& ratio) {
+  return rounded(ratio.median) + " (" + rounded(ratio.least) + " to " + rounded(ratio.most) + ")";
+}
+
+std::string error_text(const StudyPoint* point) {
+  if (point == nullptr) return "not run";
+  return point->end == StudyEnd::finished ? to_text(point->error)
+                                          : to_string(point->end) + ": " + point->note;
+}
+
+std::string time_text(double seconds) {
+  return seconds > 0 ? rounded(1e3 * seconds) : "";
+}
+
+std::string times_of(const PartStudy& part) {
+  if (part.rounds == 0) return "Times are of first plays, yours and ours: no round was measured to its end.";
+  return "Times are medians of " + std::to_string(part.rounds) + (part.rounds == 1 ? " round" : " rounds") +
+         " in which both took turns.";
+}
+
+hair::Table table_of(const PartStudy& part) {
+  std::set<int> all;
+  for (const StudyCurve* curve : {&part.student, &part.reference})
+    for (const StudyPoint& point : curve->points) all.insert(point.steps);
+  hair::Table table{"Numbers of " + part.name,
+                    {"Steps", "h", "Your error, m", "Ours, m", "Your time, ms", "Your first play",
+                     "Our time, ms", "Our first play", "Your solver steps", "Ours"},
+                    {}};
+  for (const int steps : all) {
+    std::vector<std::string> row = {std::to_string(steps) + (steps == part.own_steps ? " (the scene)" : ""),
+                                    step_text(part, steps)};
+    const std::array points = {with_steps(part.student, steps), with_steps(part.reference, steps)};
+    for (const StudyPoint* point : points) row.push_back(error_text(point));
+    for (const StudyPoint* point : points) {
+      row.push_back(point == nullptr ? "" : time_text(timing::median(point->seconds)));
+      row.push_back(point == nullptr ? "" : time_text(point->first_seconds));
+    }
+    for (const StudyPoint* point : points)
+      row.push_back(point == nullptr ? "" : std::to_string(point->solver_steps));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Html part_of(const SceneStudy& scene, const PartStudy& part, const std::string& id) {
+  hair::Section section{part.name, {scene.shows + "."}};
+  if (!part.note.empty()) section.paragraphs.push_back(part.note);
+  section.paragraphs.push_back(
+      part.ratio ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
+                 : std::string("There is no error that both reach, so their times can't be compared."));
+  if (far_less_again(part))
+    section.paragraphs.push_back(
+        "Asked for the same again, your code took " + rounded(again(part.student, part.reference)) +
+        " times the time of its first plays, ours " + rounded(again(part.reference, part.student)) +
+        " times: it may remember what it answered. First plays are in the numbers below.");
+  section.paragraphs.push_back("Stable: " + stability(part, part.student) +
+                               " (ours: " + stability(part, part.reference) + ").");
+  section.paragraphs.push_back(times_of(part) + " Errors are against " + part.truth + "; what is below " +
+                               to_text(part.least_error) + " m says nothing.");
+  section.figures = figure_of(part, "plot-" + id);
+  section.tables = {table_of(part)};
+  return hair::html_of(section, "part-" + id);
+}
+
+// Shows how far the reference's ratios to itself are from 1, in single rounds: a ratio within that means
+// nothing. Medians of so few rounds would promise too much for the next batch.
+Html noise_of(const SubmissionStudy& beside_itself) {
+  double least = HUGE_VAL, most = 0;
+  for (const SceneStudy& scene : beside_itself.scenes)
+    for (const PartStudy& part : scene.parts) {
+      if (!part.ratio) continue;
+      least = std::min(least, part.ratio->least);
+      most = std::max(most, part.ratio->most);
+    }
+  if (most == 0) return {};
+  return html(
+      "<p>Our code beside itself, measured like this before the batch, gave {} to {} in single rounds: a "
+      "ratio within that says nothing.</p>\n",
+      {rounded(least), rounded(most)});
+}
+
+Html summary_of(const SubmissionStudy& study) {
+  hair::Table table{
+      "In short", {"Motion", "Your time for the same error, ours is 1", "Your steps are stable", "Ours"}, {}};
+  for (const SceneStudy& scene : study.scenes) {
+    if (!scene.left_out.empty()) table.rows.push_back({scene.name, "Left out: " + scene.left_out, "", ""});
+    for (const PartStudy& part : scene.parts)
+      table.rows.push_back({part.name,
+                            part.ratio ? ratio_text(*part.ratio) : std::string("no error that both reach"),
+                            stability(part, part.student), stability(part, part.reference)});
+  }
+  return hair::html_of({.heading = "All motions", .tables = {table}}, "summary");
+}
+
+}  // namespace
+
+std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
+                       const SubmissionStudy& beside_itself, const NamesForPeople& people) {
+  Html body = stamps(result.isolation, true);
+  body += html(R"(<header>
+<h1>Error against run time: {}</h1>
+<p class="quiet"><a href="report.html">The report</a> &#183; <a href="study.json">study.json</a></p>
+</header>
+<main>
+<p>Small scenes, which all of your files play together, with more steps and with fewer, by your code and by ours. This is to look at: it
+gives no points and takes none. Another run gives other times.</p>
+<p>Error: the root mean square of the particles&#39; distances from where they should be, over the whole motion.
+Time: CPU time of a whole run, by the kernel&#39;s clock, the median of rounds in which your code and ours took
+turns, each in a worker of its own; a run that failed stands where it would have been by its steps. Ratios are medians
+of these rounds, with the least and the largest. Steps are stable if no particle is ever further from where it should
+be than the motion is large, with these and with all shorter ones.</p>
+<p>Errors are found by us, from where your code says that the particles are. What proves nothing: numbers of solver
+steps are what the code itself reports, and code that keeps its answers takes no time when the same is asked for
+again. So the tables have what first plays took, too (the scene&#39;s own steps were played once before, to warm up).
+Code that works before it is asked is charged for it in another play.</p>
+)",
+               {shown_name(result.name, people)});
+  body += noise_of(beside_itself);
+  body += summary_of(study);
+  for (std::size_t i = 0; i < study.scenes.size(); ++i) {
+    const SceneStudy& scene = study.scenes[i];
+    for (std::size_t k = 0; k < scene.parts.size(); ++k)
+      body += part_of(scene, scene.parts[k], std::to_string(i + 1) + "-" + std::to_string(k + 1));
+  }
+  body += html("</main>\n");
+  return html_page("Error against run time: " + shown_name(result.name, people), body);
+}
+
+}  // namespace grader::report

@@ -1,0 +1,92 @@
+// STAFF ONLY. Tests that a student's report leads to the lost points.
+#include <gtest/gtest.h>
+
+#include "grader/report/facts/sample_results.h"
+#include "grader/report/pages/pages.h"
+
+namespace grader::inline report {
+namespace {
+
+CaseResult category(const char* name, Status status) {
+  CaseResult one;
+  one.name = name;
+  one.status = status;
+  return one;
+}
+
+ExerciseResult exercise(const char* id, Status status, std::vector<CaseResult> cases) {
+  ExerciseResult result;
+  result.id = id;
+  result.status = status;
+  result.cases = std::move(cases);
+  return result;
+}
+
+SubmissionResult two_exercises() {
+  SubmissionResult result;
+  result.name = "alice";
+  result.exercises = {exercise("S1", Status::passed, {category("Sizes", Status::passed)}),
+                      exercise("H1", Status::partly,
+                               {category("Energies", Status::passed), category("Forces", Status::wrong),
+                                category("Limits", Status::timed_out), category("Products", Status::wrong)})};
+  return result;
+}
+
+std::size_t times(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(SubmissionPage, ShowsLossesFirstAndFoldsTheRest) {
+  for (const std::string& page : {student_page(two_exercises()), staff_page(two_exercises())}) {
+    const std::size_t h1 = page.find("<section id=\"H1\">"), s1 = page.find("<section id=\"S1\">");
+    EXPECT_LT(h1, s1);
+    const std::size_t folded = page.find("1 of 4 categories pass", h1);
+    EXPECT_LT(folded, page.find("Energies"));
+    EXPECT_LT(page.find("Products"), folded) << "what is wrong stands open";
+    EXPECT_NE(page.find("1 of 1 categories pass", s1), std::string::npos);
+    EXPECT_LT(page.find("H1.4"), page.find("H1.1")) << "numbers are those of the course";
+  }
+}
+
+TEST(SubmissionPage, SaysOnceWhereToGoOn) {
+  const std::string page = student_page(two_exercises());
+  EXPECT_EQ(times(page, "check-H1 asks the same"), 1U);
+  EXPECT_EQ(times(page, "check-S1"), 0U) << "nothing is wrong there";
+  EXPECT_EQ(times(page, "public checks"), 0U) << "not in each row";
+}
+
+TEST(SubmissionPage, CallsNoTimeOutACrash) {
+  const std::string page = student_page(two_exercises());
+  EXPECT_EQ(times(page, ">broke off<"), 1U);
+  EXPECT_EQ(times(page, "crashed"), 0U);
+  EXPECT_EQ(times(staff_page(two_exercises()), ">timed out<"), 1U);
+}
+
+TEST(SubmissionPage, SaysWhyAPictureIsCoarseAndThatThereIsNone) {
+  SubmissionResult result = two_exercises();
+  result.exercises[1].cases.push_back(category(kRunTitle, Status::crashed));
+  const std::string none = "The whole run broke off before its first picture.";
+  EXPECT_EQ(times(student_page(result), none), 1U);
+  result.exercises[1].pictures = {sample_picture("1.00 s", 40)};
+  EXPECT_EQ(times(student_page(result), none), 0U);
+  EXPECT_EQ(times(student_page(result), "shown coarsely"), 0U);
+  result.exercises[1].pictures[0].far_off = true;
+  EXPECT_EQ(times(student_page(result), "shown coarsely: it is far from the reference&#39;s"), 1U);
+  EXPECT_EQ(times(staff_page(result), "shown coarsely"), 0U) << "staff see it as it is";
+}
+
+TEST(SubmissionPage, CountsExtraCreditWithoutAZeroToReach) {
+  SubmissionResult result = two_exercises();
+  result.exercises.erase(result.exercises.begin());
+  result.exercises[0].extra_credit = true;
+  result.exercises[0].points = 15;
+  result.exercises[0].max_points = 24;
+  const std::string page = student_page(result);
+  EXPECT_EQ(times(page, "<strong>15</strong> points of extra credit</p>"), 1U);
+  EXPECT_EQ(times(page, "of 0"), 0U);
+}
+
+}  // namespace
+}  // namespace grader::report

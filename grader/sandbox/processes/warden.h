@@ -1,0 +1,50 @@
+// STAFF ONLY. The process between the grader and a run. It starts the run's first process, counts what all
+// processes of the run take, ends them all and waits for each: the grader may be a container's first process,
+// or a child of one that waits for nobody. If the grader is gone, it ends the run, too.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+
+#include "grader/sandbox/processes/descriptor.h"
+#include "grader/sandbox/processes/launch.h"
+
+namespace grader::inline sandbox {
+
+// Bounds all processes of a run together; 0: no limit.
+struct RunLimits {
+  double cpu_seconds = 0;
+  std::size_t resident_bytes = 0;
+  uid_t user = 0;  // all processes of this user belong to the run; 0: it shares its user with others
+};
+
+// Describes how a run ended.
+struct RunReport {
+  int status = 0;  // is the first process's, as from waitpid
+  double cpu_seconds = 0;
+  bool over_cpu = false, over_memory = false;
+};
+
+class Warden {
+ public:
+  // Throws std::system_error if no process can be started.
+  Warden(const Launch& launch, const RunLimits& limits);
+  ~Warden();  // ends the run
+  Warden(const Warden&) = delete;
+  Warden& operator=(const Warden&) = delete;
+
+  pid_t process() const { return process_; }           // is the run's first
+  const Descriptor& ended() const { return report_; }  // readable once nothing of the run is left
+  void end() { control_.close(); }
+
+  RunReport wait();  // returns at its end
+
+ private:
+  Descriptor control_, report_;
+  pid_t warden_ = -1, process_ = -1;
+  uid_t user_;
+  std::optional<RunReport> told_;
+};
+
+}  // namespace grader::sandbox

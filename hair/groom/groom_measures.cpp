@@ -1,0 +1,178 @@
+#include "hair/groom/groom_measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "hair/groom/nearest_points.h"
+#include "hair/mass_spring/rest_curvature.h"
+
+namespace hair {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kScalp = 0.2;        // m
+constexpr std::size_t kFewRoots = 3;  // so few roots do not show a scalp
+constexpr double kFarRoot = 10;       // times the usual distance to the next root
+constexpr double kLongSegment = 20;   // times the usual segment
+
+void include(GroomBox& box, const Vector3d& point) {
+  box.low = box.low.cwiseMin(point);
+  box.high = box.high.cwiseMax(point);
+}
+
+GroomBox nothing() {
+  const Vector3d far = Vector3d::Constant(std::numeric_limits<double>::infinity());
+  return {far, -far};
+}
+
+bool passes_a_point_twice(const Eigen::VectorXd& x) {
+  std::vector<std::array<double, 3>> points;
+  for (Eigen::Index k = 0; k < x.size(); k += 3)
+    // Neighbours at the same place are counted elsewhere.
+    if (k == 0 || x.segment<3>(k) != x.segment<3>(k - 3)) points.push_back({x[k], x[k + 1], x[k + 2]});
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
+}
+
+class Count {
+ public:
+  void add(std::size_t strand) {
+    if (count_++ == 0) first_ = strand;
+  }
+  void say(const std::string& one, const std::string& many, std::vector<Oddity>& odd) const {
+    if (count_ > 0) odd.push_back({count_ == 1 ? one : many, count_, first_});
+  }
+
+ private:
+  long count_ = 0;
+  std::size_t first_ = 0;
+};
+
+// Numbers of all strands, and their positions.
+struct Gathered {
+  std::vector<double> points, lengths, segments, curvatures, bends;
+  std::vector<std::size_t> strand_of_segment;
+  Count bald, not_finite, without_length, points_at_one_place, twice, sharp;
+};
+
+void gather(const Eigen::VectorXd& x, std::size_t i, Gathered& all) {
+  double length = 0;
+  Vector3d before = Vector3d::Zero();  // the previous segment
+  for (Eigen::Index k = 3; k < x.size(); k += 3) {
+    const Vector3d segment = x.segment<3>(k) - x.segment<3>(k - 3);
+    const double l = segment.norm();
+    length += l;
+    all.segments.push_back(l);
+    all.strand_of_segment.push_back(i);
+    if (l == 0) all.points_at_one_place.add(i);
+    if (l > 0 && before.norm() > 0) {
+      const Vector3d u = before.normalized(), v = segment.normalized();
+      const double angle = std::atan2(u.cross(v).norm(), u.dot(v)), across = (before + segment).norm();
+      all.bends.push_back(angle * 180 / std::numbers::pi);
+      if (angle > kMostRest) all.sharp.add(i);
+      if (across > 0) all.curvatures.push_back(2 * std::sin(angle) / across);
+    }
+    before = segment;
+  }
+  all.points.push_back(static_cast<double>(points_of(x)));
+  all.lengths.push_back(length);
+  if (length == 0) all.without_length.add(i);
+  if (passes_a_point_twice(x)) all.twice.add(i);
+}
+
+// Roots that are far from all others, or at the same place as another.
+void look_at_roots(const std::vector<Vector3d>& roots, const std::vector<std::size_t>& strands,
+                   GroomMeasures& measures) {
+  if (roots.size() <= kFewRoots) return;
+  const NearestPoints tree(roots);
+  std::vector<double> distances;
+  distances.reserve(roots.size());
+  for (std::size_t i = 0; i < roots.size(); ++i)
+    distances.push_back(tree.nearest(roots[i], static_cast<long>(i)).distance);
+  const double usual = spread_of(distances).median;
+  Count far, same;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (distances[i] == 0) same.add(strands[i]);
+    if (usual > 0 && distances[i] > kFarRoot * usual) far.add(strands[i]);
+  }
+  same.say("root at the same place as another", "roots at the same place as another", measures.odd);
+  far.say("root that is ten times as far from the next as usual",
+          "roots that are ten times as far from the next as usual", measures.odd);
+  const double span = (measures.roots.high - measures.roots.low).maxCoeff();
+  if (span > 0) measures.unit_guess = kScalp / span;
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> numbers) {
+  if (numbers.empty()) return {};
+  const auto number_at = [&](double part) {
+    const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(numbers.size() - 1));
+    std::nth_element(numbers.begin(), numbers.begin() + rank, numbers.end());
+    return numbers[static_cast<std::size_t>(rank)];
+  };
+  const double mean =
+      std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+  return {number_at(0), number_at(0.5), mean, number_at(0.9), number_at(1)};
+}
+
+GroomMeasures measure_groom(const Groom& groom) {
+  GroomMeasures measures;
+  measures.strands = static_cast<long>(groom.strands.size());
+  measures.points = points_of(groom);
+  measures.box = measures.roots = nothing();
+  Gathered all;
+  std::vector<Vector3d> roots;
+  std::vector<std::size_t> strands;
+  for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+    const Eigen::VectorXd& x = groom.strands[i];
+    if (!x.allFinite()) {
+      all.not_finite.add(i);
+      continue;
+    }
+    for (Eigen::Index k = 0; k < x.size(); k += 3) include(measures.box, x.segment<3>(k));
+    include(measures.roots, x.head<3>());
+    roots.emplace_back(x.head<3>());
+    strands.push_back(i);
+    if (points_of(x) < 2)
+      all.bald.add(i);
+    else
+      gather(x, i, all);
+  }
+  if (roots.empty()) measures.box = measures.roots = {};
+  measures.points_of_strand = spread_of(all.points);
+  measures.length = spread_of(all.lengths);
+  measures.segment = spread_of(all.segments);
+  measures.curvature = spread_of(std::move(all.curvatures));
+  measures.bend = spread_of(std::move(all.bends));
+
+  all.not_finite.say("strand with a number that is not finite; no program can use it",
+                     "strands with a number that is not finite; no program can use them", measures.odd);
+  all.bald.say("bald root: a strand of a single point", "bald roots: strands of a single point",
+               measures.odd);
+  all.without_length.say("strand without length", "strands without length", measures.odd);
+  all.points_at_one_place.say("point where the point before is; scenes refuse it",
+                              "points where the point before is; scenes refuse them", measures.odd);
+  all.twice.say("strand that passes the same point twice", "strands that pass the same point twice",
+                measures.odd);
+  all.sharp.say("joint that bends by more than 154 degrees; scenes refuse it",
+                "joints that bend by more than 154 degrees; scenes refuse them", measures.odd);
+  Count long_segments;
+  for (std::size_t i = 0; i < all.segments.size(); ++i)
+    if (all.segments[i] > kLongSegment * measures.segment.median) long_segments.add(all.strand_of_segment[i]);
+  if (measures.segment.median > 0)
+    long_segments.say("segment that is twenty times as long as usual",
+                      "segments that are twenty times as long as usual", measures.odd);
+  look_at_roots(roots, strands, measures);
+  measures.root_sphere = sphere_through(roots);
+  return measures;
+}
+
+}  // namespace hair
