@@ -119,9 +119,10 @@ TEST(Includes, PointUpTheListsOfFolders) {
                                    << " lies in no folder that ARCHITECTURE.md or hair/README.md lists";
     used.insert(own);
     for (const std::string& other : included)
-      if (includes.contains(other) && !is_for_tests(path))
+      if (includes.contains(other) && !is_for_tests(path)) {
         EXPECT_LE(place_of(other, folders), own)
             << path << " includes " << other << ", which is listed below " << folders[own];
+      }
   }
   for (std::size_t i = 0; i < folders.size(); ++i)
     EXPECT_TRUE(used.contains(i)) << folders[i] << " has no file";
