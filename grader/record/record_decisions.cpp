@@ -2,6 +2,7 @@
 #include "grader/course/input.h"
 #include "grader/record/record.h"
 #include "grader/record/rules.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline record {
 

@@ -8,6 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/record/shown_number.h"
 #include "grader/record/zone.h"
+#include "grader/result/json_fields.h"
 #include "grader/text/time_text.h"
 
 namespace grader::inline record {

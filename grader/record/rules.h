@@ -71,8 +71,8 @@ namespace grader::inline record {
 // and what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
 
-// Returns the result with the extra credit that counts, and with a remark if that is not all. All of it counts
-// where no other points can be reached.
+// Returns the result with the extra credit that counts, and with a remark if that is not all. All of it
+// counts where no other points can be reached.
 SubmissionResult with_counted_extra_credit(const HandInRules& rules, SubmissionResult result);
 
 // Returns how many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/course/input.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline record {
 namespace {

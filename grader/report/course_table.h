@@ -24,8 +24,8 @@ struct CourseTable {
   std::vector<HandIn> hand_ins;
   std::vector<Row> rows;
 
-  // A missing hand-in counts as no points of its maximum. Extra credit counts up to the shares of all hand-ins
-  // together: a hand-in that has nothing else adds no more.
+  // A missing hand-in counts as no points of its maximum. Extra credit counts up to the shares of all
+  // hand-ins together: a hand-in that has nothing else adds no more.
   Cell total(const Row& row) const;
 };
 

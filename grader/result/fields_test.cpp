@@ -1,11 +1,11 @@
 // STAFF ONLY. Tests that every struct of results, studies and costs survives its declared fields.
-#include "grader/result/fields.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "grader/result/check_fields.h"
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader::inline result {

@@ -2,6 +2,7 @@
 #include "grader/result/result_fields.h"
 
 #include "grader/result/base64.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline result {
 
