@@ -129,9 +129,10 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
           earlier->result.fingerprint == grading.fingerprint(submission)) {
         const HandedIn handed_in = handed_in_of(submission);
         compare_times(submission.name, record.set_handed_in(submission.name, handed_in), handed_in.time);
+        const Recorded now = record.find_decided(submission.name).value_or(*earlier);
         const std::lock_guard lock(shared);
         ++batch.done;
-        progress.step(in_a_line(earlier->result, people), false);
+        progress.step(in_a_line(now.result, people), false);
         return;
       }
     }

@@ -18,12 +18,15 @@ void write_course_files(const std::filesystem::path& folder) {
   CourseTable course;
   std::map<std::string, CourseTable::Row> rows;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    course.hand_ins.push_back({names[i], folder_of_hand_in(names[i])});
-    for (const auto& [name, total] : Record(folder, names[i]).totals()) {
+    Record hand_in(folder, names[i]);
+    const HandInRules rules = hand_in.rules();
+    course.hand_ins.push_back({names[i], folder_of_hand_in(names[i]), rules.extra_credit_share.value(),
+                               rules.total_per_cent_at_most / 100});
+    for (const auto& [name, total] : hand_in.totals()) {
       CourseTable::Row& row = rows[name];
       row.name = name;
       row.cells.resize(names.size());
-      row.cells[i] = {total.points, total.max_points};
+      row.cells[i] = {total.points, total.max_points, total.extra_credit};
       course.hand_ins[i].max_points = std::max(course.hand_ins[i].max_points, total.max_points);
     }
   }

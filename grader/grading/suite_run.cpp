@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 #include "grader/sandbox/processes/descriptor.h"
 #include "hair/io/files/start_program.h"

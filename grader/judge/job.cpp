@@ -1,6 +1,7 @@
 // STAFF ONLY. Reads and writes the fields of a job.
 #include "grader/judge/job.h"
 
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader {

@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "grader/course/input.h"
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 #include "grader/sandbox/inherited.h"
 

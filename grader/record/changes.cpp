@@ -17,7 +17,7 @@ std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::s
   if (!earlier) return {};
 
   const auto points_of = [](const LogEntry& entry) {
-    return from_json_text<std::vector<PointsThen>>(entry.detail, "the log's entry of " + entry.at);
+    return points_then(entry.detail, "the log's entry of " + entry.at);
   };
   std::vector<PointsChange> all;
   for (const PointsThen& then : points_of(*earlier)) all.push_back({then.place, then.title, then.points, {}});

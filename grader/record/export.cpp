@@ -1,6 +1,6 @@
 // STAFF ONLY. Writes a record as JSON, for other programs.
 #include "grader/record/record.h"
-#include "grader/result/fields.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline record {
 namespace {

@@ -59,7 +59,7 @@ Recorded numbered(std::int64_t number) {
 }
 
 std::int64_t number_of(const LogEntry& entry) {
-  const auto points = from_json_text<std::vector<PointsThen>>(entry.detail, "the log");
+  const auto points = points_then(entry.detail, "the log");
   return std::llround(points.at(0).points);
 }
 

@@ -1,6 +1,8 @@
 // STAFF ONLY. Declares the fields of people.
 #include "grader/record/people_fields.h"
 
+#include "grader/result/json_fields.h"
+
 #include <algorithm>
 
 namespace grader::inline record {

@@ -11,6 +11,7 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/points/points_then.h"
 #include "grader/record/schema.h"
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader::inline record {

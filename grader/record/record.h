@@ -129,10 +129,11 @@ class Record {
   // Holds the points that count, for each person with a result.
   struct Total {
     double points = 0, max_points = 0;
+    double extra_credit = 0;  // among the points
   };
   std::map<std::string, Total> totals();
 
-  HandInRules rules();
+  HandInRules rules();  // with the record's share of extra credit, if they have none
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
@@ -174,12 +175,13 @@ class Record {
   std::int64_t known_person(const std::string& name);
   std::optional<Recorded> read(const std::string& name, bool with_pictures = true);
   HandInRules stored_rules();
+  HandInRules with_share(HandInRules rules);
   HandInRules rules_from(const std::string& text) const;
   std::vector<Dated> dated();  // in the order of their due dates
   HandedIn handed_in(std::int64_t assignment, const std::string& name);
   double days_given(std::int64_t assignment, const std::string& name);
   int free_days_left(const HandInRules& rules, const std::string& name);
-  SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change,
+  SubmissionResult under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
   HandIn hand_in_of(const DatabaseRow& row) const;

@@ -2,6 +2,7 @@
 #include "grader/course/input.h"
 #include "grader/record/points/rules.h"
 #include "grader/record/record.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline record {
 
@@ -35,7 +36,14 @@ HandInRules Record::stored_rules() {
 
 HandInRules Record::rules() {
   const std::lock_guard lock(one_at_a_time_);
-  return stored_rules();
+  return with_share(stored_rules());
+}
+
+HandInRules Record::with_share(HandInRules rules) {
+  if (!rules.extra_credit_share)
+    rules.extra_credit_share =
+        database_.number("SELECT all_extra_credit FROM class") != 0 ? kAllExtraCredit : kExtraCreditShare;
+  return rules;
 }
 
 void Record::set_rules(const HandInRules& rules) {
@@ -49,8 +57,9 @@ void Record::set_rules(const HandInRules& rules) {
   transaction.commit();
 }
 
-SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules& rules,
-                                     const ChangePoints& change, Lateness* late) {
+SubmissionResult Record::under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
+                                     Lateness* late) {
+  rules = with_share(std::move(rules));
   const std::int64_t here = assignment();
   const std::string name = result.name;
   const auto [time, files, marked_late] = handed_in(here, name);

@@ -99,7 +99,7 @@ std::map<std::string, Record::Total> Record::totals() {
   for (const std::string& name : all)
     if (std::optional<Recorded> found = read(name, false)) {
       const SubmissionResult result = under_rules(std::move(found->result), rules, {});
-      totals[name] = {points(result), max_points(result)};
+      totals[name] = {points(result), max_points(result), extra_credit_counted(result)};
     }
   return totals;
 }

@@ -5,6 +5,7 @@
 #include "grader/record/people_fields.h"
 #include "grader/record/record.h"
 #include "grader/record/same_people.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline record {
 namespace {

@@ -10,6 +10,7 @@
 #include "grader/course/input.h"
 #include "grader/record/schema.h"
 #include "grader/report/facts/sample_results.h"
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"

@@ -8,6 +8,7 @@
 #include "grader/report/pages/pages.h"
 #include "grader/report/points_files.h"
 #include "grader/report/results_json.h"
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/read_file.h"
 

@@ -7,6 +7,7 @@
 #include "grader/compare/palette.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
+#include "grader/report/student_text.h"
 #include "grader/result/base64.h"
 #include "hair/io/image/read_png.h"
 #include "hair/io/plot/html.h"
@@ -26,10 +27,6 @@ constexpr const char* kOfPublicChecks =
     "the deadline.";
 constexpr int kPictureWidth = 240;  // is half the size
 constexpr std::size_t kPictureColors = 128;
-
-std::string joined(const std::string& first, const std::string& second) {
-  return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
-}
 
 std::string text_of(const std::string& text) {
   const std::string shown = hair::readable(text);
@@ -80,15 +77,6 @@ Json test(const ExerciseResult& exercise, const std::string& number, const std::
                    {"visibility", "visible"},
                    {"extra_data", {{"exercise", exercise.id}, {"status", to_string(status)}}}});
   return test;
-}
-
-// Returns the error of the whole submission, changes of its total, and remarks of the staff.
-std::string said_of_the_whole(const SubmissionResult& result) {
-  std::string all = result.note;
-  for (const Adjustment& adjustment : result.adjustments)
-    all = joined(all, adjustment.reason + ": " + shown_points(adjustment.points) + " points.");
-  for (const std::string& remark : result.remarks) all = joined(all, remark);
-  return all;
 }
 
 Json json_of(const SubmissionResult& result, const ResultsOptions& options) {

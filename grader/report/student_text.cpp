@@ -19,10 +19,22 @@ std::string line_of(const ExerciseResult& exercise) {
 
 }  // namespace
 
+std::string joined(const std::string& first, const std::string& second) {
+  return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
+}
+
+std::string said_of_the_whole(const SubmissionResult& result) {
+  std::string all = result.note;
+  for (const Adjustment& adjustment : result.adjustments)
+    all = joined(all, adjustment.reason + ": " + shown_points(adjustment.points) + " points.");
+  for (const std::string& remark : result.remarks) all = joined(all, remark);
+  return all;
+}
+
 std::string student_text(const SubmissionResult& whole) {
   const SubmissionResult result = for_student(whole);
   std::string text = total_of(result) + "\n";
-  if (!result.note.empty()) text += hair::readable(result.note) + "\n";
+  if (const std::string said = said_of_the_whole(result); !said.empty()) text += hair::readable(said) + "\n";
   for (const ExerciseResult& exercise : result.exercises) {
     text += "\n" + line_of(exercise) + "\n";
     if (!exercise.feedback.empty()) text += hair::readable(exercise.feedback) + "\n";

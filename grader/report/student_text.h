@@ -9,6 +9,11 @@ namespace grader::inline report {
 
 std::string student_text(const SubmissionResult& result);
 
+// Returns the error of the whole submission, changes of its total, and remarks of the staff: a paragraph
+// each.
+std::string said_of_the_whole(const SubmissionResult& result);
+std::string joined(const std::string& first, const std::string& second);  // makes two paragraphs
+
 // Joins its first lines: the points in all and of each exercise.
 std::string first_lines(const SubmissionResult& result);
 

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader::inline result {

@@ -1,11 +1,11 @@
 // STAFF ONLY. Tests that every struct of results, studies and costs survives its declared fields.
-#include "grader/result/fields.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "grader/result/check_fields.h"
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader::inline result {
@@ -58,6 +58,7 @@ SubmissionResult submission() {
   result.studied = true;
   result.origin = "hand-in /home/ta/alice.zip";
   result.ended_by_the_clock = {"S1", "runs"};
+  result.extra_credit_counted = 2.5;
   result.adjustments = {{"late by 2 days", -1.5}};
   result.remarks = {"a remark"};
   result.about = "Hours: 3\n";
@@ -146,9 +147,9 @@ bool may_be_missing(const std::string& place) {
   if (place.find("/points/") != place.npos)
     return key == "note" || key == "error" || key == "solver_steps" || key == "correction_steps";
   return key == "hint" || key == "breaks_off" || key == "studied" || key == "ended_by_the_clock" ||
-         key == "adjustments" || key == "remarks" || key == "about" || key == "last_run" || key == "began" ||
-         key == "ended" || key == "asked" || key == "done" || key == "alice" || key == "bob" || key == "S1" ||
-         key == "runs";
+         key == "extra_credit_counted" || key == "adjustments" || key == "remarks" || key == "about" ||
+         key == "last_run" || key == "began" || key == "ended" || key == "asked" || key == "done" ||
+         key == "alice" || key == "bob" || key == "S1" || key == "runs";
 }
 
 template <class T>

@@ -70,8 +70,8 @@ std::string sentence_for(Status status) {
 }
 
 double points(const SubmissionResult& result) {
-  double sum = 0;
-  for (const ExerciseResult& exercise : result.exercises) sum += exercise.points;
+  double sum = extra_credit_counted(result);
+  for (const ExerciseResult& exercise : result.exercises) sum += exercise.extra_credit ? 0 : exercise.points;
   for (const Adjustment& adjustment : result.adjustments) sum += adjustment.points;
   return sum;
 }
@@ -81,6 +81,20 @@ double max_points(const SubmissionResult& result) {
                          [](double sum, const ExerciseResult& exercise) {
                            return exercise.extra_credit ? sum : sum + exercise.max_points;
                          });
+}
+
+double extra_credit(const SubmissionResult& result) {
+  double sum = 0;
+  for (const ExerciseResult& exercise : result.exercises) sum += exercise.extra_credit ? exercise.points : 0;
+  return sum;
+}
+
+double extra_credit_counted(const SubmissionResult& result) {
+  return result.extra_credit_counted.value_or(extra_credit(result));
+}
+
+double counted(double extra, double others, double most_extra, double most) {
+  return std::min({extra, most_extra, most - others});
 }
 
 bool run_breaks_off(const ExerciseResult& exercise) {

@@ -100,7 +100,8 @@ struct SubmissionResult {
   bool images = true;                           // false: graded without pictures; every page says so
   // Lists exercises that ended by wall time: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};
-  bool studied = false;  // there is a study.html, to which pages link
+  bool studied = false;                             // there is a study.html, to which pages link
+  std::optional<double> extra_credit_counted = {};  // nothing: all of it counts
   std::vector<Adjustment> adjustments = {};
   std::vector<std::string> remarks = {};  // for the student: the staff's, and the choice among several files
   std::string about = {};  // is the student's about.txt (report/facts/about.h), for staff; readable text
@@ -111,7 +112,12 @@ struct SubmissionResult {
 // True if its whole run ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
 
-double points(const SubmissionResult&);      // includes adjustments
-double max_points(const SubmissionResult&);  // leaves out extra credit
+double points(const SubmissionResult&);        // includes adjustments and the extra credit that counts
+double max_points(const SubmissionResult&);    // leaves out extra credit
+double extra_credit(const SubmissionResult&);  // includes all that was reached
+double extra_credit_counted(const SubmissionResult&);  // is the part of it that counts
+
+// Returns how much of `extra` counts besides `others`: at most `most_extra`, and not above `most` together.
+double counted(double extra, double others, double most_extra, double most);
 
 }  // namespace grader::result

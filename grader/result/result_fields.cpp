@@ -2,6 +2,7 @@
 #include "grader/result/result_fields.h"
 
 #include "grader/result/base64.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline result {
 
@@ -79,6 +80,8 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
       field<T>("ended_by_the_clock", &T::ended_by_the_clock,
                [](const T& result) { return !result.ended_by_the_clock.empty(); }),
       field<T>("studied", &T::studied, [](const T& result) { return result.studied; }),
+      field<T>("extra_credit_counted", &T::extra_credit_counted,
+               [](const T& result) { return result.extra_credit_counted.has_value(); }),
       field<T>("adjustments", &T::adjustments, [](const T& result) { return !result.adjustments.empty(); }),
       field<T>("remarks", &T::remarks, [](const T& result) { return !result.remarks.empty(); }),
       field<T>("about", &T::about, [](const T& result) { return !result.about.empty(); })};

@@ -1,4 +1,5 @@
 // STAFF ONLY. Declares the fields of studies.
+#include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader::inline result {

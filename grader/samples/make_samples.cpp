@@ -1,7 +1,7 @@
-// STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew.
-// CLASS gets an archive or a folder for each sample of PROJECT except most attacks, SHOWCASE a copy of those
-// that are marked for it, and ATTACKS a folder for each place, with its attacks and the right samples beside
-// them.
+// STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE FIRST ATTACKS makes the four folders
+// anew. CLASS gets an archive or a folder for each sample of PROJECT except most attacks, SHOWCASE and FIRST
+// a copy of those that are marked for them, and ATTACKS a folder for each place, with its attacks and the
+// right samples beside them.
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
@@ -106,15 +106,15 @@ void make_folder(const fs::path& folder, const Fill& fill) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE ATTACKS\n";
+  if (argc != 6) {
+    std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE FIRST ATTACKS\n";
     return 2;
   }
   // Times and names in archives depend on both.
   setenv("TZ", "UTC", 1);
   if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
   try {
-    const fs::path project = argv[1], all = argv[2], showcase = argv[3], attacks = argv[4];
+    const fs::path project = argv[1], all = argv[2], showcase = argv[3], first = argv[4], attacks = argv[5];
     const auto samples = grader::read_samples(project);
     make_folder(all, [&](const fs::path& folder) {
       for (const Sample& sample : samples)
@@ -128,12 +128,16 @@ int main(int argc, char** argv) {
             write_sample(sample, project, folder / place);
           }
     });
-    make_folder(showcase, [&](const fs::path& folder) {
-      for (const Sample& sample : samples) {
-        const fs::path name = sample.file_name();
-        if (sample.showcase) fs::copy(all / name, folder / name, fs::copy_options::recursive);
-      }
-    });
+    const auto copy_those = [&](bool Sample::*marked) {
+      return [&, marked](const fs::path& folder) {
+        for (const Sample& sample : samples) {
+          const fs::path name = sample.file_name();
+          if (sample.*marked) fs::copy(all / name, folder / name, fs::copy_options::recursive);
+        }
+      };
+    };
+    make_folder(showcase, copy_those(&Sample::showcase));
+    make_folder(first, copy_those(&Sample::first));
   } catch (const std::exception& error) {
     std::cerr << "make_samples: " << error.what() << '\n';
     return 2;

@@ -21,8 +21,8 @@ Outcome make_samples(const fs::path& project, const fs::path& out,
                      const fs::path& showcase = scratch("project") / "showcase") {
   const fs::path log = scratch("log");
   const std::string command = std::string("'") + HAIR_MAKE_SAMPLES + "' '" + project.string() + "' '" +
-                              out.string() + "' '" + showcase.string() + "' '" + out.string() +
-                              "-attacks' >'" + log.string() + "' 2>&1";
+                              out.string() + "' '" + showcase.string() + "' '" + out.string() + "-first' '" +
+                              out.string() + "-attacks' >'" + log.string() + "' 2>&1";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, hair::bytes_of(log)};
 }
@@ -62,10 +62,14 @@ TEST(MakeSamples, PutsAHeaderBesideTheSolutionInItsPlace) {
 TEST(MakeSamples, CopiesWhatIsMarkedToTheShowcase) {
   const fs::path project = small_project("one\n"), out = project / "class", showcase = project / "showcase";
   add_sample(project, "shown", "form folder\nfile plain src/a.cpp\nshowcase\n");
+  add_sample(project, "shown-first", "form folder\nfile plain a.cpp\nshowcase first\n", "others");
   const Outcome run = make_samples(project, out, showcase);
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_EQ(hair::bytes_of(showcase / "shown" / "src" / "a.cpp"), "one\n");
   EXPECT_FALSE(fs::exists(showcase / "bug"));
+  EXPECT_TRUE(fs::exists(showcase / "shown-first"));
+  EXPECT_TRUE(fs::exists(project / "class-first/shown-first/a.cpp"));
+  EXPECT_FALSE(fs::exists(project / "class-first/shown"));
   EXPECT_TRUE(fs::exists(out / "bug"));
 }
 

@@ -28,7 +28,7 @@
 //   windows              solution files begin with a byte order mark and have CR LF
 //   cut BYTES            keeps these first bytes of the archive, as after a broken upload
 //   overwrite AT HEX     changes bytes of the packed archive; -6 is the sixth from the end
-//   showcase             one of the few that show every kind of sample
+//   showcase [first]     one of the few that show every kind of sample; first: a newcomer sees it
 //   beside-attacks       right, and graded with the attacks of every place
 //   status ID STATUS     belongs to an exercise, or to "all"
 //   fails ID NAMES       the categories that fail (categories.json), which take their points; the
@@ -102,7 +102,7 @@ struct Sample {
   SampleForm form = SampleForm::zip;
   std::vector<SampleFile> files;  // sorted by path
   std::vector<Edit> edits;
-  bool windows = false, showcase = false, beside_attacks = false;
+  bool windows = false, showcase = false, first = false, beside_attacks = false;
   std::optional<std::uint64_t> cut;
   std::vector<Overwrite> overwrite;
   std::optional<Attack> attack;

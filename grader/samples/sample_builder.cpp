@@ -152,7 +152,12 @@ const SampleKey keys[] = {
     {"windows", "windows", false, [](SampleBuilder& b, const GroupLine&) { b.sample.windows = true; }},
     {"cut", "cut", false, read_cut},
     {"overwrite", "overwrite", true, read_overwrite},
-    {"showcase", "showcase", false, [](SampleBuilder& b, const GroupLine&) { b.sample.showcase = true; }},
+    {"showcase", "showcase", false,
+     [](SampleBuilder& b, const GroupLine& line) {
+       b.sample.showcase = true;
+       b.sample.first = line.rest == "first";
+       if (!b.sample.first && !line.rest.empty()) b.fail(line, "write showcase, or showcase first");
+     }},
     {"beside-attacks", "beside-attacks", false,
      [](SampleBuilder& b, const GroupLine&) { b.sample.beside_attacks = true; }},
     {"status", "status", true, read_status},

@@ -118,6 +118,7 @@ TEST(ReadSamples, NamesWhatIsNotRight) {
             ":7: \"6\" is not right; give a number from 0 to 5"},
            {"form zip\nshowcase\nfails A One\npoints A 5x\n", ":7: \"5x\" is not right"},
            {"form zip\nfails A One\npoints A 3\n", ":6: points are computed; name the categories that fail"},
+           {"form zip\nshowcase last\n", ":5: write showcase, or showcase first"},
            {"form zip\nshowcase\nfails A One\n", ":6: a sample of the showcase says its points of A, too"},
            {"form zip\nfails A Three\n", ":5: A has no category \"Three\"; it has One, Two"},
            {"form zip\nfails A One One\n", ":5: names One twice"},

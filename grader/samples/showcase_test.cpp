@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -86,11 +87,38 @@ TEST(Showcase, HasThreeAttacks) {
 }
 
 TEST(Showcase, HoldsWhatIsMarkedAndNothingElse) {
-  std::set<std::string> marked, packed;
-  for (const Sample& sample : shown()) marked.insert(sample.file_name());
-  for (const auto& item : fs::directory_iterator(HAIR_SHOWCASE))
-    packed.insert(item.path().filename().string());
-  EXPECT_EQ(packed, marked);
+  const auto packed = [](const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& item : fs::directory_iterator(folder)) names.insert(item.path().filename().string());
+    return names;
+  };
+  std::set<std::string> marked, first;
+  for (const Sample& sample : shown()) {
+    marked.insert(sample.file_name());
+    if (sample.first) first.insert(sample.file_name());
+  }
+  EXPECT_EQ(packed(HAIR_SHOWCASE), marked);
+  EXPECT_EQ(packed(HAIR_FIRST_SAMPLES), first);
+}
+
+// By the exercise that is not right.
+TEST(FirstSamples, AreTwelveKinds) {
+  std::map<std::string, std::set<std::string>> kinds;
+  for (const Sample& sample : shown()) {
+    if (!sample.first) continue;
+    std::string kind;
+    for (const auto& [id, expected] : sample.expected)
+      if (expected.status != "passed" && expected.status != "missing") kind = expected.status;
+    if (kind == "partly" && sample.group == "whole-runs") kind = "whole run";
+    if (kind.empty()) kind = sample.name == "perfect" ? "the reference solution" : "right by another way";
+    kinds[kind].insert(sample.name);
+  }
+  EXPECT_EQ(kinds.size(), 12U);
+  for (const auto& [kind, names] : kinds) EXPECT_EQ(names.size(), 1U) << kind;
+  for (const char* kind : {"the reference solution", "right by another way", "partly", "wrong",
+                           "not implemented", "does not compile", "crashed", "timed out", "out of memory",
+                           "broke the rules", "can't be read", "whole run"})
+    EXPECT_TRUE(kinds.contains(kind)) << kind;
 }
 
 }  // namespace

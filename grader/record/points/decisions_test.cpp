@@ -137,6 +137,7 @@ TEST_F(Decisions, ApplyBeforeTheRulesOfTheHandIn) {
   rules.late_per_cent_a_day = 10;
   record_.put({alice()}, {"2025-03-06 10:00:00"});
   record_.set_rules(rules);
+  rules.extra_credit_share = kExtraCreditShare;
   EXPECT_EQ(record_.rules(), rules);
   decide(DecisionKind::points, "H2.2", 3);
   EXPECT_EQ(points(now()), 10 - 2);

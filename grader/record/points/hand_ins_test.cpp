@@ -154,6 +154,42 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
             std::string::npos);
 }
 
+// Records of version 7 are without the share.
+TEST_F(HandIns, OfARecordThatBeganWithoutAShareOfExtraCreditHaveNone) {
+  SubmissionResult alice = result_of("alice", "S1", 10);
+  alice.exercises.push_back(alice.exercises.front());
+  alice.exercises[0].points = 2;
+  alice.exercises[1].extra_credit = true;
+  const auto as_of_version_7 = [&] {
+    Database(dir_ / kRecordFile)
+        .run_all(
+            "ALTER TABLE class DROP COLUMN all_extra_credit; DELETE FROM migrations WHERE version = 8; "
+            "PRAGMA user_version = 7");
+  };
+  Record(dir_, "week 1").put({alice});
+  const auto total = [&](const std::string& hand_in, std::optional<double> share) {
+    HandInRules rules;
+    rules.extra_credit_share = share;
+    Record record(dir_, hand_in);
+    record.set_rules(rules);
+    record.put({alice});
+    const double reached = points(record.find_decided("alice").value().result);
+    EXPECT_EQ(points(record.find_under("alice", rules, {}).value()), reached);
+    EXPECT_EQ(record.totals().at("alice").points, reached);
+    return reached;
+  };
+  EXPECT_EQ(total("week 1", {}), 3);
+  as_of_version_7();
+  EXPECT_EQ(total("week 1", {}), 10) << "all counts, up to the full points";
+  EXPECT_EQ(total("week 2", {}), 10) << "and in hand-ins that are new";
+  EXPECT_EQ(total("week 1", 0.2), 4) << "unless the course file says a share";
+  EXPECT_EQ(total("week 1", {}), 10);
+  fs::remove(dir_ / kRecordFile);
+  Record{dir_};
+  as_of_version_7();
+  EXPECT_EQ(total("week 1", {}), 3) << "nothing was begun there";
+}
+
 // The order of due dates differs from that of names.
 TEST_F(HandIns, UseTheCoursesFreeDaysInTheOrderOfTheirDueDates) {
   const auto due = [](const char* day) {

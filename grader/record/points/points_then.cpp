@@ -1,6 +1,8 @@
 // STAFF ONLY. Lists the points of a grading by category.
 #include "grader/record/points/points_then.h"
 
+#include "grader/result/json_fields.h"
+
 namespace grader {
 
 const Rows<PointsThen>& Fields<PointsThen>::rows() {
@@ -25,6 +27,10 @@ std::vector<PointsThen> points_then(const SubmissionResult& result) {
     }
   }
   return all;
+}
+
+std::vector<PointsThen> points_then(const std::string& detail, const std::string& name) {
+  return from_json_text<std::vector<PointsThen>>(detail, name);
 }
 
 }  // namespace grader::record

@@ -8,6 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/record/points/shown_number.h"
 #include "grader/record/points/zone.h"
+#include "grader/result/json_fields.h"
 #include "grader/text/time_text.h"
 
 namespace grader::inline record {
@@ -24,21 +25,12 @@ std::string days(double count) {
   return shown_number(count) + (count == 1 ? " day" : " days");
 }
 
-void cap(const HandInRules& rules, SubmissionResult& result) {
-  const double most = max_points(result) * rules.total_per_cent_at_most / 100, total = points(result);
-  if (total <= most || max_points(result) <= 0) return;
-  result.adjustments.push_back({"With extra credit the total counts up to " +
-                                    shown_number(rules.total_per_cent_at_most) + " per cent of " +
-                                    shown_number(max_points(result)) + " points",
-                                most - total});
-}
-
 double per_cent_of(const HandInRules& rules, const Lateness& late) {
   return std::min(rules.late_per_cent_at_most, (late.days - late.free_days) * rules.late_per_cent_a_day);
 }
 
-// The result's extra credit is capped already.
-Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, const std::string& handed_in,
+// The result has the extra credit that counts.
+Lateness lateness_of(const HandInRules& rules, const SubmissionResult& result, const std::string& handed_in,
                      const MoreDays& more) {
   const std::optional<TimeText> time = read_time(handed_in);
   Lateness late{.handed_in = time ? shown_on_clock_of(*time, rules.zone) : handed_in,
@@ -46,8 +38,8 @@ Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, c
   late.free_days =
       std::min<double>(rules.free_days + more.given + used_of_all(rules, late.days, more), late.days);
   const double per_cent = per_cent_of(rules, late);
-  const double base = rules.late_of == LateOf::reached ? points(capped) : max_points(capped);
-  late.taken = std::min(points(capped), base * per_cent / 100);
+  const double base = rules.late_of == LateOf::reached ? points(result) : max_points(result);
+  late.taken = std::min(points(result), base * per_cent / 100);
   return late;
 }
 
@@ -93,6 +85,7 @@ const Rows<HandInRules>& Fields<HandInRules>::rows() {
       field<T>("late_per_cent_a_day", &T::late_per_cent_a_day, changed(&T::late_per_cent_a_day)),
       field<T>("late_of", &T::late_of, changed(&T::late_of)),
       field<T>("late_per_cent_at_most", &T::late_per_cent_at_most, changed(&T::late_per_cent_at_most)),
+      field<T>("extra_credit_share", &T::extra_credit_share, changed(&T::extra_credit_share)),
       field<T>("total_per_cent_at_most", &T::total_per_cent_at_most, changed(&T::total_per_cent_at_most))};
   return all;
 }
@@ -116,7 +109,26 @@ void read_rules(const JsonValue& json, HandInRules& rules) {
   expect("free_days_in_all", rules.free_days_in_all, 366);
   expect("late_per_cent_a_day", rules.late_per_cent_a_day, 100);
   expect("late_per_cent_at_most", rules.late_per_cent_at_most, 100);
+  if (rules.extra_credit_share) expect("extra_credit_share", *rules.extra_credit_share, 1);
   expect("total_per_cent_at_most", rules.total_per_cent_at_most, 1000);
+}
+
+SubmissionResult with_counted_extra_credit(const HandInRules& rules, SubmissionResult result) {
+  const double full = max_points(result), reached = points(result), extra = extra_credit(result);
+  if (full <= 0) return result;
+  const double share = rules.extra_credit_share.value_or(kExtraCreditShare),
+               most = full * rules.total_per_cent_at_most / 100,
+               counts = counted(extra, reached - extra, full * share, most);
+  if (counts >= extra) return result;
+  result.extra_credit_counted = counts;
+  const double total = points(result);
+  result.remarks.push_back("You reached " + shown_number(reached) + " points with extra credit, and " +
+                           shown_number(total) + " of them count: " +
+                           (total < most
+                                ? "extra credit adds at most " + shown_number(full * share) + " points, " +
+                                      shown_number(100 * share) + " per cent of " + shown_number(full)
+                                : "no total is above " + shown_number(most)));
+  return result;
 }
 
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in) {
@@ -134,8 +146,7 @@ std::optional<int> late_days(const HandInRules& rules, const std::string& handed
 
 Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                   const MoreDays& more) {
-  cap(rules, result);
-  return lateness_of(rules, result, handed_in, more);
+  return lateness_of(rules, with_counted_extra_credit(rules, std::move(result)), handed_in, more);
 }
 
 int used_of_all(const HandInRules& rules, int late, const MoreDays& more) {
@@ -145,7 +156,7 @@ int used_of_all(const HandInRules& rules, int late, const MoreDays& more) {
 
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                        const MoreDays& more) {
-  cap(rules, result);
+  result = with_counted_extra_credit(rules, std::move(result));
   take_off_for_lateness(rules, result, handed_in, more);
   return result;
 }

@@ -2,19 +2,23 @@
 // and the share of extra credit that counts. They change totals and no category, so that they can change
 // without grading again.
 //
-// {"hand_in": {"due": "2025-03-04 23:59", "zone": "Europe/Berlin", "grace_minutes": 10, "free_days": 1,
-//  "late_per_cent_a_day": 10, "late_of": "reached", "late_per_cent_at_most": 50, "total_per_cent_at_most":
-// 110}}
+//   {"hand_in": {"due": "2025-03-04 23:59", "zone": "Europe/Berlin", "grace_minutes": 10, "free_days": 1,
+//                "late_per_cent_a_day": 10, "late_of": "reached", "late_per_cent_at_most": 50,
+//                "extra_credit_share": 0.2, "total_per_cent_at_most": 110}}
 //
 // The due date and times without an offset are on the clock of the course's zone (zone.h). A late day ends
 // when that clock shows the due time again, so that a change of the clock costs nobody a day. The due minute
 // itself is not late. "late_of": per cent of the points that the student has "reached", or of all that are
 // "reachable"; never below 0 in all.
 //
+// "extra_credit_share": extra credit counts up to this share of the full points; a tenth without it, so that
+// nobody mistakes a broken program's full points for a bug of the grader.
+//
 // Without "total_per_cent_at_most" the total counts up to 100 per cent: extra credit makes up for lost
 // points, and most gradebooks would refuse or cut a total beyond the full points.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +28,10 @@
 #include "grader/result/result.h"
 
 namespace grader::inline record {
+
+inline constexpr double kExtraCreditShare = 0.1;
+// The share in a record that was begun before there was one.
+inline constexpr double kAllExtraCredit = std::numeric_limits<double>::infinity();
 
 enum class LateOf { reached, reachable };
 
@@ -38,6 +46,7 @@ struct HandInRules {
   int free_days_in_all = 0;  // are the course's: hand-ins use them in the order of their due dates
   double late_per_cent_a_day = 0, late_per_cent_at_most = 100;
   LateOf late_of = LateOf::reached;
+  std::optional<double> extra_credit_share = {};  // nothing: the record's
   double total_per_cent_at_most = 100;
 
   bool operator==(const HandInRules&) const = default;
@@ -61,6 +70,10 @@ namespace grader::inline record {
 // Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place
 // and what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
+
+// Returns the result with the extra credit that counts, and with a remark if that is not all. All of it
+// counts where no other points can be reached.
+SubmissionResult with_counted_extra_credit(const HandInRules& rules, SubmissionResult result);
 
 // Returns how many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing
 // without both times.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/course/input.h"
+#include "grader/result/json_fields.h"
 
 namespace grader::inline record {
 namespace {
@@ -70,17 +71,66 @@ TEST(Lateness, TakesAShareOfWhatIsReachedOrReachable) {
             "the points reachable are taken off");
 }
 
-TEST(ExtraCredit, MakesUpForLostPointsAndNoMoreUnlessTheCourseSaysSo) {
-  EXPECT_EQ(points(under({}, with_points(70, 20), "", {})), 90);
-  const SubmissionResult capped = under({}, with_points(70, 50), "", {});
-  EXPECT_EQ(points(capped), 100);
-  EXPECT_EQ(capped.adjustments.at(0).reason,
-            "With extra credit the total counts up to 100 per cent of 100 points");
-  HandInRules rules = due_in_march();
-  rules.total_per_cent_at_most = 110;
-  EXPECT_EQ(points(under(rules, with_points(70, 50), "", {})), 110);
-  EXPECT_EQ(points(under(rules, with_points(70, 50), "2025-03-30 12:00:00", {})), 99)
+TEST(ExtraCredit, MakesUpForATenthAndNoMoreUnlessTheCourseSaysSo) {
+  struct Row {
+    double assigned, extra;  // of 100 and of 50
+    std::optional<double> share;
+    double total_per_cent, total;
+    const char* remark;
+  };
+  for (const Row& row :
+       {Row{70, 0, {}, 100, 70, ""}, Row{70, 10, {}, 100, 80, ""},
+        Row{70,
+            50,
+            {},
+            100,
+            80,
+            "You reached 120 points with extra credit, and 80 of them count: extra credit adds at most 10 "
+            "points, 10 per cent of 100"},
+        Row{96,
+            10,
+            {},
+            100,
+            100,
+            "You reached 106 points with extra credit, and 100 of them count: no total is above 100"},
+        Row{100,
+            50,
+            {},
+            100,
+            100,
+            "You reached 150 points with extra credit, and 100 of them count: no total is above 100"},
+        Row{0,
+            50,
+            {},
+            100,
+            10,
+            "You reached 50 points with extra credit, and 10 of them count: extra credit adds at most 10 "
+            "points, 10 per cent of 100"},
+        Row{70, 50, 0, 100, 70,
+            "You reached 120 points with extra credit, and 70 of them count: extra credit adds at most 0 "
+            "points, 0 per cent of 100"},
+        Row{70, 20.5, 0.125, 100, 82.5,
+            "You reached 90.5 points with extra credit, and 82.5 of them count: extra credit adds at most "
+            "12.5 points, 12.5 per cent of 100"},
+        Row{70, 30, 1, 100, 100, ""},
+        Row{70, 50, 1, 110, 110,
+            "You reached 120 points with extra credit, and 110 of them count: no total is above 110"},
+        Row{0, 50, kAllExtraCredit, 1000, 50, ""}}) {
+    HandInRules rules;
+    rules.extra_credit_share = row.share;
+    rules.total_per_cent_at_most = row.total_per_cent;
+    const SubmissionResult result = under(rules, with_points(row.assigned, row.extra), "", {});
+    EXPECT_EQ(points(result), row.total) << row.remark;
+    EXPECT_EQ(points(result), row.assigned + extra_credit_counted(result)) << row.remark;
+    EXPECT_EQ(result.remarks.empty() ? "" : result.remarks.at(0), row.remark);
+    EXPECT_TRUE(result.adjustments.empty());
+  }
+  HandInRules late = due_in_march();
+  EXPECT_EQ(points(under(late, with_points(70, 50), "2025-03-30 12:00:00", {})), 72)
       << "lateness is taken off last";
+  SubmissionResult only_extra = with_points(0, 50);
+  only_extra.exercises.erase(only_extra.exercises.begin());
+  EXPECT_EQ(points(under({}, only_extra, "", {})), 50) << "there is nothing else to make up for";
   EXPECT_EQ(points(under({}, SubmissionResult{}, "", {})), 0);
 }
 
@@ -99,7 +149,9 @@ TEST(Rules, AreReadFromTheCourseFile) {
   for (const char* bad :
        {R"({"due": "tomorrow"})", R"({"due": "2025-02-30 10:00"})", R"({"due": "2025-03-29 23:59:10"})",
         R"({"zone": "Berlin"})", R"({"zone": ""})", R"({"late_per_cent_a_day": 101})", R"({"free_days": -1})",
-        R"({"late_of": "all"})", R"({"lateness": 1})", R"({"grace_minutes": "1"})", "3"}) {
+        R"({"extra_credit_share": 1.1})", R"({"extra_credit_share": -0.1})",
+        R"({"extra_credit_share": "0.1"})", R"({"late_of": "all"})", R"({"lateness": 1})",
+        R"({"grace_minutes": "1"})", "3"}) {
     try {
       read(bad);
       ADD_FAILURE() << bad;

@@ -30,10 +30,20 @@ Html row_of(const CourseTable& course, const CourseTable::Row& row, const NamesF
 
 CourseTable::Cell CourseTable::total(const Row& row) const {
   Cell sum;
+  double most_extra = 0, most = 0;
   for (std::size_t i = 0; i < hand_ins.size(); ++i) {
-    sum.points += row.cells[i] ? row.cells[i]->points : 0;
-    sum.max_points += row.cells[i] ? row.cells[i]->max_points : hand_ins[i].max_points;
+    const Cell cell = row.cells[i].value_or(Cell{0, hand_ins[i].max_points, 0});
+    sum.points += cell.points;
+    sum.max_points += cell.max_points;
+    sum.extra_credit += cell.extra_credit;
+    if (cell.max_points <= 0) continue;  // a share of it may be infinite
+    most_extra += cell.max_points * hand_ins[i].extra_credit_share;
+    most += cell.max_points * hand_ins[i].total_share;
   }
+  if (sum.max_points <= 0) return sum;
+  const double others = sum.points - sum.extra_credit;
+  sum.extra_credit = counted(sum.extra_credit, others, most_extra, most);
+  sum.points = others + sum.extra_credit;
   return sum;
 }
 

@@ -290,6 +290,26 @@ TEST(Pages, TheClassShowsEverySubmissionAndStatus) {
     EXPECT_GE(count(page, hair::escaped(to_string(status))), 1u) << to_string(status);
 }
 
+// A tenth of the full points of both, as each hand-in has it.
+TEST(CourseTotals, HaveExtraCreditUpToTheSharesOfAllHandIns) {
+  using Cell = CourseTable::Cell;
+  struct Row {
+    std::optional<Cell> first, only_extra;
+    double total;
+  };
+  const CourseTable course{
+      .hand_ins = {{"first", "first", 0.1, 1, 100}, {"only extra", "only_extra", 0.1, 1, 0}}, .rows = {}};
+  for (const Row& row : {Row{Cell{70, 100, 0}, {}, 70}, Row{Cell{70, 100, 10}, Cell{5, 0, 5}, 70},
+                         Row{Cell{70, 100, 4}, Cell{5, 0, 5}, 75}, Row{Cell{98, 100, 0}, Cell{5, 0, 5}, 100},
+                         Row{{}, Cell{15, 0, 15}, 10}}) {
+    const Cell total = course.total({"alice", {row.first, row.only_extra}});
+    EXPECT_EQ(total.points, row.total);
+    EXPECT_EQ(total.max_points, 100);
+  }
+  const CourseTable all_extra{.hand_ins = {{"only extra", "only_extra", 0.1, 1, 0}}, .rows = {}};
+  EXPECT_EQ(all_extra.total({"alice", {Cell{15, 0, 15}}}).points, 15);
+}
+
 TEST(Pages, AnEmptyClassIsAPage) {
   EXPECT_GE(count(class_page({}), "0 people"), 1u);
 }

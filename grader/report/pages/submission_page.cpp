@@ -112,9 +112,7 @@ Html overview(const SubmissionResult& result) {
 }
 
 Html total_line(const SubmissionResult& result) {
-  double extra = 0;
-  for (const ExerciseResult& exercise : result.exercises)
-    extra += exercise.extra_credit ? exercise.points : 0;
+  const double extra = extra_credit_counted(result);
   const std::string total = shown_total(points(result), max_points(result));
   const std::size_t blank = total.find(' ');
   const bool in_part = extra > 0 && max_points(result) > 0;

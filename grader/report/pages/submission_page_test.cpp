@@ -1,8 +1,12 @@
 // STAFF ONLY. Tests that a student's report leads to the lost points.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "grader/report/facts/sample_results.h"
 #include "grader/report/pages/pages.h"
+#include "grader/report/report.h"
+#include "grader/report/student_text.h"
 
 namespace grader::inline report {
 namespace {
@@ -75,6 +79,23 @@ TEST(SubmissionPage, SaysWhyAPictureIsCoarseAndThatThereIsNone) {
   result.exercises[1].pictures[0].far_off = true;
   EXPECT_EQ(times(student_page(result), "shown coarsely: it is far from the reference&#39;s"), 1U);
   EXPECT_EQ(times(staff_page(result), "shown coarsely"), 0U) << "staff see it as it is";
+}
+
+TEST(SubmissionPage, SaysOnceWhyNotAllExtraCreditCounts) {
+  SubmissionResult result = two_exercises();
+  result.exercises[1].extra_credit = true;
+  result.exercises[1].points = 15;
+  result.exercises[0].points = 20;
+  result.exercises[0].max_points = 30;
+  result.extra_credit_counted = 3;
+  result.remarks = {"3 of your points count"};
+  const std::string total = "<strong>23</strong> of 30 points, 3 of them extra credit";
+  for (const std::string& page : {student_page(result), staff_page(result)}) {
+    EXPECT_EQ(times(page, total), 1U);
+    EXPECT_EQ(times(page, "3 of your points count"), 1U);
+  }
+  EXPECT_NE(student_text(result).find("3 of your points count"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(student_json(result)).at("score"), 23);
 }
 
 TEST(SubmissionPage, CountsExtraCreditWithoutAZeroToReach) {

@@ -26,7 +26,9 @@ struct GradescopeOptions {
 // Writes results.json in any case, and then throws the error, if there is one.
 int grade_on_gradescope(GradescopeOptions options) {
   Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
-  course.of_hand_in = read_hand_in(course, options.settings.course, options.hand_in).rules.exercises;
+  // Gradescope takes off for lateness.
+  const HandInRules rules = read_hand_in(course, options.settings.course, options.hand_in).rules;
+  course.of_hand_in = rules.exercises;
   options.settings.of_hand_in = course.of_hand_in;
   GradescopeResults results(options.folder, course, {.pictures = true, .leaderboard = options.leaderboard});
   try {
@@ -38,12 +40,14 @@ int grade_on_gradescope(GradescopeOptions options) {
         read_hand_in(options.folder / "submission", metadata.student, course, reader.opener());
     for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
     const Grading grading(std::move(settings));
-    const Graded graded = grading.grade(intake.submissions.front(),
-                                        [&](const SubmissionResult& so_far) { results.write(so_far); });
-    results.write(graded.result);
+    const Graded graded = grading.grade(intake.submissions.front(), [&](const SubmissionResult& so_far) {
+      results.write(with_counted_extra_credit(rules, so_far));
+    });
+    const SubmissionResult counted = with_counted_extra_credit(rules, graded.result);
+    results.write(counted);
     for (const std::string& problem : graded.problems)
       std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-    print_table(std::cout, {graded.result});
+    print_table(std::cout, {counted});
     return graded.problems.empty() ? 0 : 1;
   } catch (const std::exception&) {
     results.could_not_grade();
