@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "grader/report/pages.h"
 #include "hair/io/plot/figure.h"
@@ -81,7 +82,7 @@ hair::Series series_of(const PartStudy& part, const StudyCurve& curve, const std
   return series;
 }
 
-Html figure_of(const PartStudy& part, const std::string& id) {
+std::vector<std::string> figure_of(const PartStudy& part, const std::string& id) {
   hair::Figure figure;
   figure.id = id;
   figure.title = part.name;
@@ -94,9 +95,7 @@ Html figure_of(const PartStudy& part, const std::string& id) {
   std::erase_if(figure.series, [](const hair::Series& series) { return series.points.empty(); });
   if (figure.series.empty()) return {};
   figure.guides = {{-static_cast<double>(part.order), "order " + std::to_string(part.order)}};
-  return html(
-      "<figure style=\"background:#fff;border-radius:.375rem;padding:.5rem;margin:.75rem 0\">{}</figure>\n",
-      {Html{to_svg(figure)}});
+  return {to_svg(figure)};
 }
 
 std::string stability(const PartStudy& part, const StudyCurve& curve) {
@@ -114,24 +113,14 @@ std::string ratio_text(const TimeRatio& ratio) {
   return rounded(ratio.median) + " (" + rounded(ratio.least) + " to " + rounded(ratio.most) + ")";
 }
 
-Html cell(const StudyPoint* point, const std::string& text) {
-  return html("<td class=\"number\">{}</td>", {point == nullptr ? "" : text});
+std::string error_text(const StudyPoint* point) {
+  if (point == nullptr) return "not run";
+  return point->end == StudyEnd::finished ? to_text(point->error)
+                                          : to_string(point->end) + ": " + point->note;
 }
 
-Html error_cell(const StudyPoint* point) {
-  if (point == nullptr) return html("<td class=\"number quiet\">not run</td>");
-  if (point->end != StudyEnd::finished)
-    return html("<td class=\"number\" title=\"{}\">{}</td>", {point->note, to_string(point->end)});
-  return cell(point, to_text(point->error));
-}
-
-Html time_cell(const StudyPoint* point, double seconds) {
-  return cell(point, seconds > 0 ? rounded(1e3 * seconds) : "");
-}
-
-Html time_cells(const StudyPoint* point) {
-  return time_cell(point, point == nullptr ? 0 : timing::median(point->seconds)) +=
-         time_cell(point, point == nullptr ? 0 : point->first_seconds);
+std::string time_text(double seconds) {
+  return seconds > 0 ? rounded(1e3 * seconds) : "";
 }
 
 std::string times_of(const PartStudy& part) {
@@ -140,49 +129,48 @@ std::string times_of(const PartStudy& part) {
          " in which both took turns.";
 }
 
-Html table_of(const PartStudy& part) {
-  std::vector<int> all;
+hair::Table table_of(const PartStudy& part) {
+  std::set<int> all;
   for (const StudyCurve* curve : {&part.student, &part.reference})
-    for (const StudyPoint& point : curve->points) all.push_back(point.steps);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  Html table = html(R"(<details><summary>Numbers of {}</summary>
-<div class="wide"><table>
-<thead><tr><th scope="col" class="number">Steps</th><th scope="col" class="number">h</th><th scope="col" class="number">Your error, m</th><th scope="col" class="number">Ours, m</th><th scope="col" class="number">Your time, ms</th><th scope="col" class="number">Your first play</th><th scope="col" class="number">Our time, ms</th><th scope="col" class="number">Our first play</th><th scope="col" class="number">Your solver steps</th><th scope="col" class="number">Ours</th></tr></thead>
-<tbody>
-)",
-                    {part.name});
+    for (const StudyPoint& point : curve->points) all.insert(point.steps);
+  hair::Table table{"Numbers of " + part.name,
+                    {"Steps", "h", "Your error, m", "Ours, m", "Your time, ms", "Your first play",
+                     "Our time, ms", "Our first play", "Your solver steps", "Ours"},
+                    {}};
   for (const int steps : all) {
-    const StudyPoint *one = with_steps(part.student, steps), *two = with_steps(part.reference, steps);
-    table +=
-        html("<tr><th scope=\"row\" class=\"number\">{}</th><td class=\"number\">{}</td>{}{}{}{}{}{}</tr>\n",
-             {std::to_string(steps) + (steps == part.own_steps ? " (the scene)" : ""), step_text(part, steps),
-              error_cell(one), error_cell(two), time_cells(one), time_cells(two),
-              cell(one, one == nullptr ? "" : std::to_string(one->solver_steps)),
-              cell(two, two == nullptr ? "" : std::to_string(two->solver_steps))});
+    std::vector<std::string> row = {std::to_string(steps) + (steps == part.own_steps ? " (the scene)" : ""),
+                                    step_text(part, steps)};
+    const std::array points = {with_steps(part.student, steps), with_steps(part.reference, steps)};
+    for (const StudyPoint* point : points) row.push_back(error_text(point));
+    for (const StudyPoint* point : points) {
+      row.push_back(point == nullptr ? "" : time_text(timing::median(point->seconds)));
+      row.push_back(point == nullptr ? "" : time_text(point->first_seconds));
+    }
+    for (const StudyPoint* point : points)
+      row.push_back(point == nullptr ? "" : std::to_string(point->solver_steps));
+    table.rows.push_back(std::move(row));
   }
-  return table += html("</tbody>\n</table></div></details>\n");
+  return table;
 }
 
-Html part_of(const PartStudy& part, const std::string& id) {
-  Html all = html("<h3>{}</h3>\n", {part.name});
-  if (!part.note.empty()) all += html("<p class=\"note\">{}</p>\n", {part.note});
-  all += html(
-      "<p>{}</p>\n",
-      {part.ratio ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
-                  : std::string("There is no error that both reach, so their times can't be compared.")});
+Html part_of(const SceneStudy& scene, const PartStudy& part, const std::string& id) {
+  hair::Section section{part.name, {scene.shows + "."}};
+  if (!part.note.empty()) section.paragraphs.push_back(part.note);
+  section.paragraphs.push_back(
+      part.ratio ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
+                 : std::string("There is no error that both reach, so their times can't be compared."));
   if (far_less_again(part))
-    all += html(
-        R"(<p class="note">Asked for the same again, your code took {} times the time of its first plays, ours {} times:
-it may remember what it answered. First plays are in the numbers below.</p>
-)",
-        {rounded(again(part.student, part.reference)), rounded(again(part.reference, part.student))});
-  all += html("<p>Stable: {} (ours: {}).</p>\n",
-              {stability(part, part.student), stability(part, part.reference)});
-  all += figure_of(part, id);
-  all += table_of(part);
-  return all += html("<p class=\"quiet\">{} Errors are against {}; what is below {} m says nothing.</p>\n",
-                     {times_of(part), part.truth, to_text(part.least_error)});
+    section.paragraphs.push_back(
+        "Asked for the same again, your code took " + rounded(again(part.student, part.reference)) +
+        " times the time of its first plays, ours " + rounded(again(part.reference, part.student)) +
+        " times: it may remember what it answered. First plays are in the numbers below.");
+  section.paragraphs.push_back("Stable: " + stability(part, part.student) +
+                               " (ours: " + stability(part, part.reference) + ").");
+  section.paragraphs.push_back(times_of(part) + " Errors are against " + part.truth + "; what is below " +
+                               to_text(part.least_error) + " m says nothing.");
+  section.figures = figure_of(part, "plot-" + id);
+  section.tables = {table_of(part)};
+  return hair::html_of(section, "part-" + id);
 }
 
 // Shows how far the reference's ratios to itself are from 1, in single rounds: a ratio within that means
@@ -203,21 +191,16 @@ Html noise_of(const SubmissionStudy& beside_itself) {
 }
 
 Html summary_of(const SubmissionStudy& study) {
-  Html table = html(R"(<div class="wide"><table>
-<thead><tr><th scope="col">Motion</th><th scope="col" class="number">Your time for the same error, ours is 1</th><th scope="col">Your steps are stable</th><th scope="col">Ours</th></tr></thead>
-<tbody>
-)");
+  hair::Table table{
+      "In short", {"Motion", "Your time for the same error, ours is 1", "Your steps are stable", "Ours"}, {}};
   for (const SceneStudy& scene : study.scenes) {
-    if (!scene.left_out.empty())
-      table += html("<tr><th scope=\"row\">{}</th><td colspan=\"3\">Left out: {}</td></tr>\n",
-                    {scene.name, scene.left_out});
+    if (!scene.left_out.empty()) table.rows.push_back({scene.name, "Left out: " + scene.left_out, "", ""});
     for (const PartStudy& part : scene.parts)
-      table +=
-          html("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td><td>{}</td></tr>\n",
-               {part.name, part.ratio ? ratio_text(*part.ratio) : std::string("no error that both reach"),
-                stability(part, part.student), stability(part, part.reference)});
+      table.rows.push_back({part.name,
+                            part.ratio ? ratio_text(*part.ratio) : std::string("no error that both reach"),
+                            stability(part, part.student), stability(part, part.reference)});
   }
-  return table += html("</tbody>\n</table></div>\n");
+  return hair::html_of({.heading = "All motions", .tables = {table}}, "summary");
 }
 
 }  // namespace
@@ -247,11 +230,8 @@ Code that works before it is asked is charged for it in another play.</p>
   body += summary_of(study);
   for (std::size_t i = 0; i < study.scenes.size(); ++i) {
     const SceneStudy& scene = study.scenes[i];
-    if (scene.parts.empty()) continue;
-    body += html("<section id=\"{}\">\n<h2>{}</h2>\n", {scene.name, scene.shows});
     for (std::size_t k = 0; k < scene.parts.size(); ++k)
-      body += part_of(scene.parts[k], "plot-" + std::to_string(i + 1) + "-" + std::to_string(k + 1));
-    body += html("</section>\n");
+      body += part_of(scene, scene.parts[k], std::to_string(i + 1) + "-" + std::to_string(k + 1));
   }
   body += html("</main>\n");
   return html_page("Error against run time: " + shown_name(result.name, people), body);

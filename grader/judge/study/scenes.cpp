@@ -1,64 +1,72 @@
-// STAFF ONLY. Holds the scenes of a study.
+// STAFF ONLY. The scenes of a study, and their parts with fewer and with more steps.
 #include "grader/judge/study/scenes.h"
 
+#include <nlohmann/json.hpp>
+
 namespace grader::inline judge {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFewestFrames = 3;
+constexpr int kCoarser = 5, kFinerHair = 4,
+              kFinerToy = 3;  // times that steps are doubled; toys have many as it is
+
+struct Known {
+  const char* name;
+  int order;
+};
+
+Known known(hair::Method method) {
+  const hair::MethodRow& row = hair::row_of(method);
+  return {row.name, row.order};
+}
+
+Known known(hair::ToyMethod method) {
+  for (const hair::MethodRow& row : hair::methods())
+    if (row.toy == method) return {row.name, row.order};
+  return {"", 1};
+}
+
+StudiedPart part_of(const json& scene, const std::string& name) {
+  StudiedPart part{name, scene.dump(), {}, 1};
+  part.scene = hair::parse_scene(part.json, name);
+  const Known method =
+      part.scene.toys.empty() ? known(part.scene.hair.method) : known(part.scene.toys.front().method);
+  part.name += std::string(", ") + method.name;
+  part.order = method.order;
+  return part;
+}
+
+// One double pendulum by each of four methods.
+json pendulums() {
+  json scene = json::parse(R"({
+  "shows": "one double pendulum, four integrators",
+  "frames": 12, "frames_per_second": 25, "steps_per_frame": 40
+})");
+  for (const char* method : {"forward_euler", "symplectic_euler", "midpoint", "runge_kutta_4"}) {
+    json toy = json::parse(R"({
+  "particles": [
+    {"position": [0, 0, 0], "mass": 1, "pinned": true},
+    {"position": [0.4, 0, -0.3], "mass": 0.3},
+    {"position": [0.4, 0, -0.7], "mass": 0.2}
+  ],
+  "springs": [
+    {"between": [0, 1], "stiffness": 400, "rest_length": 0.5, "damping": 0.1},
+    {"between": [1, 2], "stiffness": 300, "rest_length": 0.5, "damping": 0.1}
+  ]
+})");
+    toy["method"] = method;
+    scene["toys"].push_back(std::move(toy));
+  }
+  return scene;
+}
+
+}  // namespace
 
 const std::vector<SceneText>& studied_scenes() {
   static const std::vector<SceneText> scenes = {
-      {"pendulums", R"({
-  "shows": "one double pendulum, four integrators",
-  "frames": 12, "frames_per_second": 25, "steps_per_frame": 40,
-  "toys": [
-    {
-      "method": "forward_euler",
-      "particles": [
-        {"position": [0, 0, 0], "mass": 1, "pinned": true},
-        {"position": [0.4, 0, -0.3], "mass": 0.3},
-        {"position": [0.4, 0, -0.7], "mass": 0.2}
-      ],
-      "springs": [
-        {"between": [0, 1], "stiffness": 400, "rest_length": 0.5, "damping": 0.1},
-        {"between": [1, 2], "stiffness": 300, "rest_length": 0.5, "damping": 0.1}
-      ]
-    },
-    {
-      "method": "symplectic_euler",
-      "particles": [
-        {"position": [0, 0.2, 0], "mass": 1, "pinned": true},
-        {"position": [0.4, 0.2, -0.3], "mass": 0.3},
-        {"position": [0.4, 0.2, -0.7], "mass": 0.2}
-      ],
-      "springs": [
-        {"between": [0, 1], "stiffness": 400, "rest_length": 0.5, "damping": 0.1},
-        {"between": [1, 2], "stiffness": 300, "rest_length": 0.5, "damping": 0.1}
-      ]
-    },
-    {
-      "method": "midpoint",
-      "particles": [
-        {"position": [0, 0.4, 0], "mass": 1, "pinned": true},
-        {"position": [0.4, 0.4, -0.3], "mass": 0.3},
-        {"position": [0.4, 0.4, -0.7], "mass": 0.2}
-      ],
-      "springs": [
-        {"between": [0, 1], "stiffness": 400, "rest_length": 0.5, "damping": 0.1},
-        {"between": [1, 2], "stiffness": 300, "rest_length": 0.5, "damping": 0.1}
-      ]
-    },
-    {
-      "method": "runge_kutta_4",
-      "particles": [
-        {"position": [0, 0.6, 0], "mass": 1, "pinned": true},
-        {"position": [0.4, 0.6, -0.3], "mass": 0.3},
-        {"position": [0.4, 0.6, -0.7], "mass": 0.2}
-      ],
-      "springs": [
-        {"between": [0, 1], "stiffness": 400, "rest_length": 0.5, "damping": 0.1},
-        {"between": [1, 2], "stiffness": 300, "rest_length": 0.5, "damping": 0.1}
-      ]
-    }
-  ]
-})"},
+      {"pendulums", pendulums().dump()},
       {"bead-on-wire", R"({
   "shows": "a bead on a wire, and two rods",
   "frames": 12, "frames_per_second": 25, "steps_per_frame": 20,
@@ -128,6 +136,50 @@ const std::vector<SceneText>& studied_scenes() {
 })"},
   };
   return scenes;
+}
+
+std::vector<StudiedPart> parts_of(const SceneText& text) {
+  const json scene = json::parse(text.json);
+  if (!scene.contains("toys")) return {part_of(scene, text.name)};
+  std::vector<StudiedPart> parts;
+  for (const json& toy : scene["toys"]) {
+    json one = scene;
+    one["toys"] = json::array({toy});
+    parts.push_back(part_of(one, text.name));
+  }
+  return parts;
+}
+
+SceneText divided(const StudiedPart& part, const Division& division) {
+  json scene = json::parse(part.json);
+  scene["frames"] = division.frames;
+  scene["frames_per_second"] = division.frames * part.scene.frames_per_second / part.scene.frames;
+  scene["steps_per_frame"] = division.steps_per_frame;
+  return {part.name, scene.dump()};
+}
+
+std::vector<Division> divisions_of(const hair::Scene& scene) {
+  std::vector<Division> all = {{scene.frames, scene.steps_per_frame}};
+  for (int k = 0; k < kCoarser; ++k) {
+    Division coarser = all.front();
+    if (coarser.steps_per_frame % 2 == 0)
+      coarser.steps_per_frame /= 2;
+    else if (coarser.frames % 2 == 0 && coarser.frames / 2 >= kFewestFrames)
+      coarser.frames /= 2;
+    else
+      break;
+    all.insert(all.begin(), coarser);
+  }
+  for (int k = 0; k < (scene.toys.empty() ? kFinerHair : kFinerToy); ++k)
+    all.push_back({scene.frames, all.back().steps_per_frame * 2});
+  return all;
+}
+
+std::vector<Division> between(const Division& coarse) {
+  std::vector<Division> all;
+  for (int steps = coarse.steps_per_frame + 1; steps < 2 * coarse.steps_per_frame; ++steps)
+    all.push_back({coarse.frames, steps});
+  return all;
 }
 
 }  // namespace grader::judge

@@ -1,78 +1,67 @@
-// STAFF ONLY. Tests the scenes of a study with the reference.
+// STAFF ONLY. The scenes of a study and their parts, with the reference.
 #include "grader/judge/study/scenes.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numeric>
 #include <set>
 
+#include "grader/judge/study/truth.h"
+#include "hair/io/files/temporary_folder.h"
 #include "hair/scene/playback.h"
 
 namespace grader::inline judge {
 namespace {
 
-struct Frame {
-  double time;
-  particles::State state;
-  hair::FrameMeasures measures;
-};
-
-std::vector<Frame> play(const SceneText& text) {
-  const hair::Scene scene = hair::parse_scene(text.json, text.name);
-  hair::Playback playback(scene);
-  std::vector<Frame> frames{{0, playback.state(), playback.measure(playback.state())}};
-  for (int k = 0; k < scene.frames; ++k) {
-    const auto trouble = playback.advance();
-    EXPECT_FALSE(trouble) << text.name << ": " << *trouble;
-    frames.push_back({playback.time(), playback.state(), playback.measure(playback.state())});
-  }
-  return frames;
-}
-
-const SceneText& scene_of(const std::string& name) {
-  for (const SceneText& text : studied_scenes())
-    if (text.name == name) return text;
-  throw std::invalid_argument(name);
-}
-
-TEST(StudiedScenes, EachEndsSoundWithItsFrames) {
-  for (const SceneText& text : studied_scenes()) {
-    const std::vector<Frame> frames = play(text);
-    ASSERT_GE(frames.size(), 10U) << text.name;
-    const Eigen::Index size = frames.front().state.x.size();
-    double last = -1;
-    for (const Frame& frame : frames) {
-      EXPECT_EQ(frame.state.x.size(), size) << text.name;
-      EXPECT_EQ(frame.state.v.size(), size) << text.name;
-      EXPECT_TRUE(frame.state.x.allFinite() && frame.state.v.allFinite()) << text.name;
-      EXPECT_TRUE(std::isfinite(frame.measures.stretch) && std::isfinite(frame.measures.energy()))
-          << text.name;
-      EXPECT_GT(frame.time, last) << text.name;
-      last = frame.time;
-    }
-    // Something must move by at least a tenth of a millimetre.
-    EXPECT_GT((frames.back().state.x - frames.front().state.x).norm(), 1e-4) << text.name;
-  }
-}
-
-TEST(StudiedScenes, TwiceTheSameBits) {
-  for (const SceneText& text : studied_scenes()) {
-    const std::vector<Frame> one = play(text), two = play(text);
-    for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].state.x, two[k].state.x);
-  }
-}
-
-TEST(StudiedScenes, TogetherNeedAllExercisesThatScenesCall) {
+TEST(StudiedScenes, EachEndsSoundAndTogetherTheyNeedAllExercisesThatScenesCall) {
   std::set<std::string> all;
-  for (const SceneText& text : studied_scenes())
-    for (const std::string& id : exercises_of(hair::parse_scene(text.json, text.name))) all.insert(id);
+  for (const SceneText& text : studied_scenes()) {
+    const hair::Scene scene = hair::parse_scene(text.json, text.name);
+    for (const std::string& id : exercises_of(scene)) all.insert(id);
+    hair::Playback playback(scene);
+    const particles::State start = playback.state();
+    while (playback.frame() < scene.frames) ASSERT_FALSE(playback.advance()) << text.name;
+    EXPECT_TRUE(playback.state().x.allFinite() && playback.state().v.allFinite()) << text.name;
+    // Something moves: by a tenth of a millimetre at least.
+    EXPECT_GT((playback.state().x - start.x).norm(), 1e-4) << text.name;
+  }
   EXPECT_EQ(all, (std::set<std::string>{"S1", "P1", "P2", "H1", "H2", "H3", "H4", "H5", "H6"}));
 }
 
-TEST(StudiedScenes, StretchIsWhatTheMethodPromises) {
-  for (const Frame& frame : play(scene_of("strand-swing"))) EXPECT_LE(frame.measures.stretch, 1e-10);
-  for (const Frame& frame : play(scene_of("bead-on-wire"))) EXPECT_LE(frame.measures.stretch, 1e-3);
+TEST(Parts, PlayTheSameMotionInOtherSteps) {
+  for (const SceneText& text : studied_scenes())
+    for (const StudiedPart& part : parts_of(text)) {
+      const std::vector<Division> all = divisions_of(part.scene);
+      EXPECT_GE(all.size(), 6U) << part.name;
+      bool own = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const SceneText other = divided(part, all[i]);
+        const hair::Scene scene = hair::parse_scene(other.json, other.name);
+        EXPECT_NEAR(scene.frames / scene.frames_per_second, part.scene.frames / part.scene.frames_per_second,
+                    1e-15);
+        EXPECT_EQ(scene.frames * scene.steps_per_frame, all[i].steps());
+        EXPECT_EQ(part.scene.frames % scene.frames, 0) << part.name;
+        EXPECT_TRUE(i == 0 || all[i].steps() == 2 * all[i - 1].steps()) << part.name;
+        own = own || all[i].steps() == part.scene.frames * part.scene.steps_per_frame;
+      }
+      EXPECT_TRUE(own) << part.name;
+    }
+}
+
+// CVODE's motion of one strand, and our own of two that meet a ball.
+TEST(Truth, IsKept) {
+  for (const SceneText& text : studied_scenes()) {
+    if (text.name != "stiff-swing" && text.name != "strand-over-sphere") continue;
+    const hair::TemporaryFolder folder("hairgrade-truth");
+    const StudiedPart part = parts_of(text).front();
+    const Truth found = true_motion(part, folder.path()), kept = true_motion(part, folder.path());
+    EXPECT_FALSE(found.motion.from_cache) << text.name;
+    EXPECT_TRUE(kept.motion.from_cache) << text.name;
+    ASSERT_EQ(kept.motion.states.size(), found.motion.states.size());
+    for (std::size_t k = 0; k < found.motion.states.size(); ++k)
+      EXPECT_EQ(kept.motion.states[k].x, found.motion.states[k].x);
+    EXPECT_EQ(kept.motion.method, found.motion.method);
+    EXPECT_EQ(kept.size, found.size);
+  }
 }
 
 }  // namespace

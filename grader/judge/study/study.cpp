@@ -33,11 +33,11 @@ StudyPoint judged(const Division& division, const Played& played, const Truth& t
                    .end = StudyEnd::ran_away,
                    .solver_steps = played.solver_steps,
                    .correction_steps = played.correction_steps};
-  const std::size_t stride = (truth.frames.size() - 1) / static_cast<std::size_t>(division.frames);
+  const std::size_t stride = (truth.motion.states.size() - 1) / static_cast<std::size_t>(division.frames);
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < played.frames.size(); ++k) {
     const particles::State& state = played.frames[k];
-    const Eigen::VectorXd apart = state.x - truth.frames[k * stride].x;
+    const Eigen::VectorXd apart = state.x - truth.motion.states[k * stride].x;
     if (!apart.allFinite() || !state.v.allFinite()) {
       point.note = "numbers that are not finite";
       return point;
@@ -105,8 +105,8 @@ class PartStudied {
     result.duration = part_.scene.frames / part_.scene.frames_per_second;
     result.own_steps = own.steps();
     result.order = part_.order;
-    result.truth = truth_.method;
-    result.least_error = truth_.least_error;
+    result.truth = truth_.motion.method;
+    result.least_error = truth_.motion.least_error();
     result.student = curve_of(theirs);
     result.reference = curve_of(ours);
     result.ratio = ratio_of(result);

@@ -11,7 +11,6 @@
 
 #include <functional>
 
-#include "grader/judge/study/parts.h"
 #include "grader/judge/study/player.h"
 #include "grader/judge/study/truth.h"
 #include "grader/result/study.h"

@@ -2,16 +2,13 @@
 #include "grader/judge/study/study.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <thread>
 
 #include "grader/report/pages.h"
-#include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/tests/parsed.h"
 #include "hair/scene/playback.h"
 
@@ -84,18 +81,6 @@ TEST(Study, OfTheReferenceBesideItselfHasEqualErrorsAndRatioOne) {
   EXPECT_DOUBLE_EQ(part.ratio->median, 1);
   EXPECT_EQ(part.student.stable_steps, part.reference.stable_steps);
   EXPECT_EQ(part.note, "");
-}
-
-TEST(Study, FindsEachMethodsOrder) {
-  // Half the step of a method of order p gives an error 2^p times smaller; higher orders change that by less
-  // than a fifth at these steps.
-  for (const auto& [method, order] :
-       std::map<std::string, int>{{"forward Euler", 1}, {"symplectic Euler", 1}, {"midpoint", 2}}) {
-    Fake student;
-    const PartStudy part = study(method, student);
-    EXPECT_EQ(part.order, order);
-    EXPECT_NEAR(last_order(part.student), order, 0.2) << method;
-  }
 }
 
 TEST(Study, AsksInTurnsAndSwapsThem) {
@@ -294,20 +279,6 @@ TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
   }
 }
 
-TEST(StudyPage, DrawsNoTimeThatWasNotTaken) {
-  Fake student;
-  PartStudy part = study("midpoint", student);
-  const auto drawn = [](const std::string& page) {
-    std::size_t count = 0;
-    for (std::size_t at = page.find("<title>"); at != std::string::npos; at = page.find("<title>", at + 1))
-      ++count;
-    return count;
-  };
-  const std::size_t before = drawn(page_of(part));
-  part.student.points.back().seconds.clear();
-  EXPECT_EQ(drawn(page_of(part)), before - 1);
-}
-
 TEST(UntilItGivesUp, EndsWhatDozes) {
   const StudiedPart part = pendulum("midpoint");
   Fake dozes;
@@ -329,63 +300,11 @@ TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
   EXPECT_EQ(crashes.plays, UntilItGivesUp::kMostCrashes);
 }
 
-TEST(Study, LeavesOutWhatTakesTooLong) {
-  Fake slow;
-  slow.seconds_per_step = 1e-3;  // the scene's 480 steps take half a second
-  StudySettings settings;
-  settings.most_seconds = 1;
-  const PartStudy part = study("midpoint", slow, settings);
-  EXPECT_NE(part.note.find("more CPU time than a study has"), std::string::npos) << part.note;
-  EXPECT_LT(part.student.points.size(), part.reference.points.size());
-  // The times of its first runs are known all the same.
-  ASSERT_TRUE(part.ratio);
-  EXPECT_NEAR(part.ratio->median, 100, 1);
-}
-
 TEST(Study, IsNoneWithoutTheReference) {
   const StudiedPart part = pendulum("midpoint");
   Fake student, reference;
   reference.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
   EXPECT_THROW(study_part(part, truth_of(part), student, reference, {}), std::runtime_error);
-}
-
-TEST(Parts, PlayTheSameMotionInOtherSteps) {
-  for (const SceneText& text : studied_scenes())
-    for (const StudiedPart& part : parts_of(text)) {
-      const std::vector<Division> all = divisions_of(part.scene);
-      EXPECT_GE(all.size(), 6U) << part.name;
-      bool own = false;
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        const SceneText other = divided(part, all[i]);
-        const hair::Scene scene = hair::parse_scene(other.json, other.name);
-        EXPECT_NEAR(scene.frames / scene.frames_per_second, part.scene.frames / part.scene.frames_per_second,
-                    1e-15);
-        EXPECT_EQ(scene.frames * scene.steps_per_frame, all[i].steps());
-        EXPECT_EQ(part.scene.frames % scene.frames, 0) << part.name;
-        EXPECT_TRUE(i == 0 || all[i].steps() == 2 * all[i - 1].steps()) << part.name;
-        own = own || all[i].steps() == part.scene.frames * part.scene.steps_per_frame;
-      }
-      EXPECT_TRUE(own) << part.name;
-    }
-}
-
-TEST(Truth, IsKept) {
-  const hair::TemporaryFolder temporary("hairgrade-truth");
-  const std::filesystem::path& folder = temporary.path();
-  const StudiedPart part = pendulum("midpoint");
-  const Truth found = true_motion(part, folder);
-  const auto only_file = [&] { return std::filesystem::directory_iterator(folder)->path(); };
-  const auto written = std::filesystem::last_write_time(only_file());
-  const Truth kept = true_motion(part, folder);
-  EXPECT_EQ(std::filesystem::last_write_time(only_file()), written);
-  ASSERT_EQ(kept.frames.size(), found.frames.size());
-  for (std::size_t k = 0; k < found.frames.size(); ++k) EXPECT_EQ(kept.frames[k].x, found.frames[k].x);
-  EXPECT_EQ(kept.method, found.method);
-  EXPECT_EQ(kept.least_error, found.least_error);
-  EXPECT_EQ(kept.size, found.size);
-  // A half-written file counts as missing.
-  std::filesystem::resize_file(only_file(), std::filesystem::file_size(only_file()) / 2);
-  EXPECT_EQ(true_motion(part, folder).frames.back().x, found.frames.back().x);
 }
 
 }  // namespace

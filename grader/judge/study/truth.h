@@ -4,25 +4,20 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "grader/judge/study/parts.h"
-#include "particles/state.h"
+#include "grader/judge/study/scenes.h"
+#include "hair/truth/accurate_motion.h"
 
 namespace grader::inline judge {
 
 struct Truth {
-  std::vector<particles::State> frames;  // belong to the part's scene; the first is the start
-  double size = 0;                       // m: the diagonal of the motion's bounding box
-  double least_error = 0;                // m: smaller errors are meaningless
-  std::string method;                    // "CVODE 6.4.1 (BDF), relative tolerance 1e-12"
+  hair::AccurateMotion motion;  // its states are the frames of the part's scene; the first is the start
+  double size = 0;              // m: the diagonal of the motion's bounding box
 };
 
-// The accurate solution of the equations of motion if there is one (hair/truth/accurate_motion.h).
-// Otherwise (several strands, hair with obstacles, or rods and wires) the reference itself, with many times
-// the steps of the finest division. `kept` is a folder for stored motions. Throws std::runtime_error if the
-// reference breaks.
+// The accurate solution of the equations of motion if there is one (hair/truth/accurate_motion.h). Otherwise
+// (several strands, or hair with obstacles) the reference itself, with many times the steps of the finest
+// division. `kept` is a folder for stored motions. Throws std::runtime_error if the reference breaks.
 Truth true_motion(const StudiedPart& part, const std::optional<std::filesystem::path>& kept);
 
 }  // namespace grader::judge

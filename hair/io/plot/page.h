@@ -31,6 +31,9 @@ struct Page {
 // Text is escaped; figures are inserted unchanged.
 std::string to_html(const Page& page);
 
+struct Html;                                                  // html.h
+Html html_of(const Section& section, const std::string& id);  // a part of a page
+
 // RFC 4180, except that lines end with a line feed only: the header, then the rows.
 std::string to_csv(const Table& table);
 

@@ -58,19 +58,7 @@ std::string section_id(std::size_t section) {
   return "section-" + std::to_string(section + 1);
 }
 
-Html section_of(const Section& section, const std::string& id) {
-  Html all = html("<section aria-labelledby=\"{}\">\n<h2 id=\"{}\">{}</h2>\n", {id, id, section.heading});
-  for (const std::string& paragraph : section.paragraphs) all += html("<p>{}</p>\n", {paragraph});
-  for (const Table& table : section.first) all += table_of(table);
-  for (const std::string& figure : section.figures) all += html("<figure>{}</figure>\n", {Html{figure}});
-  for (const Table& table : section.tables)
-    all += section.figures.empty() ? table_of(table)
-                                   : html("<details><summary>Table: {}</summary>\n{}</details>\n",
-                                          {table.caption, table_of(table)});
-  return all += html("</section>\n");
-}
-
-// A duplicate id leads readers to the wrong place.
+// An id that comes twice leads readers to the wrong place.
 std::vector<std::string> ids_in(const std::string& figure) {
   constexpr std::string_view kId = " id=\"";
   std::vector<std::string> ids;
@@ -97,6 +85,18 @@ void require_unique_ids(const Page& page) {
 
 }  // namespace
 
+Html html_of(const Section& section, const std::string& id) {
+  Html all = html("<section aria-labelledby=\"{}\">\n<h2 id=\"{}\">{}</h2>\n", {id, id, section.heading});
+  for (const std::string& paragraph : section.paragraphs) all += html("<p>{}</p>\n", {paragraph});
+  for (const Table& table : section.first) all += table_of(table);
+  for (const std::string& figure : section.figures) all += html("<figure>{}</figure>\n", {Html{figure}});
+  for (const Table& table : section.tables)
+    all += section.figures.empty() ? table_of(table)
+                                   : html("<details><summary>Table: {}</summary>\n{}</details>\n",
+                                          {table.caption, table_of(table)});
+  return all += html("</section>\n");
+}
+
 std::string to_html(const Page& page) {
   require_unique_ids(page);
   Html body = html("<main>\n<h1>{}</h1>\n", {page.title});
@@ -107,7 +107,7 @@ std::string to_html(const Page& page) {
       body += html("<li><a href=\"#{}\">{}</a></li>\n", {section_id(i), page.sections[i].heading});
     body += html("</ul></nav>\n");
   }
-  for (std::size_t i = 0; i < page.sections.size(); ++i) body += section_of(page.sections[i], section_id(i));
+  for (std::size_t i = 0; i < page.sections.size(); ++i) body += html_of(page.sections[i], section_id(i));
   body += html("</main>\n");
   return html_page(page.title, body, Scripts::off, page.picture_files ? Pictures::beside : Pictures::inside);
 }
