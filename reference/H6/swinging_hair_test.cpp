@@ -160,23 +160,7 @@ Modes hanging_modes(const Strand& strand) {
   return {eigen.values, root.asDiagonal() * eigen.vectors};
 }
 
-TEST(SwingingHair, FastestModeIsALaguerrePolynomialsZero) {
-  // The zeros of L_30 are the eigenvalues of its Jacobi matrix (Golub and Welsch, 1969).
-  MatrixXd jacobi = MatrixXd::Zero(30, 30);
-  for (int i = 0; i < 30; ++i) {
-    jacobi(i, i) = 2 * i + 1;
-    if (i > 0) jacobi(i, i - 1) = jacobi(i - 1, i) = i;
-  }
-  const double zero = solver::symmetric_eigenvalues(jacobi).maxCoeff();
-  Strand strand = human_hair();
-  strand.mass[30] *= 2;  // all particles alike
-  EXPECT_NEAR(hanging_modes(strand).squares[29] / (kGravity / 0.01), zero, 1e-9 * zero);
-  EXPECT_NEAR(2 / std::sqrt(kGravity / 0.01 * zero), 6.26e-3, 5e-6) << "s";
-  // With half of that mass at the tip, as a hair has it:
-  EXPECT_NEAR(2 / std::sqrt(hanging_modes(human_hair()).squares[29]), 6.31e-3, 5e-6) << "s";
-}
-
-// Lets the hair hang still, displaced by `amplitude` of a mode. H4's springs carry the weight.
+// Hanging still, but for `amplitude` of a mode; H4's springs carry the weight.
 void hang(Hair& hair, const VectorXd& mode, double amplitude, bool stretched) {
   hair.place(-Vector3d::UnitZ());
   const Strand& strand = hair.strand;

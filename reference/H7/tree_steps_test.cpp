@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hair/lab/validate/hanging_chain.h"
 #include "reference/H7/link_trees_for_tests.h"
 #include "solver/tests/allocations.h"
 
@@ -45,18 +46,6 @@ VectorXd accelerations(TreeSystem& system, const VectorXd& q) {
   return a;
 }
 
-// Zeros of the Laguerre polynomial L_n, as the eigenvalues of its recurrence, (k + 1) L_(k+1) = (2k + 1 - x)
-// L_k - k L_(k-1) (Abramowitz and Stegun 22.7.12; G. Golub and J. Welsch, "Calculation of Gauss Quadrature
-// Rules", 1969).
-VectorXd laguerre_zeros(int n) {
-  MatrixXd recurrence = MatrixXd::Zero(n, n);
-  for (int k = 0; k < n; ++k) {
-    recurrence(k, k) = 2 * k + 1;
-    if (k > 0) recurrence(k, k - 1) = recurrence(k - 1, k) = k;
-  }
-  return recurrence.selfadjointView<Eigen::Lower>().eigenvalues();
-}
-
 // omega_k^2 = (g / l) x_k. The derivative of the accelerations by central differences of e has an error of
 // e^2 and one of rounding, 1e-16 / e, both times x_n: with e = 1e-5 about 1e-10.
 TEST(TreeSteps, AHangingChainHasLaguerresFrequencies) {
@@ -70,7 +59,7 @@ TEST(TreeSteps, AHangingChainHasLaguerresFrequencies) {
     }
     VectorXd squared = -derivative.eigenvalues().real() * l / kGravity;
     std::sort(squared.begin(), squared.end());
-    const VectorXd zeros = laguerre_zeros(n);
+    const VectorXd zeros = hair::laguerre_zeros(n);
     for (int k = 0; k < n; ++k)
       EXPECT_NEAR(squared[k], zeros[k], 1e-8 * zeros[n - 1]) << n << " links, mode " << k;
   }

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "hair/lab/validate/bending_validations.h"
-#include "hair/lab/validate/clamped_beam.h"
 #include "hair/lab/validate/clamped_hair.h"
+#include "hair/lab/validate/validations.h"
 
 namespace hair {
 
@@ -46,7 +45,7 @@ void check(const Errors& now, const Errors* coarse, std::vector<Check>& checks) 
     const double expected = -clamped_beam_error(mode) / (now.segments * now.segments);
     const double rounding = rounding_of(clamped_beam_root(mode), now.segments);
     checks.push_back({id + "-error", shows + "relative error of w^2",
-                      "Rayleigh's quotient with the strand's energies (clamped_beam.h)", expected,
+                      "Rayleigh's quotient with the strand's energies (clamped_hair.h)", expected,
                       now.errors[mode - 1], expected * expected + rounding,
                       "the next term: about the square of this one; and rounding of the eigenvalues"});
     if (coarse)

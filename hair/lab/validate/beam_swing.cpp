@@ -6,11 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/lab/validate/bending_validations.h"
-#include "hair/lab/validate/clamped_beam.h"
 #include "hair/lab/validate/clamped_hair.h"
 #include "hair/lab/validate/dispersion.h"
-#include "hair/lab/validate/sinusoid.h"
+#include "hair/lab/validate/validations.h"
 
 namespace hair {
 
@@ -111,7 +109,7 @@ ValidationResult swing_beam(Method method, const ValidationSettings& settings) {
                            "the method's dispersion (dispersion.h)", 1, measured, tolerance, why});
   const double off = -clamped_beam_error(1) / (kBeamSegments * kBeamSegments);
   result.checks.push_back({"root", "b = L (w^2 rho A / EI)^(1/4), of 10 segments",
-                           "a beam's 1.875104, less the strand's error (clamped_beam.h)",
+                           "a beam's 1.875104, less the strand's error (clamped_hair.h)",
                            clamped_beam_root(1) * std::pow(1 + off, 0.25),
                            beam_root_of({}, kBeamLength, measured * modes.frequencies[0]),
                            clamped_beam_root(1) * off * off / 4 * 1.1,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/lab/validate/bending_validations.h"
+#include "hair/lab/validate/validations.h"
 
 namespace hair {
 
@@ -26,7 +26,7 @@ StrandStart turned_curl(const Material& material, int segments, double length) {
 
 // m. Coordinates and rest lengths are rounded: a length is off by e, 2^-51 of the largest coordinate, and the
 // energy by n EA e^2 / 2 l. As no method gains energy, the softest mode of stiffness c, c r^2 = n EA e^2 / l,
-// is moved by r at most. A straight hair has c = 12.36 EI / n L^3 (clamped_beam.h: b^4 of mode 1); that of a
+// is moved by r at most. Of a straight hair c = 12.36 EI / n L^3 (clamped_hair.h: b^4 of mode 1); that of a
 // curl is higher (of three turns: 13 to 15 times).
 double moved_by_rounding(const Strand& strand, const Eigen::VectorXd& x) {
   const double n = strand.segments(), length = strand.rest_length.sum();

@@ -1,8 +1,25 @@
+// The frequency of an oscillation, from a signal: the fit of a sinusoid, without what the integrator made of it.
+//
 // An integrator changes a frequency: an oscillation x'' = -w^2 x, taken in steps of h, gets another frequency
-// W. W is measured, and these functions compute w from it.
+// W. W is measured, and the functions undo_... compute w from it.
 #pragma once
 
+#include <Eigen/Core>
+
 namespace hair {
+
+// A sinusoid in a signal.
+struct Sinusoid {
+  double frequency = 0;  // rad for each sample; NaN if there is none or the fit does not converge
+  double decay = 0;      // of the amplitude, for each sample
+  double amplitude = 0;
+  double residual = 0;  // root mean square of signal minus fit
+};
+
+// Fits exp(-decay k) (a cos(frequency k) + b sin(frequency k)) to samples k = 0, 1, ... by least squares with
+// the Gauss-Newton method. The first guess of the frequency comes from the signal's sign changes; it must
+// have at least three.
+Sinusoid fit_sinusoid(const Eigen::VectorXd& samples);
 
 // H6, for small oscillations across segments that don't stretch. Take the lecture's five steps at first order
 // in the angles, for EA to infinity. Sideways, the length constraints contribute only the tension's part,

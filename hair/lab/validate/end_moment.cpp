@@ -8,9 +8,9 @@
 #include <numbers>
 #include <string>
 
-#include "hair/lab/validate/bending_validations.h"
 #include "hair/lab/validate/clamped_hair.h"
 #include "hair/lab/validate/planar_statics.h"
+#include "hair/lab/validate/validations.h"
 #include "particles/force_sum.h"
 
 namespace hair {

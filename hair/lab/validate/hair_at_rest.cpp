@@ -1,15 +1,14 @@
-// Hair that is clamped level and bends under its own weight, at rest, compared with the elastica: the error
-// against the number of segments, and against the time that the search takes.
+// Hair that is clamped level and bends under its own weight, at rest, beside the elastica: the error against
+// the number of segments.
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "hair/lab/validate/bending_validations.h"
 #include "hair/lab/validate/clamped_hair.h"
+#include "hair/lab/validate/elastica.h"
 #include "hair/lab/validate/planar_statics.h"
-#include "hair/lab/validate/strand_elastica.h"
-#include "solver/study/cpu_time.h"
+#include "hair/lab/validate/validations.h"
 
 namespace hair {
 
@@ -17,8 +16,7 @@ namespace {
 
 struct Rest {
   int segments;
-  double error;    // the tip's, over L; NaN if no balance was found
-  double seconds;  // CPU time of the search
+  double error;  // of the tip, over L; NaN, if none was found
 
   // The fourth-order curve of the strand, over L; 0 if the strand has too few segments for it.
   double expected = 0;   // the tip's error
@@ -35,11 +33,10 @@ struct SegmentSweep {
 Rest find_rest(const Material& material, const SegmentSweep& sweep, int segments) {
   const StrandStart start = clamped_hair(material, segments, sweep.length, Vector3d::UnitX());
   const auto strand = under_gravity(start, Vector3d(0, 0, -kEarthGravity));
-  const auto find = [&] { return planar_balance(strand->strand, strand->force, start.state.x); };
-  const Eigen::Vector2d tip = tip_of(find()) / sweep.length;
-  const double seconds = solver::study::median_seconds({}, find);
+  const Eigen::Vector2d tip =
+      tip_of(planar_balance(strand->strand, strand->force, start.state.x)) / sweep.length;
   const Eigen::Vector2d curve = elastica(sweep.gamma, sweep.stretch).tip();
-  Rest rest{segments, (tip - curve).norm(), seconds};
+  Rest rest{segments, (tip - curve).norm()};
   if (!has_an_order(sweep.gamma, segments)) return rest;
   const StrandElastica strands = strand_elastica(sweep.gamma, sweep.stretch, segments);
   rest.expected = strands.error;
@@ -102,38 +99,22 @@ Table table_of(const std::vector<SegmentSweep>& sweeps) {
   return table;
 }
 
-Table table_of_times(const std::vector<SegmentSweep>& sweeps) {
-  Table table{"CPU time of Newton's method, from straight hair on: the median of five, after a first one",
-              {"Gamma", "segments", "CPU time, s", "error"},
-              {}};
-  for (const SegmentSweep& sweep : sweeps)
-    for (const Rest& rest : sweep.rests)
-      table.rows.push_back(
-          {to_text(sweep.gamma), std::to_string(rest.segments), to_text(rest.seconds), to_text(rest.error)});
-  return table;
-}
-
-Figure figure_of(const std::vector<SegmentSweep>& sweeps, bool against_time) {
-  Figure figure{
-      against_time ? "elastica-error-time" : "elastica-error-segments",
-      against_time ? "The elastica: error against the time to find it"
-                   : "The elastica: error against segments",
-      against_time
-          ? "CPU time of Newton's method, from straight hair on, with 10, 20, 40 and 80 segments: the median "
-            "of five."
-          : "Where segments are shorter than the layer at the clamp, n > 1.3 sqrt(Gamma), errors fall by "
-            "four when segments are halved; before, hardly.",
-      {against_time ? "CPU time, s" : "segments"},
-      {"error of the tip, over L"}};
+Figure figure_of(const std::vector<SegmentSweep>& sweeps) {
+  Figure figure{"elastica-error-segments",
+                "The elastica: error against segments",
+                "Where segments are shorter than the layer at the clamp, n > 1.3 sqrt(Gamma), errors fall by "
+                "four when segments are halved; before, hardly.",
+                {"segments"},
+                {"error of the tip, over L"}};
   for (const SegmentSweep& sweep : sweeps) {
     Series& series = figure.series.emplace_back(Series{"Gamma = " + to_text(sweep.gamma), {}});
     for (const Rest& rest : sweep.rests)
       series.points.push_back(
-          error_point(against_time ? rest.seconds : rest.segments, rest.error,
+          error_point(rest.segments, rest.error,
                       std::to_string(rest.segments) + " segments" +
                           (has_an_order(sweep.gamma, rest.segments) ? "" : ", too few for an order")));
   }
-  if (!against_time) figure.guides.push_back({-2, "order 2"});
+  figure.guides.push_back({-2, "order 2"});
   return figure;
 }
 
@@ -144,9 +125,8 @@ ValidationResult find_rests(const ValidationSettings& settings) {
     sweeps.push_back(sweep_segments(hair, gamma, settings));
   ValidationResult result;
   for (const SegmentSweep& sweep : sweeps) check(sweep, result.checks);
-  result.figures = {figure_of(sweeps, false), figure_of(sweeps, true)};
+  result.figures = {figure_of(sweeps)};
   result.tables = {table_of(sweeps)};
-  result.times = {table_of_times(sweeps)};
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -11,8 +12,36 @@ namespace hair {
 
 namespace {
 
-// Two runs remove the first term of the error's series a h^p + b h^(p+1) + ... (L. F. Richardson): `coarse`
-// with steps of h and `fine` with h/2.
+constexpr double kLongest = 5;  // times T0: longer than any quarter of a period here
+
+struct Swing {
+  double angle, rate;  // rad, rad/s; from hanging
+};
+
+Swing swing_of(const HangingChain& chain, const particles::State& state) {
+  const double angle = std::atan2(state.x[3], -state.x[5]);
+  return {angle, (state.v[3] * std::cos(angle) + state.v[5] * std::sin(angle)) / chain.link};
+}
+
+// Which part of a step of h it takes from `before` to hang straight: a zero of the cubic with both angles and
+// rates. Where a pendulum hangs its angle's second and fourth derivatives are 0, so that this is better than
+// most methods.
+double part_until_straight(const Swing& before, const Swing& after, double h) {
+  const auto angle = [&](double t) {
+    const double u = 1 - t;
+    return u * u * ((1 + 2 * t) * before.angle + t * h * before.rate) +
+           t * t * ((1 + 2 * u) * after.angle - u * h * after.rate);
+  };
+  double low = 0, high = 1;
+  while (high - low > std::numeric_limits<double>::epsilon()) {
+    const double middle = (low + high) / 2;
+    (angle(middle) > 0 ? low : high) = middle;
+  }
+  return low;
+}
+
+// Of the error's series a h^p + b h^(p+1) + ... two runs take away the first term (L. F. Richardson): with
+// `coarse` of steps of h and `fine` of h/2.
 double extrapolated(double coarse, double fine, int order) {
   return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
@@ -100,6 +129,37 @@ ValidationResult swing(const ChainMethod& method, const ValidationSettings& sett
 }
 
 }  // namespace
+
+double period_ratio(double angle) {
+  double a = 1, g = std::cos(angle / 2);
+  while (std::abs(a - g) > 1e-15) {
+    const double mean = (a + g) / 2;
+    g = std::sqrt(a * g);
+    a = mean;
+  }
+  return 1 / a;
+}
+
+double measured_period_ratio(const ChainMethod& method, double angle, int steps_per_small_period,
+                             const ValidationSettings& settings) {
+  HangingChain chain{Eigen::VectorXd::Constant(1, 1e-7)};
+  // Each step stretches by that much, and the correction's damping adds up over more, smaller steps.
+  chain.stretch = 1e-11;
+  const double small_period = 2 * std::numbers::pi / std::sqrt(chain.square_unit());
+  const double h = small_period / steps_per_small_period;
+  const particles::State start = turned(chain, Eigen::VectorXd::Constant(1, angle));
+  const std::unique_ptr<MovingChain> moving = method.start(chain, start, h);
+  Swing before = swing_of(chain, start);
+  for (int k = 0; k < kLongest * steps_per_small_period; ++k) {
+    if (k % 1000 == 0) settings.go_on();
+    moving->step();
+    const Swing after = swing_of(chain, moving->state());
+    if (!std::isfinite(after.angle) || !std::isfinite(after.rate)) break;
+    if (after.angle <= 0) return 4 * (k + part_until_straight(before, after, h)) / steps_per_small_period;
+    before = after;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 Validation pendulum_period(const ChainMethod& method) {
   return {"pendulum-" + method.id, "The period of a pendulum's large swings, " + method.name,

@@ -66,7 +66,6 @@ Section section_of(const ValidationRecord& record) {
       section.paragraphs.push_back(std::string("A figure can't be drawn: ") + error.what() + ".");
     }
   section.tables = result.tables;
-  section.tables.insert(section.tables.end(), result.times.begin(), result.times.end());
   section.tables.push_back(table_of(rows_of(result.checks, why),
                                     "Where expected values and tolerances of " + record.id + " come from"));
   return section;
@@ -168,7 +167,6 @@ OrderedJson json_of(const std::vector<ValidationRecord>& records) {
     one["checks"] =
         json_of(rows_of(record.result.checks, [](const Check& check) { return why(check) + found(check); }));
     one["tables"] = json_of_tables(record.result.tables);
-    one["times"] = json_of_tables(record.result.times);
     one["cpu_seconds"] = record.cpu_seconds;
     validations.push_back(std::move(one));
   }

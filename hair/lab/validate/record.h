@@ -35,7 +35,7 @@ std::vector<Row> check_rows(const std::vector<ValidationRecord>& records);
 Page page_of(const std::vector<ValidationRecord>& records);
 
 // validate.json: everything except the figures. `measured` is null if it is not finite. Equal runs give equal
-// text, except for "cpu_seconds" and "times".
+// text, except for "cpu_seconds".
 OrderedJson json_of(const std::vector<ValidationRecord>& records);
 
 }  // namespace hair

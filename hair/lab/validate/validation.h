@@ -37,7 +37,6 @@ struct ValidationResult {
   std::vector<Check> checks;
   std::vector<Figure> figures = {};
   std::vector<Table> tables = {};
-  std::vector<Table> times = {};  // with CPU times, which differ between runs
 };
 
 // A point in a figure with a logarithmic axis: an error that the axis can't show becomes a failed point.

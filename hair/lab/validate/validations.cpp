@@ -1,23 +1,38 @@
 #include "hair/lab/validate/validations.h"
 
+#include <cmath>
 #include <utility>
 
 #include "hair/course/course.h"
-#include "hair/lab/validate/bending_validations.h"
 
 namespace hair {
 
+bool Check::holds() const {
+  return std::isfinite(measured) && std::isfinite(expected) && std::abs(error()) <= tolerance;
+}
+
+Point error_point(double x, double error, std::string note) {
+  return {x, error, std::move(note), !(error > 0 && std::isfinite(error))};
+}
+
+void ValidationSettings::go_on() const {
+  if (interrupted && *interrupted) throw Interrupted();
+}
+
 std::vector<Validation> all_validations(const std::vector<std::string>& absent) {
-  std::vector<Validation> validations = {published_numbers()};
-  for (const ChainMethod* method : {&chain_by_h6(), &chain_by_rods()}) {
-    validations.push_back(pendulum_period(*method));
-    validations.push_back(chain_oscillations(*method));
-    validations.push_back(double_pendulums(*method));
-  }
-  for (Validation& one : bending_validations()) validations.push_back(std::move(one));
-  validations.push_back(curl_gives_way());
-  std::erase_if(validations, [&](const Validation& one) { return calls_absent(one.exercises, absent); });
-  return validations;
+  std::vector<Validation> all = {published_numbers()};
+  for (const ChainMethod* method : {&chain_by_h6(), &chain_by_rods()})
+    for (const auto& make : {pendulum_period, chain_oscillations, double_pendulums})
+      all.push_back(make(*method));
+  for (const auto& make : {heavy_elastica, hair_at_rest, beam_frequencies, end_moment, buckling})
+    all.push_back(make());
+  all.push_back(beam_swing(Method::runge_kutta_4));
+  for (const Method method : {Method::implicit_euler, Method::predictor_corrector})
+    for (const auto& make : {beam_swing, elastica_in_motion, buckling_in_motion, curl_at_rest})
+      all.push_back(make(method));
+  all.push_back(curl_gives_way());
+  std::erase_if(all, [&](const Validation& one) { return calls_absent(one.exercises, absent); });
+  return all;
 }
 
 }  // namespace hair

@@ -1,0 +1,176 @@
+// STAFF ONLY. The reference swings, bends and comes to rest as theory says: each validation's checks hold. And a
+// method, a mass or a moment that is a little wrong is found out.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "hair/lab/validate/clamped_hair.h"
+#include "hair/lab/validate/dispersion.h"
+#include "hair/lab/validate/greenhill.h"
+#include "hair/lab/validate/measure_mode.h"
+#include "hair/lab/validate/record.h"
+#include "hair/lab/validate/validations.h"
+
+namespace hair {
+namespace {
+
+constexpr double kMass = 1e-7;
+const ValidationSettings kQuick{true, nullptr};
+
+class Validations : public testing::TestWithParam<Validation> {};
+
+TEST_P(Validations, Hold) {
+  const ValidationResult result = GetParam().run(kQuick);
+  EXPECT_FALSE(result.checks.empty());
+  for (const Check& check : result.checks)
+    EXPECT_TRUE(check.holds()) << check.shows << ": expected " << check.expected << ", measured "
+                               << check.measured << ", off by " << check.error() << ", allowed "
+                               << check.tolerance << " (" << check.tolerance_from << ")";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Validations, testing::ValuesIn(all_validations({})), [](const auto& test) {
+  std::string name = test.param.id;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+// --- What is wrong ---
+
+// A method that is asked to swing a chain, and swings another.
+template <const ChainMethod& (*method)(), void (*change)(HangingChain&)>
+std::unique_ptr<MovingChain> start_changed(const HangingChain& chain, const particles::State& state,
+                                           double step) {
+  HangingChain changed = chain;
+  change(changed);
+  return method().start(changed, state, step);
+}
+
+void halve_the_tip(HangingChain& chain) {
+  chain.mass[chain.count() - 1] /= 2;
+}
+
+void pull_a_little_more(HangingChain& chain) {
+  chain.gravity *= 1 + 1e-5;
+}
+
+// The relative errors of the slowest mode of ten masses, over its tolerance.
+double error_over_tolerance(const ChainMethod& method) {
+  const HangingChain chain{Eigen::VectorXd::Constant(10, kMass)};
+  const Eigen::VectorXd zeros = laguerre_zeros(10);
+  const MeasuredMode mode = measure_mode(method, chain, zeros[0], zeros[9], kQuick);
+  return std::abs(mode.square / zeros[0] - 1) / mode.tolerance;
+}
+
+template <const ChainMethod& (*method)(), void (*change)(HangingChain&)>
+double error_of_changed() {
+  ChainMethod wrong = method();
+  wrong.start = start_changed<method, change>;
+  return error_over_tolerance(wrong);
+}
+
+TEST(Oscillations, ATipTooLightOrALittleMoreGravityOrAnotherDispersionIsFoundOut) {
+  EXPECT_LE(error_over_tolerance(chain_by_h6()), 1);
+  EXPECT_LE(error_over_tolerance(chain_by_rods()), 1);
+  EXPECT_GT((error_of_changed<chain_by_h6, halve_the_tip>()), 1000);
+  EXPECT_GT((error_of_changed<chain_by_rods, halve_the_tip>()), 1000);
+  EXPECT_GT((error_of_changed<chain_by_h6, pull_a_little_more>()), 10);
+  EXPECT_GT((error_of_changed<chain_by_rods, pull_a_little_more>()), 10);
+  ChainMethod wrong = chain_by_rods();
+  wrong.undo = undo_leapfrog;
+  EXPECT_GT(error_over_tolerance(wrong), 1000);
+}
+
+// What a student's method may do: no number at all from the third step on.
+class BrokenChain : public MovingChain {
+ public:
+  explicit BrokenChain(const particles::State& state) : state_(state) {}
+  void step() override {
+    if (++steps_ == 3) state_.x.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const particles::State& state() const override { return state_; }
+
+ private:
+  particles::State state_;
+  int steps_ = 0;
+};
+
+TEST(Oscillations, WhatBreaksDoesNotHoldAndIsShown) {
+  ChainMethod broken = chain_by_h6();
+  broken.start = [](const HangingChain&, const particles::State& state,
+                    double) -> std::unique_ptr<MovingChain> { return std::make_unique<BrokenChain>(state); };
+  for (const Validation& one :
+       {pendulum_period(broken), chain_oscillations(broken), double_pendulums(broken)}) {
+    const ValidationRecord record{one.id, one.title, one.exercises, one.run(kQuick)};
+    for (const Check& check : record.result.checks)
+      EXPECT_FALSE(check.holds()) << one.id << ", " << check.shows;
+    EXPECT_NE(to_html(page_of({record})).find(one.id), std::string::npos);
+    EXPECT_FALSE(json_of({record}).empty());
+    EXPECT_FALSE(check_rows({record}).empty());
+  }
+}
+
+// H6 is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving steps
+// changes it by as much as that error: no measure of what is left.
+TEST(Oscillations, ALostOrderIsFoundOutAtEachAngle) {
+  ChainMethod lost = chain_by_h6();
+  lost.order = 2;
+  for (const Check& check : pendulum_period(lost).run(kQuick).checks)
+    EXPECT_GT(std::abs(check.error()), check.tolerance) << check.id;
+}
+
+// What the frequency of a mode is off by, relative, over what theory says.
+double frequency_error(int segments, int mode, const StrandStart& start) {
+  const double length = start.strand.rest_length.sum();
+  const double root = beam_root_of({}, length, beam_modes(start).frequencies[mode - 1]);
+  return (std::pow(root / clamped_beam_root(mode), 4) - 1) /
+         (-clamped_beam_error(mode) / (segments * segments));
+}
+
+TEST(Bending, FrequenciesOfAWholeSegmentsMassAtTheTipAreTooLow) {
+  for (int mode : {1, 2, 3}) {
+    StrandStart start = clamped_hair({}, 80, 0.05, Vector3d::UnitX());
+    EXPECT_NEAR(frequency_error(80, mode, start), 1, 0.01) << mode;
+    start.strand.mass[80] *= 2;
+    EXPECT_GT(frequency_error(80, mode, start), 5) << mode;
+  }
+}
+
+// Gamma is known to the error's next term, about its square, and to W / EA of the height, cubed: 2.8e-5 of 10
+// segments.
+TEST(Bending, HairThatIsHeavierByATenThousandthBucklesWhereItShouldStand) {
+  const Material material;
+  const double height = length_of(material, (1 - 5e-5) * strand_greenhill(10));
+  EXPECT_GT(softest_stiffness(standing_hair(material, 10, height)), 0);
+  Material heavier = material;
+  heavier.density *= 1 + 1e-4;
+  EXPECT_LT(softest_stiffness(standing_hair(heavier, 10, height)), 0);
+}
+
+Eigen::VectorXd cosines(int count) {
+  Eigen::VectorXd samples(count);
+  for (int k = 0; k < count; ++k) samples[k] = std::cos(0.1 * k);
+  return samples;
+}
+
+TEST(Sinusoid, WhatIsNoneHasNoFrequency) {
+  Eigen::VectorXd samples = cosines(200);
+  EXPECT_TRUE(std::isnan(fit_sinusoid(Eigen::VectorXd::Ones(50)).frequency));
+  EXPECT_TRUE(std::isnan(fit_sinusoid(Eigen::VectorXd::Zero(50)).frequency));
+  EXPECT_TRUE(std::isnan(fit_sinusoid(samples.head(40)).frequency)) << "it changes its sign once";
+  EXPECT_TRUE(std::isnan(fit_sinusoid({}).frequency));
+  samples[20] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(fit_sinusoid(samples).frequency));
+}
+
+// Its frequency triples on the way: there is no best one in reach of the steps.
+TEST(Sinusoid, AFitThatDoesNotConvergeHasNoFrequency) {
+  Eigen::VectorXd samples(50);
+  for (int k = 0; k < 50; ++k) samples[k] = std::cos(0.2 * k + 0.004 * k * k);
+  EXPECT_TRUE(std::isnan(fit_sinusoid(samples).frequency));
+}
+
+}  // namespace
+}  // namespace hair
