@@ -1,14 +1,10 @@
 #include "hair/io/machine.h"
 
 #include <Eigen/Core>
-#include <array>
 #include <fstream>
-#include <string_view>
 #include <thread>
 
-#include "hair/io/digest.h"
 #include "hair/io/files/printable.h"
-#include "hair/io/files/this_program.h"
 
 namespace hair {
 
@@ -48,18 +44,6 @@ std::string measured_on(const Machine& machine, int cores_used) {
   return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) + " cores, " +
          (cores_used == 1 ? "one" : std::to_string(cores_used)) + " of them used; " + machine.compiler +
          ", " + machine.build + "; Eigen " + machine.eigen + ".";
-}
-
-std::string program_digest() {
-  std::ifstream file(this_program(), std::ios::binary);
-  if (!file) return "unknown";
-  Digest digest;
-  std::array<char, 1 << 16> bytes;
-  while (file) {
-    file.read(bytes.data(), bytes.size());
-    digest.add(std::string_view(bytes.data(), static_cast<std::size_t>(file.gcount())));
-  }
-  return digest.text();
 }
 
 }  // namespace hair

@@ -20,8 +20,4 @@ Machine this_machine();
 // A text for a page: "Measured on ..., 2 cores, one of them used; GCC ...".
 std::string measured_on(const Machine& machine, int cores_used = 1);
 
-// A digest of the running program's bytes, including all statically linked code; "unknown" if the system
-// can't read them.
-std::string program_digest();
-
 }  // namespace hair

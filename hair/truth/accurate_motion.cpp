@@ -9,7 +9,6 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/plot/page.h"
 #include "hair/truth/cvode.h"
-#include "hair/truth/model_ode.h"
 #include "hair/truth/motion_cache.h"
 #include "hair/truth/rigid_strand_ode.h"
 #include "hair/truth/strand_ode.h"
@@ -21,17 +20,15 @@ namespace hair {
 
 namespace {
 
-// A larger full matrix costs more than all other work. So does that of links, whose oscillations allow no
-// long steps: BDF takes ten times as long.
+// A full matrix that is larger costs more than all the rest.
 constexpr double kLargestMatrix = 2e5;  // entries
 
 using Ways = std::array<CvodeWay, 2>;
 
-// The two ways differ as much as CVODE allows; if Newton's method would be too expensive, they are two
-// tolerances.
-Ways ways_for(const Problem& problem, const Ode& ode, double tolerance) {
+// As different as CVODE has them; and where Newton's method would be too dear, two tolerances.
+Ways ways_for(const Ode& ode, double tolerance) {
   const double entries = static_cast<double>(ode.size()) * (ode.above() + 1 + ode.below());
-  if (entries > kLargestMatrix || problem.modelled())
+  if (entries > kLargestMatrix)
     return {{{CvodeMethod::adams, tolerance}, {CvodeMethod::adams, 10 * tolerance}}};
   return {{{CvodeMethod::adams, tolerance}, {CvodeMethod::bdf, tolerance}}};
 }
@@ -44,28 +41,19 @@ std::string name_of(const CvodeWay& way) {
 }
 
 bool moves_as_rigid(const Problem& problem) {
-  if (problem.is_toy() || problem.modelled()) return false;
+  if (problem.is_toy()) return false;
   const Strand& strand = problem.scene.hair.strands[0].strand;
   return strand.segments() > 0 && times_the_ea_of_hair(strand) > kHardToStretch && starts_rigid(problem);
 }
 
 std::unique_ptr<Ode> ode_of(const Problem& problem) {
   if (problem.is_toy()) return std::make_unique<ToyOde>(problem);
-  if (problem.modelled()) return model_ode(problem);
   if (moves_as_rigid(problem)) return std::make_unique<RigidStrandOde>(problem);
   return std::make_unique<StrandOde>(problem);
 }
 
-// The largest distance of a point between two solutions, at any moment, m.
-double disagreement(const Ode& ode, const Trajectory& a, const Trajectory& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    largest = std::max(largest, largest_distance(ode.points(a[k]), ode.points(b[k])));
-  return largest;
-}
-
-// The distance of a stretching strand from the limit, over the largest stretch by its tensions: 1.0 to 1.6
-// for a released strand, 2.4 for a moving root. It is not derived, so the factor is larger.
+// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0
+// to 1.6 where it was let go, 2.4 where its root is carried about. Not derived, and so with room.
 constexpr double kOfStretch = 4;
 
 }  // namespace
@@ -82,7 +70,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
                                               const std::atomic<bool>& interrupted) {
   particles::require_positive("the tolerance of an accurate motion", settings.tolerance);
   const std::unique_ptr<Ode> ode = ode_of(problem);
-  const Ways ways = ways_for(problem, *ode, std::max(settings.tolerance, kTightest));
+  const Ways ways = ways_for(*ode, std::max(settings.tolerance, kTightest));
   const auto* rigid = dynamic_cast<const RigidStrandOde*>(ode.get());
 
   AccurateMotion motion;
@@ -107,7 +95,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
     found[k] = std::move(run->states);
   }
   motion.cpu_seconds = timing::cpu_seconds() - start;
-  motion.agreement = disagreement(*ode, found[0], found[1]);
+  motion.agreement = largest_distance(found[0], found[1]);
   if (rigid) motion.agreement = std::max(motion.agreement, kOfStretch * rigid->stretch());
   motion.states = std::move(found[0]);
   if (settings.cache) {

@@ -28,7 +28,7 @@ inline constexpr double kHardToStretch = 100;  // times the EA of hair of the sa
 
 struct AccurateMotion {
   Trajectory states;
-  // m, the largest distance of a particle (of links: of a joint) at any moment between the two solutions; or,
+  // m, the largest distance of a particle at any moment between the two solutions; or,
   // if larger, between the inextensible limit and the strand that stretches (four times the stretch by the
   // tensions).
   double agreement = 0;

@@ -8,7 +8,6 @@
 #include "hair/io/digest.h"
 #include "hair/io/files/kept_file.h"
 #include "hair/strand/variation.h"
-#include "hair/truth/content.h"
 
 namespace hair {
 

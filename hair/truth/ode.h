@@ -42,11 +42,8 @@ class Ode {
   virtual int below() const { return size() - 1; }
   virtual bool jacobian(double /*t*/, particles::Input /*y*/, BandMatrix& /*df*/) { return false; }
 
-  // Converts y to the problem's state: the coordinates and rates of its body (hair/strand/body.h).
+  // Converts y to the places and velocities of the problem's particles.
   virtual particles::State state(double t, particles::Input y) = 0;
-
-  // The points that a state means, 3n numbers, m. Positions mean themselves.
-  virtual Eigen::VectorXd points(const particles::State& state) const { return state.x; }
 };
 
 }  // namespace hair

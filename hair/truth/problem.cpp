@@ -4,12 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <tuple>
-#include <variant>
 
+#include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/simulation/models.h"
-#include "hair/truth/model_ode.h"
 #include "particles/require.h"
 
 namespace hair {
@@ -31,60 +29,53 @@ void require_part(const Scene& scene, const char* what, int part, std::size_t co
                    (count == 0 ? "none" : what + ("s 0 to " + std::to_string(count - 1))));
 }
 
-bool is_straight(const StrandStart& strand) {
-  return strand.rest_curvature.size() == 0;
-}
-bool is_straight(const ModelledStrand& strand) {
-  return std::holds_alternative<Straight>(strand.spec.form);
-}
-
-int segments_of(const StrandStart& strand) {
-  return strand.strand.segments();
-}
-int segments_of(const ModelledStrand& strand) {
-  return strand.spec.elements;
-}
-
-void divide(StrandStart& strand, int segments) {
-  strand = divide_anew(strand, segments);
-}
-void divide(ModelledStrand& strand, int segments) {
-  strand.spec.elements = segments;
-}
-
-// The strand with the requested number of segments.
-template <typename Any>
-Any chosen(const Scene& scene, Any strand, const ProblemSettings& settings) {
-  if (!settings.segments) return strand;
-  if (!is_straight(strand))
-    throw BadInput(scene.name + ": strand " + std::to_string(settings.strand) +
-                   " rests curved and can't be divided anew; study it with the segments that it has");
-  if (*settings.segments != segments_of(strand)) divide(strand, *settings.segments);
-  return strand;
-}
-
-// Adds the studied strand as the only one of `hair`.
-void add_strand(const Scene& scene, const ProblemSettings& settings, Description& hair) {
+// The strand that is studied, with as many segments as were asked for.
+StrandStart chosen(const Scene& scene, const ProblemSettings& settings) {
   const std::vector<StrandStart>& strands = scene.hair.strands;
-  const std::vector<ModelledStrand>& modelled = scene.hair.modelled;
-  require_part(scene, "strand", settings.strand, strands.size() + modelled.size());
+  if (strands.empty())
+    throw BadInput(scene.name + ": studies know no " + scene.hair.modelled.at(0).model->id +
+                   "; study a scene with hair of masses and springs");
+  require_part(scene, "strand", settings.strand, strands.size());
   if (!scene.hair.obstacles.empty())
     throw BadInput(
         scene.name +
         ": hair that falls on obstacles can't be studied: a collision is no smooth motion, and no method "
         "has an order there; study a scene without \"obstacles\"");
-  const auto index = static_cast<std::size_t>(settings.strand);
-  if (index < strands.size()) {
-    hair.strands = {chosen(scene, strands[index], settings)};
-    return;
-  }
-  hair.modelled = {chosen(scene, modelled[index - strands.size()], settings)};
-  const ModelRow& model = *hair.modelled[0].model;
-  if (!has_ode(model))
-    throw BadInput(scene.name + ": studies know no " + model.id +
-                   "; study a scene whose hair is of another model");
-  for (const MethodRow& row : methods())
-    if (model.moves_by(row)) hair.method = row.method();
+  const StrandStart& strand = strands[static_cast<std::size_t>(settings.strand)];
+  if (!settings.segments || *settings.segments == strand.strand.segments()) return strand;
+  if (strand.rest_curvature.size() > 0)
+    throw BadInput(scene.name + ": strand " + std::to_string(settings.strand) +
+                   " rests curved and can't be divided anew; study it with the segments that it has");
+  return divide_anew(strand, *settings.segments);
+}
+
+void add(Digest& digest, const StrandStart& start) {
+  const Strand& strand = start.strand;
+  digest.add(strand.mass).add(strand.rest_length);
+  digest.add(strand.stretch_rigidity).add(strand.bend_rigidity).add(strand.skip_rigidity);
+  digest.add(strand.clamped).add(strand.root_tangent);
+  digest.add(start.state.x).add(start.state.v).add(start.rest_curvature).add(start.root_normal);
+}
+
+void add(Digest& digest, const Motion& motion) {
+  digest.add(static_cast<int>(motion.keys.size()));
+  for (const Key& key : motion.keys)
+    digest.add(key.time).add(key.pose.position).add(key.pose.rotation.coeffs());
+}
+
+void add(Digest& digest, const Toy& toy) {
+  digest.add(toy.particles.mass).add(toy.start.x).add(toy.start.v);
+  for (const char pinned : toy.particles.pinned) digest.add(pinned != 0);
+  digest.add(static_cast<int>(toy.springs.size()));
+  for (const particles::Spring& spring : toy.springs)
+    digest.add(spring.i).add(spring.j).add(spring.stiffness).add(spring.rest_length).add(spring.damping);
+  digest.add(static_cast<int>(toy.constraints.rods.size()));
+  for (const particles::Rod& rod : toy.constraints.rods) digest.add(rod.i).add(rod.j).add(rod.length);
+  digest.add(static_cast<int>(toy.constraints.wires.size()));
+  for (const particles::Wire& wire : toy.constraints.wires)
+    digest.add(wire.i).add(wire.centre).add(wire.normal).add(wire.radius);
+  digest.add(toy.constraints.stiffness).add(toy.constraints.damping);
+  digest.add(toy.gravity).add(toy.drag).add(toy.wind);
 }
 
 }  // namespace
@@ -113,20 +104,10 @@ StrandStart divide_anew(const StrandStart& start, int segments) {
 }
 
 std::optional<int> segments_to_divide(const Scene& scene, int strand) {
-  const auto& [strands, modelled] = std::tie(scene.hair.strands, scene.hair.modelled);
-  if (strand < 0) return {};
-  const auto find = [](const auto& one) {
-    return is_straight(one) ? std::optional(segments_of(one)) : std::nullopt;
-  };
-  const auto index = static_cast<std::size_t>(strand);
-  if (index < strands.size()) return find(strands[index]);
-  if (index - strands.size() < modelled.size()) return find(modelled[index - strands.size()]);
-  return {};
-}
-
-std::unique_ptr<Body> modelled_body(const Problem& problem) {
-  const ModelledStrand& strand = *problem.modelled();
-  return strand.model->make(strand.spec, problem.scene.hair);
+  const std::vector<StrandStart>& strands = scene.hair.strands;
+  if (strand < 0 || static_cast<std::size_t>(strand) >= strands.size()) return {};
+  const StrandStart& start = strands[static_cast<std::size_t>(strand)];
+  return start.rest_curvature.size() > 0 ? std::nullopt : std::optional(start.strand.segments());
 }
 
 Problem make_problem(const Scene& scene, const ProblemSettings& settings) {
@@ -140,7 +121,7 @@ Problem make_problem(const Scene& scene, const ProblemSettings& settings) {
   one.riders.clear();
   one.toys.clear();
   if (has_strands(scene)) {
-    add_strand(scene, settings, one.hair);
+    one.hair.strands = {chosen(scene, settings)};
     for (const Rider& rider : scene.riders)
       if (std::find(rider.strands.begin(), rider.strands.end(), settings.strand) != rider.strands.end())
         one.riders.push_back({rider.motion, {0}, {}});
@@ -158,6 +139,20 @@ Problem make_problem(const Scene& scene, const ProblemSettings& settings) {
   one.steps_per_frame = 1;
   one.hair.step = problem.duration / kMoments;
   return problem;
+}
+
+std::string content_of(const Problem& problem) {
+  const Scene& scene = problem.scene;
+  Digest digest;
+  digest.add(problem.duration).add(scene.frames);
+  digest.add(scene.hair.gravity).add(scene.hair.drag).add(scene.hair.wind);
+  digest.add(static_cast<int>(scene.hair.strands.size()));
+  for (const StrandStart& start : scene.hair.strands) add(digest, start);
+  digest.add(static_cast<int>(scene.riders.size()));
+  for (const Rider& rider : scene.riders) add(digest, rider.motion);
+  digest.add(static_cast<int>(scene.toys.size()));
+  for (const Toy& toy : scene.toys) add(digest, toy);
+  return digest.text();
 }
 
 }  // namespace hair

@@ -5,11 +5,10 @@
 //                    └──▶ a run with each method   (study_methods.h), for each of several step sizes
 #pragma once
 
-#include <memory>
 #include <optional>
+#include <string>
 
 #include "hair/scene/scene.h"
-#include "hair/strand/body.h"
 
 namespace hair {
 
@@ -32,18 +31,10 @@ struct Problem {
   double duration = 0;  // s
 
   bool is_toy() const { return !has_strands(scene); }
-
-  // The strand, if its model divides it into elements. Null: one of masses and springs, or a toy.
-  const ModelledStrand* modelled() const {
-    return scene.hair.modelled.empty() ? nullptr : &scene.hair.modelled.front();
-  }
 };
 
-// The body of a modelled strand, at the start.
-std::unique_ptr<Body> modelled_body(const Problem& problem);
-
-// Throws BadInput for a strand that the scene does not have, and for a problem that can't be studied. A
-// modelled strand's method is one that moves its model.
+// Throws BadInput for a strand that the scene does not have, and for a problem that can't be studied, such
+// as a strand of another model than masses and springs.
 Problem make_problem(const Scene& scene, const ProblemSettings& settings);
 
 // The segments of a scene's strand, if it is a strand that can be divided anew. Nothing for a strand that is
@@ -54,5 +45,10 @@ std::optional<int> segments_to_divide(const Scene& scene, int strand);
 // and the start curve stay the same. Throws std::invalid_argument for a strand that is curved at rest,
 // because its curvature is known only at its original joints.
 StrandStart divide_anew(const StrandStart& start, int segments);
+
+// A problem's content as a short text: two problems with the same text have the same motion.
+// 16 hexadecimal digits, a digest of every number that the problem's motion depends on, bit by bit:
+// particles, forces, roots, moments. It excludes the name, and the method, step and tolerance.
+std::string content_of(const Problem& problem);
 
 }  // namespace hair

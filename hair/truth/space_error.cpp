@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <memory>
 
 #include "hair/io/files/printable.h"
 #include "hair/strand/centre_line.h"
 #include "hair/truth/cvode.h"
 #include "hair/truth/rigid_strand_ode.h"
-#include "hair/truth/strand_ode.h"
 #include "hair/truth/trajectory.h"
 #include "solver/timing.h"
 
@@ -26,12 +24,12 @@ constexpr double kAsHardAsHair = 0.3;  // times hair's EA, from which on stretch
 
 std::string why_not(const Problem& problem) {
   if (problem.is_toy()) return "a toy is no continuum";
-  if (problem.modelled())
-    return "the shorter the links, the faster they twist, so that finer chains take minutes";
   const StrandStart& start = problem.scene.hair.strands[0];
   if (start.strand.segments() < 1) return "a strand of one particle is no continuum";
   if (start.rest_curvature.size() > 0) return "a strand that rests curved can't be divided anew";
-  if (!starts_rigid(problem) && times_the_ea_of_hair(start.strand) > kAsHardAsHair)
+  if (times_the_ea_of_hair(start.strand) < kAsHardAsHair)
+    return "to follow how so soft a strand stretches through the finest segments may take minutes";
+  if (!starts_rigid(problem))
     return "a strand that starts stretched or compressed rings, and to follow that through the finest takes "
            "minutes";
   return "";
@@ -48,8 +46,7 @@ Eigen::VectorXd places_of(const Trajectory& states, const Eigen::VectorXd& at,
   return places;
 }
 
-std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience patience,
-                                             const std::atomic<bool>& interrupted) {
+std::optional<SpaceError> divided_ever_finer(const Problem& problem, const std::atomic<bool>& interrupted) {
   SpaceError result;
   result.left_out = why_not(problem);
   if (!result.left_out.empty()) return result;
@@ -60,28 +57,16 @@ std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience pa
     result.left_out = "strands of so many segments, divided further, take minutes";
     return result;
   }
-  const bool rigid = starts_rigid(problem) && times_the_ea_of_hair(start.strand) >= kAsHardAsHair;
-  if (!rigid && patience == Patience::seconds) {
-    result.left_out =
-        "to follow how so soft a strand stretches through the finest segments may take minutes; --space "
-        "waits "
-        "for them";
-    return result;
-  }
   const double began = timing::cpu_seconds();
   const Eigen::VectorXd wanted = arc_lengths(divide_anew(start, base).strand).tail(base);
   const auto move = [&](int segments, double tolerance) -> std::optional<Eigen::VectorXd> {
     Problem divided = problem;
     divided.scene.hair.strands[0] = divide_anew(start, segments);
-    std::unique_ptr<Ode> ode;
-    if (rigid)
-      ode = std::make_unique<RigidStrandOde>(divided);
-    else
-      ode = std::make_unique<StrandOde>(divided);
+    RigidStrandOde ode(divided);
     const auto run =
-        run_cvode(*ode, problem.duration, problem.scene.frames, {CvodeMethod::adams, tolerance}, interrupted);
+        run_cvode(ode, problem.duration, problem.scene.frames, {CvodeMethod::adams, tolerance}, interrupted);
     if (!run) return {};
-    if (rigid) result.stretch = std::max(result.stretch, static_cast<RigidStrandOde&>(*ode).stretch());
+    result.stretch = std::max(result.stretch, ode.stretch());
     return places_of(run->states, arc_lengths(divided.scene.hair.strands[0].strand), wanted);
   };
 
@@ -118,10 +103,9 @@ std::optional<double> SpaceError::error_of(int segments) const {
   return {};
 }
 
-std::optional<SpaceError> space_error(const Problem& problem, Patience patience,
-                                      const std::atomic<bool>& interrupted) {
+std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<bool>& interrupted) {
   try {
-    return divided_ever_finer(problem, patience, interrupted);
+    return divided_ever_finer(problem, interrupted);
   } catch (const std::exception& error) {
     SpaceError none;
     none.left_out = printable(error.what());

@@ -8,9 +8,8 @@
 //
 //   x = x_8b + (x_8b - x_4b) / (2^p - 1),   p = log2(|x_4b - x_2b| / |x_8b - x_4b|).
 //
-// The segments are rigid if the strand has an inextensible limit and is no softer than hair: stretching moves
-// hair by a millionth of its length, and space errors are thousands of times larger. (With rigid segments it
-// takes a second, otherwise minutes.)
+// The segments are rigid: stretching moves hair by a millionth of its length, and space errors are thousands of
+// times larger. Softer strands, which would take minutes, have no such error here.
 #pragma once
 
 #include <atomic>
@@ -31,21 +30,16 @@ struct SpaceError {
   std::vector<SpaceLevel> levels;  // 4, one of them with the problem's own segments
   double order = 0;                // p; 2 in theory, for a smooth motion
   double time_error = 0;  // m, of the second finest, from another tolerance: far below its space error
-  double stretch = 0;     // m, the approximate effect of rigid segments; 0 if they stretch
+  double stretch = 0;     // m, the approximate effect of rigid segments
   double cpu_seconds = 0;
 
-  // The reason why there are no levels: a toy, a strand that is curved at rest, no clear order, ...
+  // The reason why there are no levels: a toy, soft or curved hair, no clear order, ...
   std::string left_out = {};
 
   std::optional<double> error_of(int segments) const;  // m; none for a number of segments that is not a level
 };
 
-// The strands that are computed: all, or only those whose segments may be rigid, which take at most a few
-// seconds.
-enum class Patience { seconds, minutes };
-
 // Empty if `interrupted`. If CVODE fails or forces throw, there are no levels, and `left_out` has the reason.
-std::optional<SpaceError> space_error(const Problem& problem, Patience patience,
-                                      const std::atomic<bool>& interrupted);
+std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<bool>& interrupted);
 
 }  // namespace hair

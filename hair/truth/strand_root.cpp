@@ -4,34 +4,18 @@ namespace hair {
 
 namespace {
 
-RootMotion steady(const Vector3d& position, const Vector3d& velocity, const Vector3d& tangent,
-                  const Vector3d& normal) {
-  const Vector3d none = Vector3d::Zero();
-  return RootMotion{position, velocity, none, tangent, normal, none, none};
-}
-
-RootMotion start_of(const Description& hair) {
-  if (!hair.strands.empty()) {
-    const StrandStart& start = hair.strands[0];
-    return steady(start.state.x.head<3>(), start.state.v.head<3>(), start.strand.root_tangent,
-                  start.root_normal);
-  }
-  const StrandSpec& spec = hair.modelled.at(0).spec;
-  const RestShape shape = rest_shape(spec);
-  return steady(spec.root.position, spec.root_velocity, shape.tangent, shape.normal);
-}
-
-bool is_clamped(const Description& hair) {
-  return hair.strands.empty() ? hair.modelled.at(0).spec.clamped : hair.strands[0].strand.clamped;
+RootMotion start_of(const StrandStart& start) {
+  return {start.state.x.head<3>(), start.state.v.head<3>(), Vector3d::Zero(), start.strand.root_tangent,
+          start.root_normal};
 }
 
 }  // namespace
 
-StrandRoot::StrandRoot(const Scene& scene) : start_(start_of(scene.hair)) {
-  // The last motion counts, as in a simulation.
+StrandRoot::StrandRoot(const Scene& scene) : start_(start_of(scene.hair.strands.at(0))) {
+  // As in a simulation, the last one leads.
   for (const Rider& rider : scene.riders)
     if (!rider.strands.empty()) motion_ = &rider.motion;
-  if (motion_) turns_ = is_clamped(scene.hair) && hair::turns(*motion_);
+  if (motion_) turns_ = scene.hair.strands[0].strand.clamped && hair::turns(*motion_);
   start_span(0);
 }
 
@@ -74,10 +58,6 @@ RootMotion StrandRoot::at(double time) const {
   const Vector3d along = spin.cross(arm) + to.pose.position - from.pose.position;
   root.velocity = dw * along;
   root.acceleration = ddw * along + dw * dw * spin.cross(spin.cross(arm));
-  if (turns_) {
-    root.angular_velocity = dw * spin;
-    root.angular_acceleration = ddw * spin;
-  }
   return root;
 }
 

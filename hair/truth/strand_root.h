@@ -8,14 +8,13 @@
 namespace hair {
 
 struct RootMotion {
-  Vector3d position, velocity, acceleration;        // m, m/s, m/s^2
-  Vector3d tangent, normal;                         // unit vectors
-  Vector3d angular_velocity, angular_acceleration;  // rad/s, rad/s^2: for a strand that turns with its root
+  Vector3d position, velocity, acceleration;  // m, m/s, m/s^2
+  Vector3d tangent, normal;                   // of length 1
 };
 
 class StrandRoot {
  public:
-  // Keeps a reference to the scene, which has one strand, of any model.
+  // Keeps a reference to the scene, which has one strand.
   explicit StrandRoot(const Scene& scene);
 
   // True if tangent and normal change with time.

@@ -22,9 +22,7 @@ int run(const StabilityOptions& options, const Course& course) {
   settings.quick = options.quick;
   if (options.quick) settings.maps = quick_maps();
   StudyShell shell(options, "hairlab stability", "stability.json",
-                   {"index.html", "boundaries.csv", "curves.csv", "extremes.csv"}, WhenInterrupted::resumes);
-  if (options.resume)
-    settings.finished = read_maps(shell.folder().earlier_record(), identity_of(scene, settings));
+                   {"index.html", "boundaries.csv", "curves.csv", "extremes.csv"}, WhenInterrupted::keeps);
   StabilityReport report = study_stability(scene, settings, shell.interrupted(), shell.teller());
   shell.say("");
 
@@ -55,7 +53,6 @@ Command add_stability_command(CLI::App& program) {
   CLI::App* app = add_study(program, kStabilityStudy, *options,
                             "a coarser grid, and shorter runs: seconds instead of half a minute");
   app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
-  add_resume(*app, *options);
   app->add_option("--strand", options->settings.strand, "Which strand, counted from 0")
       ->check(CLI::Range(0, 100'000'000));
   app->add_option("--segments", options->settings.segments,

@@ -1,8 +1,4 @@
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -27,32 +23,11 @@ constexpr Clock::duration kKeptEvery = std::chrono::seconds(1);
 
 struct StudyOptions : ShellOptions {
   std::string scene;
-  std::filesystem::path cache;
-  bool names_cache = false, no_cache = false, space = false;
+  bool no_cache = false;
   int strand = 0;
   std::optional<double> duration;
   std::vector<std::string> methods;
 };
-
-void require_writable(const std::filesystem::path& cache) {
-  if (cache.empty()) throw BadInput("--cache: is empty; give the path of a folder");
-  std::error_code error;
-  std::filesystem::create_directories(cache, error);
-  if (!error && access(cache.c_str(), W_OK | X_OK) != 0) error = {errno, std::generic_category()};
-  if (error)
-    throw BadInput("--cache: " + printable(cache.string(), 4096) + " can't be written (" + error.message() +
-                   "); give a folder that can be, or --no-cache");
-}
-
-// A named cache must work; without a name, the study may have none.
-std::optional<std::filesystem::path> cache_of(const StudyOptions& options) {
-  if (options.no_cache) return {};
-  if (options.names_cache) {
-    require_writable(options.cache);
-    return options.cache;
-  }
-  return cache_folder();
-}
 
 ProblemSettings problem_settings(const Scene& scene, const StudyOptions& options) {
   ProblemSettings settings{options.strand, options.duration, {}};
@@ -89,7 +64,7 @@ int run(const StudyOptions& options, const Course& course) {
   const Problem problem = make_problem(scene, problem_settings(scene, options));
   const std::vector<StudyMethod> methods = chosen_methods(problem, options, course);
   StudyShell shell(options, "hairlab study", "study.json", {"study.csv", "index.html"},
-                   WhenInterrupted::resumes);
+                   WhenInterrupted::keeps);
   const std::atomic<bool>& interrupted = shell.interrupted();
 
   StudySettings settings;
@@ -98,16 +73,12 @@ int run(const StudyOptions& options, const Course& course) {
   Study study = prepare_study(problem, methods, settings);
   study.quick = options.quick;
   study.strand = options.strand;
-  study.program_digest = program_digest();
-  // A record that can't be resumed is refused at once, not after the accurate motion, which takes long.
-  if (options.resume) read_runs(shell.folder().earlier_record(), study);
 
   shell.say("the accurate motion");
   const std::optional<AccurateMotion> motion =
-      accurate_motion(problem, {kTightest, cache_of(options)}, interrupted);
+      accurate_motion(problem, {kTightest, options.no_cache ? std::nullopt : cache_folder()}, interrupted);
   if (!motion) return shell.end(false);
   set_reference(problem, *motion, study);
-  if (options.resume) read_runs(shell.folder().earlier_record(), study);
 
   // If an exercise never returns, only the results of the last second are lost.
   auto kept = Clock::now() - kKeptEvery;
@@ -118,8 +89,7 @@ int run(const StudyOptions& options, const Course& course) {
     kept = Clock::now();
   };
   shell.say("the space error");
-  study.space_error =
-      space_error(problem, options.space ? Patience::minutes : Patience::seconds, interrupted);
+  study.space_error = space_error(problem, interrupted);
   const bool finished = finish_study(problem, *motion, settings, study, interrupted);
   shell.say("");
 
@@ -150,20 +120,13 @@ Command add_study_command(CLI::App& program) {
     for (const CLI::Option* one : {scene, app->get_option("--out")})
       if (one->count() == 0) throw CLI::RequiredError(one->get_name());
   });
-  add_resume(*app, *options);
-  app->add_flag("--space", options->space,
-                "Also of soft hair, how far its segments are from infinitely many: that may take minutes");
   app->add_option("--strand", options->strand, "Which of the scene's strands, or toys (default: 0)")
       ->check(CLI::Range(0, 10'000'000));
   app->add_option("--duration", options->duration, "s, 1e-6 to 1000 (default: the scene's, but at most 0.2)");
   app->add_option("--methods", options->methods, "Which, with commas between (default: all that fit)")
       ->delimiter(',');
-  CLI::Option* cache = app->add_option("--cache", options->cache, "Where accurate motions are kept");
-  app->add_flag("--no-cache", options->no_cache, "Keep none, and use none that was kept")->excludes(cache);
-  return {app, [options, cache](const Course& course) {
-            options->names_cache = cache->count() > 0;
-            return run(*options, course);
-          }};
+  app->add_flag("--no-cache", options->no_cache, "Keep no accurate motion, and use none that was kept");
+  return {app, [options](const Course& course) { return run(*options, course); }};
 }
 
 }  // namespace hair

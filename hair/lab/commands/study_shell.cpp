@@ -21,15 +21,10 @@ CLI::App* add_study(CLI::App& program, const OtherCommand& command, ShellOptions
   return app;
 }
 
-void add_resume(CLI::App& app, ShellOptions& options) {
-  app.add_flag("--resume", options.resume, "Go on with the study in the folder, which was interrupted");
-}
-
 StudyShell::StudyShell(const ShellOptions& options, const std::string& command, const std::string& record,
                        std::vector<std::string> files, WhenInterrupted leaves)
     : options_(options),
       kind_{command, record, "{\n  \"program\": \"" + command + '"', std::move(files)},
-      leaves_(leaves),
       interrupted_(catch_interruption(
           leaves == WhenInterrupted::loses
               ? "\nhairlab: stopping; once more ends at once\n"
@@ -61,10 +56,7 @@ int StudyShell::end(bool finished, const std::string& more) const {
   say("");
   if (kept_) std::cout << folder_->then("index.html").string() << more << std::endl;
   if (finished) return 0;
-  std::cerr << "hairlab: interrupted; "
-            << (!kept_                                ? "nothing is written"
-                : leaves_ == WhenInterrupted::resumes ? "what is finished is kept, and --resume goes on"
-                                                      : "what is finished is kept")
+  std::cerr << "hairlab: interrupted; " << (kept_ ? "what is finished is kept" : "nothing is written")
             << "\n";
   return kInterrupted;
 }

@@ -22,8 +22,8 @@ namespace hair {
 struct ShellOptions {
   std::filesystem::path out;
   bool writes = true;  // into `out`
-  bool quick = false, resume = false;
-  std::string when_quick;  // the changes by --quick
+  bool quick = false;
+  std::string when_quick;  // what --quick changes
   int threads = 1;
 };
 
@@ -31,10 +31,9 @@ struct ShellOptions {
 // decides otherwise.
 CLI::App* add_study(CLI::App& program, const OtherCommand& command, ShellOptions& options, const char* quick,
                     bool out_is_required = true);
-void add_resume(CLI::App& app, ShellOptions& options);
 
-// Ctrl-C loses a study, keeps its finished parts, or keeps them so that --resume continues.
-enum class WhenInterrupted { loses, keeps, resumes };
+// Ctrl-C leaves nothing of a study, or what is finished.
+enum class WhenInterrupted { loses, keeps };
 
 class StudyShell {
  public:
@@ -68,7 +67,6 @@ class StudyShell {
  private:
   ShellOptions options_;
   OutputKind kind_;
-  WhenInterrupted leaves_;
   const std::atomic<bool>& interrupted_;
   std::optional<OutputFolder> folder_;
   bool terminal_, kept_ = false;

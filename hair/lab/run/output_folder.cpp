@@ -126,13 +126,6 @@ void OutputFolder::clean_up() const {
   for (const fs::path& above : above_) rmdir(above.c_str());  // removes only empty folders
 }
 
-fs::path OutputFolder::earlier_record() const {
-  std::error_code ignored;
-  if (!fs::exists(then(kind_.record), ignored))
-    refuse(folder_, "there is no earlier study; leave out --resume");
-  return then(kind_.record);
-}
-
 void OutputFolder::keep() {
   check_replaceable(folder_, kind_);  // the folder may have changed meanwhile
   std::error_code error;

@@ -33,9 +33,6 @@ class OutputFolder {
   std::filesystem::path then(const std::string& name) const { return folder_ / name; }    // afterwards
   const std::filesystem::path& path() const { return folder_; }
 
-  // The record of the earlier study in this folder, to continue it. Throws BadInput if there is none.
-  std::filesystem::path earlier_record() const;
-
   // Moves the output to its final place. If it throws BadInput, the earlier content stays.
   void keep();
 

@@ -72,20 +72,6 @@ bool Judge::look(const Eigen::VectorXd& energies, double kinetic, double true_me
   return false;
 }
 
-Outcome observed(Simulation& simulation, long steps, const std::function<bool(Judge& judge)>& look) {
-  Judge judge;
-  for (int k = 1; k <= kLooks; ++k) {
-    if (simulation.advance(steps * k / kLooks - simulation.steps())) {
-      judge.broke();
-      break;
-    }
-    if (look(judge)) break;
-  }
-  Outcome outcome = judge.outcome();
-  outcome.steps = simulation.steps();
-  return outcome;
-}
-
 Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Disturbance& disturbance,
                       double drag, double h, long steps) {
   Description description = hair;
@@ -104,7 +90,12 @@ Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Dis
   const double gamma = hanging.drag_per_mass * drag;
   const Eigen::Index n = hanging.mass.size();
   Eigen::VectorXd energies(disturbance.modes);
-  return observed(simulation, steps, [&](Judge& judge) {
+  Judge judge;
+  for (int k = 1; k <= kLooks; ++k) {
+    if (simulation.advance(steps * k / kLooks - simulation.steps())) {
+      judge.broke();
+      break;
+    }
     const particles::State& state = simulation.state(0);
     double kinetic = 0, true_mean = 0;
     for (Eigen::Index i = 0; i < n; ++i)
@@ -115,8 +106,11 @@ Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Dis
     };
     add(hanging.across_modes, hanging.across, 0);
     if (!hanging.keeps_lengths) add(hanging.along_modes, hanging.down, n);
-    return judge.look(energies, kinetic / most_kinetic, true_mean / disturbance.modes);
-  });
+    if (judge.look(energies, kinetic / most_kinetic, true_mean / disturbance.modes)) break;
+  }
+  Outcome outcome = judge.outcome();
+  outcome.steps = simulation.steps();
+  return outcome;
 }
 
 }  // namespace hair

@@ -18,7 +18,6 @@
 // limit.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -61,13 +60,9 @@ class Judge {
   bool look(const Eigen::VectorXd& energies, double kinetic, double true_mean);
   void broke() { outcome_.fate = Fate::blown_up; }
   const Outcome& outcome() const { return outcome_; }
-  Outcome& outcome() { return outcome_; }
 
  private:
   Outcome outcome_;
 };
-
-// Makes the steps, and looks at equally spaced moments until a look shows that the hair has blown up.
-Outcome observed(Simulation& simulation, long steps, const std::function<bool(Judge& judge)>& look);
 
 }  // namespace hair

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/lab/stability/theory.h"
 #include "hair/scene/roots.h"
 #include "hair/strand/variation.h"
 #include "particles/force.h"
@@ -133,6 +134,13 @@ ProductParts products_of(const Description& hair, const Hanging& hanging, Geomet
   const particles::State& state = hanging.start.state;
   return {stiffness_in(simulation.force(0), state, hanging.down),
           stiffness_in(simulation.force(0), state, hanging.across)};
+}
+
+double fastest_by_tension(const Description& hair, const Hanging& hanging) {
+  const ProductParts products = products_of(hair, hanging, GeometricTerm::dropped, Products::exact);
+  const double limit = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
+                                      Eigen::MatrixXd::Zero(hanging.mass.size(), hanging.mass.size()), 0);
+  return std::isfinite(limit) ? 2 / limit : hanging.across_modes.omega.maxCoeff();
 }
 
 Disturbance disturb(const Hanging& hanging) {

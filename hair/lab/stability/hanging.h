@@ -45,6 +45,9 @@ struct ProductParts {
 ProductParts products_of(const Description& hair, const Hanging& hanging, GeometricTerm term,
                          Products product);
 
+// 1/s: the frequency of the fastest motion across the hair that tension alone holds; of all if there is none.
+double fastest_by_tension(const Description& hair, const Hanging& hanging);
+
 // Gives every mode the same energy, as velocities with pseudo-random signs. The energy is so small that every
 // segment stays in tension and turns by at most 1e-3: the motion stays linear. With keeps_lengths there is no
 // motion along.

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "hair/lab/stability/station.h"
+#include "hair/lab/stability/theory.h"
 #include "solver/timing.h"
 
 namespace hair {
@@ -30,14 +30,43 @@ std::string limit_name(const StudyMethod& method) {
   return limit.empty() ? "theory" : "theory: " + limit;
 }
 
-std::vector<Limit> limits_of(const StudyMethod& method, const std::vector<Station>& stations,
-                             const std::vector<double>& hs, long steps) {
+// A column of a map: hair that hangs, with one stiffness and one drag.
+struct Station {
+  Hanging hanging;
+  Disturbance disturbance;
+  double drag;
+};
+
+// The largest step with which nothing grows by more than `growth` in a step; infinity if H6's is above `most`.
+double limit_of(const Description& hair, const StudyMethod& method, const Station& station, double growth,
+                double most) {
+  const Hanging& hanging = station.hanging;
+  const Modes &along = hanging.along_modes, &across = hanging.across_modes;
+  const double gamma = hanging.drag_per_mass * station.drag;
+  if (method.is_explicit()) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Modes* modes : {&along, &across})
+      for (const double omega : modes->omega)
+        least = std::min(least, explicit_limit(method.method, {omega, gamma}, growth));
+    return least;
+  }
+  const ProductParts products = products_of(hair, hanging, method.geometric_term, method.bend_product);
+  if (hanging.keeps_lengths)
+    return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, most, growth);
+  return std::min(implicit_limit(hanging.mass, along.stiffness, products.along, gamma, growth),
+                  implicit_limit(hanging.mass, across.stiffness, products.across, gamma, growth));
+}
+
+std::vector<Limit> limits_of(const Description& hair, const StudyMethod& method,
+                             const std::vector<Station>& stations, const std::vector<double>& hs,
+                             long steps) {
   Limit limit{limit_name(method), {}, false};
   Limit shown{"theory: what " + std::to_string(steps) + " steps show", {}, true};
   const double growth = std::pow(kWrongGrowth, 0.5 / static_cast<double>(steps));
   bool differs = false;
   for (const Station& station : stations) {
-    const double most = 4 * hs.back(), h = station.limit(1, most), later = station.limit(growth, most);
+    const double most = 4 * hs.back(), h = limit_of(hair, method, station, 1, most),
+                 later = limit_of(hair, method, station, growth, most);
     limit.h.push_back(h);
     shown.h.push_back(later);
     // The distance is half a cell, somewhere on the map.
@@ -114,7 +143,10 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
                       const Progress& progress) {
   const double start = timing::cpu_seconds();
   const Description description = with_options(hair, method);
-  const auto [omega, critical_drag] = map_scales(description, method);
+  // The map's axes count from the fastest oscillation; of implicit methods, the fastest that tension holds.
+  const Hanging as_it_is = hang(description, 1, false);
+  const double omega = method.is_explicit() ? as_it_is.fastest() : fastest_by_tension(description, as_it_is);
+  const double critical_drag = 2 * omega / as_it_is.drag_per_mass;  // damps that oscillation critically
   StabilityMap map;
   map.method = method;
   map.sweep = sweep;
@@ -125,20 +157,24 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
   map.xs = in_stiffness ? logarithmic(kSofter, kStiffer, settings.columns)
                         : logarithmic(1e-2 * critical_drag, 10 * critical_drag, settings.columns);
   std::vector<Station> stations;
-  for (const double x : map.xs)
-    stations.push_back(
-        make_station(description, method, in_stiffness ? x : 1, in_stiffness ? description.drag : x));
+  for (const double x : map.xs) {
+    Hanging hanging = hang(description, in_stiffness ? x : 1, row_of(method.method).keeps_lengths);
+    Disturbance disturbance = disturb(hanging);
+    stations.push_back({std::move(hanging), std::move(disturbance), in_stiffness ? description.drag : x});
+  }
   long runs = 0;
   map.grid = refine(
       settings.columns, settings.rows,
       [&](int column, int row) {
-        const Outcome outcome = stations[column].run(map.hs[row], map.steps);
+        const Station& at = stations[column];
+        const Outcome outcome =
+            run_disturbed(description, at.hanging, at.disturbance, at.drag, map.hs[row], map.steps);
         if (progress) progress(++runs);
         return static_cast<int>(outcome.fate);
       },
       interrupted);
   map.boundary = boundary_of(map.grid, map.hs);
-  map.limits = limits_of(method, stations, map.hs, map.steps);
+  map.limits = limits_of(description, method, stations, map.hs, map.steps);
   for (const Limit& limit : map.limits) map.distances.push_back(distance_of(map.boundary, limit.h, map.hs));
   map.cpu_seconds = timing::cpu_seconds() - start;
   return map;

@@ -83,8 +83,7 @@ Section section_of_hair(const StabilityReport& report) {
   section.paragraphs.push_back(
       "A strand of " + std::to_string(report.segments) + " segments, " + to_text(report.length) +
       " m long, " + (report.EA > 0 ? "EA = " + to_text(report.EA) + " N, " : "") +
-      "EI = " + to_text(report.EI) + " N m^2, " +
-      (report.GJ > 0 ? "GJ = " + to_text(report.GJ) + " N m^2, " : "") + to_text(report.mass) + " kg" +
+      "EI = " + to_text(report.EI) + " N m^2, " + to_text(report.mass) + " kg" +
       (report.segments == report.scene_segments
            ? std::string(".")
            : ", which the scene has in " + std::to_string(report.scene_segments) + " segments.") +
@@ -100,11 +99,8 @@ Section section_of_hair(const StabilityReport& report) {
     if (omega > 0) table.rows.push_back({motion, to_text(omega), to_text(2 / omega)});
   };
   add("along the hair", f.along);
-  add("about itself: twist", f.twist);
   add("across it", f.across);
-  add(report.GJ > 0 ? "across it, by weight alone (omega_t)"
-                    : "across it, by tension alone (omega_t), half mass at the tip",
-      f.tension);
+  add("across it, by tension alone (omega_t), half mass at the tip", f.tension);
   add("the same with full mass at the tip, sqrt(g/l x_N), x_N the largest zero of the Laguerre polynomial "
       "L_N",
       f.chain);
@@ -178,13 +174,15 @@ Page page_of(const StabilityReport& report) {
       "given. Damped out: less than a tenth is left of the energy that the true motion has then. Stable: the "
       "rest; it may be inaccurate all "
       "the same.",
-      "Few cells are run: boundaries are found by halving in every " + std::to_string(kCoarse) +
-          "th column, and followed from there. An island that holds no square of " + std::to_string(kCoarse) +
-          " cells on a side can be missed."};
+      "Few cells are run: in a column every " + std::to_string(kCoarse) +
+          "th, and boundaries are found by halving. A column between two that are alike is not run. An "
+          "island "
+          "that is one column wide, or lower than " +
+          std::to_string(kCoarse) + " cells, can be missed."};
   if (report.interrupted)
     page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +
                               std::to_string(report.maps_asked) +
-                              " maps are here, those that were finished; --resume goes on.");
+                              " maps are here, those that were finished.");
   for (const LeftOut& one : report.left_out)
     page.paragraphs.push_back(one.method.name + " is left out: " + one.why + ".");
   page.sections.push_back(section_of_hair(report));

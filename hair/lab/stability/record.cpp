@@ -123,8 +123,7 @@ OrderedJson json_of(const StabilityReport& report) {
   for (std::size_t i = 0; i < report.maps.size(); ++i)
     maps[i]["limits"] = json_of(limit_rows(report.maps[i]));
   for (int i = 0; i < kFates; ++i) classes.push_back(fate_name(static_cast<Fate>(i)));
-  return {{"identity", report.identity},
-          {"scene", report.scene},
+  return {{"scene", report.scene},
           {"ended", report.interrupted ? "interrupted" : "finished"},
           {"hair",
            {{"segments", report.segments},
@@ -133,12 +132,12 @@ OrderedJson json_of(const StabilityReport& report) {
             {"mass", report.mass},
             {"EA", report.EA},
             {"EI", report.EI},
-            {"GJ", report.GJ},
+            {"GJ", 0},  // springs do not twist
             {"drag", report.drag}}},
           {"frequencies",
            {{"along", report.frequencies.along},
             {"across", report.frequencies.across},
-            {"twist", report.frequencies.twist},
+            {"twist", 0},
             {"across_by_tension", report.frequencies.tension},
             {"chain_with_full_tip", report.frequencies.chain}}},
           {"classes", classes},

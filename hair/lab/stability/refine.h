@@ -1,15 +1,10 @@
 // Fills a grid of classes but evaluates only a few cells: those near the boundaries.
 //
-// Every kCoarse-th column is searched: every kCoarse-th cell is evaluated, and bisection finds a boundary
-// between two cells of different classes. A column in the middle between two others expects each common
-// boundary at the mean of theirs, or near it, and evaluates at least two cells to confirm it. From the first
-// boundary that only one neighbour has, or that is not found, the rest of the column is searched. The column
-// halfway between two searched columns also evaluates the ends and the middle of each stretch; if they
-// contradict, the whole column is searched. A column directly between two columns with the same classes, and
-// boundaries at most two cells apart, is not evaluated.
+// In every second column every kCoarse-th cell is evaluated, and a boundary between two cells of different
+// classes is found by bisection. A column between two with the same classes, and boundaries at most two cells
+// apart, has its boundaries at their means; any other column is searched as well.
 //
-// So an island that contains a square of kCoarse x kCoarse cells is found. Thinner parts of it, and thinner
-// islands, can be missed.
+// So an island that is two columns wide and kCoarse cells high is found. Smaller ones can be missed.
 #pragma once
 
 #include <atomic>
@@ -23,7 +18,7 @@ inline constexpr int kCoarse = 8;  // cells between evaluated cells
 struct RefinedGrid {
   std::vector<int> cells;  // rows of columns: cells[row * columns + column]
   long asked = 0;          // the number of evaluated cells; the others are inferred
-  bool complete = false;   // false: interrupted, and the other cells are -1
+  bool complete = false;   // false: interrupted, and all cells are -1
 };
 
 // `classify` returns the class, >= 0, of (column, row); it is called at most once for each cell. columns,

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
-#include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
-#include "hair/io/machine.h"
-#include "hair/lab/stability/hanging_body.h"
-#include "hair/lab/stability/theory.h"
 #include "hair/lab/validate/hanging_chain.h"
-#include "hair/truth/content.h"
 #include "solver/timing.h"
 
 namespace hair {
@@ -24,7 +18,6 @@ Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
   bare.hair.obstacles.clear();
   bare.riders.clear();
   for (StrandStart& start : bare.hair.strands) start.rest_curvature.resize(0);
-  for (ModelledStrand& strand : bare.hair.modelled) strand.spec.form = Straight{};
   ProblemSettings one;
   one.strand = settings.strand;
   one.segments = settings.segments;
@@ -34,61 +27,18 @@ Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
 }
 
 Frequencies frequencies_of(const Description& hair) {
-  if (!hair.modelled.empty()) {
-    const HangingBody hanging = hang_body(hair, 1);
-    Frequencies frequencies;
-    frequencies.across = hanging.fastest_with_drag(true);
-    frequencies.twist = hanging.fastest_with_drag(false);
-    frequencies.tension = fastest_by_weight(hanging);
-    return frequencies;
-  }
   const Hanging hanging = hang(hair, 1, false);
-  const ProductParts products = products_of(hair, hanging, GeometricTerm::dropped, Products::exact);
-  const Eigen::Index n = hanging.mass.size();
-  const double limit = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
-                                      Eigen::MatrixXd::Zero(n, n), 0);
   const Strand& strand = hanging.start.strand;
   const double l = strand.rest_length.sum() / strand.segments();
-  return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(), 0, 2 / limit,
+  return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(),
+          fastest_by_tension(hair, hanging),
           std::sqrt(hair.gravity.norm() / l * laguerre_zeros(strand.segments()).maxCoeff())};
-}
-
-void describe(const StrandStart& studied, const StrandStart& original, StabilityReport& report) {
-  const Strand& strand = studied.strand;
-  report.segments = strand.segments();
-  report.scene_segments = original.strand.segments();
-  report.length = strand.rest_length.sum();
-  report.EA = strand.stretch_rigidity;
-  report.EI = strand.bend_rigidity;
-  report.mass = strand.mass.sum();
-  report.was_curved = original.rest_curvature.size() > 0;
-}
-
-void describe(const ModelledStrand& studied, const ModelledStrand& original, StabilityReport& report) {
-  const StrandSpec& spec = studied.spec;
-  const Fibre& fibre = spec.fibre;
-  report.segments = spec.elements;
-  report.scene_segments = original.spec.elements;
-  report.length = spec.length;
-  report.EI = fibre.bend_factor * fibre.material.bend_rigidity();
-  report.GJ = fibre.twist_factor * fibre.material.twist_rigidity();
-  report.mass = spec.length * fibre.material.line_density();
-  report.was_curved = !std::holds_alternative<Straight>(original.spec.form);
 }
 
 }  // namespace
 
 MapSettings quick_maps() {
   return {32, 32, 2000, 48};
-}
-
-std::string identity_of(const Scene& scene, const StabilitySettings& settings) {
-  const MapSettings& maps = settings.maps;
-  Digest digest;
-  digest.add(std::string_view(content_of(problem_of(scene, settings))))
-      .add(std::string_view(program_digest()));
-  digest.add(maps.columns).add(maps.rows).add(static_cast<std::uint64_t>(maps.evaluations));
-  return digest.add(static_cast<std::uint64_t>(maps.implicit_steps)).text();
 }
 
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
@@ -98,13 +48,16 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
   const Description& hair = problem.scene.hair;
   StabilityReport report;
   report.scene = scene.name;
-  report.identity = identity_of(scene, settings);
   report.drag = hair.drag;
-  const auto number = static_cast<std::size_t>(settings.strand);
-  if (problem.modelled())
-    describe(*problem.modelled(), scene.hair.modelled[number - scene.hair.strands.size()], report);
-  else
-    describe(hair.strands[0], scene.hair.strands[number], report);
+  const StrandStart& original = scene.hair.strands[static_cast<std::size_t>(settings.strand)];
+  const Strand& strand = hair.strands[0].strand;
+  report.segments = strand.segments();
+  report.scene_segments = original.strand.segments();
+  report.length = strand.rest_length.sum();
+  report.EA = strand.stretch_rigidity;
+  report.EI = strand.bend_rigidity;
+  report.mass = strand.mass.sum();
+  report.was_curved = original.rest_curvature.size() > 0;
 
   // Methods that make the same matrix of this hair share a map.
   std::vector<StudyMethod> methods;
@@ -154,22 +107,16 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
                                ": " + methods[i].name +
                                (sweep == Swept::stiffness ? ", stiffness" : ", drag");
       const bool went = guarded(methods[i], [&] {
-        const auto before = std::find_if(
-            settings.finished.begin(), settings.finished.end(),
-            [&](const StabilityMap& one) { return one.method.id == methods[i].id && one.sweep == sweep; });
-        const bool known = before != settings.finished.end();
-        StabilityMap map =
-            known ? *before : make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
-              if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
-            });
-        map.method = methods[i];
+        StabilityMap map = make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
+          if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
+        });
         map.alike = alike[i];
         if (map.grid.complete) report.maps.push_back(std::move(map));
       });
       if (!went || interrupted) break;
     }
   for (const StudyMethod& method : all) {
-    if (interrupted || problem.modelled()) break;  // the extreme cases are of masses and springs
+    if (interrupted) break;
     tell("extreme cases: " + method.name);
     guarded(method, [&] {
       for (ExtremeRun& run : run_extremes(hair, method, interrupted))

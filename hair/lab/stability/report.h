@@ -1,7 +1,6 @@
 // A stability study of a scene: its maps, its extreme cases, and their output.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,19 +22,17 @@ struct StabilitySettings {
   int strand = 0;                    // counted from 0
   std::optional<int> segments = {};  // none: the scene's, but at most kMapSegments
   bool quick = false;
-  std::vector<std::string> absent = {};     // exercises whose methods are left out
-  std::vector<StabilityMap> finished = {};  // from an earlier run of the same study: read_maps
+  std::vector<std::string> absent = {};  // exercises whose methods are left out
 };
 
 MapSettings quick_maps();
 
 // The frequencies that determine the maps, 1/s.
 struct Frequencies {
-  double along = 0, across = 0;  // the fastest of this hair; along: 0 if it does not stretch
-  double twist = 0;              // 0 if it does not twist
+  double along = 0, across = 0;  // the fastest of this hair
   double tension = 0;            // the fastest across it from tension alone, with half a mass at the tip
   double chain =
-      0;  // the same with full mass at the tip, for masses and springs: sqrt(g/l x), x Laguerre's last zero
+      0;  // the same with full mass at the tip, sqrt(g/l x), x the Laguerre polynomial's largest zero
 };
 
 struct LeftOut {
@@ -47,14 +44,13 @@ struct LeftOut {
 struct StabilityReport {
   std::string scene;
   int segments = 0, scene_segments = 0;
-  double length = 0, EA = 0, EI = 0, GJ = 0;  // m, N, N m^2; EA and GJ: 0 if it does not stretch, or twist
-  double mass = 0, drag = 0;                  // kg, N s/m^2
+  double length = 0, EA = 0, EI = 0;  // m, N, N m^2
+  double mass = 0, drag = 0;          // kg, N s/m^2
   bool was_curved = false;
   Frequencies frequencies;
   std::vector<StabilityMap> maps;  // only complete ones
   std::vector<ExtremeRun> extremes;
   std::vector<LeftOut> left_out;
-  std::string identity;
   bool interrupted = false;
   int maps_asked = 0;
   double cpu_seconds = 0;
@@ -67,13 +63,6 @@ using Tell = std::function<void(const std::string&)>;
 // the finished parts.
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell);
-
-// A digest of everything that determines a map: the hair, the settings, and the program with its exercises.
-// Throws as study_stability does.
-std::string identity_of(const Scene& scene, const StabilitySettings& settings);
-
-// The finished maps of a record. Throws BadInput if the file is not such a record, or has another identity.
-std::vector<StabilityMap> read_maps(const std::filesystem::path& file, const std::string& identity);
 
 OrderedJson json_of(const StabilityReport& report);  // stability.json
 

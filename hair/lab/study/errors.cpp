@@ -49,9 +49,6 @@ double size_of(const Problem& problem) {
   if (problem.is_toy()) {
     const Eigen::VectorXd& x = problem.scene.toys[0].start.x;
     for (int i = 1; i < static_cast<int>(x.size() / 3); ++i) raise(size, distance(x, i, 0));
-  } else if (problem.modelled()) {
-    const Eigen::VectorXd at = modelled_body(problem)->arc_lengths();
-    size = at[at.size() - 1];
   } else {
     size = problem.scene.hair.strands[0].strand.rest_length.sum();
   }
@@ -66,10 +63,6 @@ std::vector<RestLength> rest_lengths(const Problem& problem) {
       if (spring.rest_length > 0) lengths.push_back({spring.i, spring.j, spring.rest_length});
     for (const particles::Rod& rod : toy.constraints.rods)
       if (rod.length > 0) lengths.push_back({rod.i, rod.j, rod.length});
-  } else if (problem.modelled()) {
-    const Eigen::VectorXd at = modelled_body(problem)->arc_lengths();
-    for (int i = 0; i + 1 < static_cast<int>(at.size()); ++i)
-      lengths.push_back({i, i + 1, at[i + 1] - at[i]});
   } else {
     const Strand& strand = problem.scene.hair.strands[0].strand;
     for (int i = 0; i < strand.segments(); ++i) lengths.push_back({i, i + 1, strand.rest_length[i]});
@@ -79,7 +72,6 @@ std::vector<RestLength> rest_lengths(const Problem& problem) {
 
 int points_of(const Problem& problem) {
   if (problem.is_toy()) return problem.scene.toys[0].particles.count();
-  if (problem.modelled()) return modelled_body(problem)->points();
   return problem.scene.hair.strands[0].strand.count();
 }
 
@@ -101,7 +93,7 @@ double ErrorTally::add(const Playback& playback) {
   const particles::State state = playback.state();
   const particles::State& truth = accurate_.at(moments_);
   const FrameMeasures measures = playback.measure(state), true_measures = playback.measure(truth);
-  const Eigen::VectorXd x = playback.centre_lines(state).x, true_x = playback.centre_lines(truth).x;
+  const Eigen::VectorXd &x = state.x, &true_x = truth.x;
   const double largest = largest_distance(x, true_x);
   if (moments_ == 0) potential_ = true_measures.potential;
   const double mean_square = 3 * (x - true_x).squaredNorm() / static_cast<double>(x.size());

@@ -1,7 +1,6 @@
 // The distance of a run from the accurate motion, in several norms, at the problem's moments.
 //
-// Let x_i be the run's particles (of a modelled strand: the points of its centre line) and y_i the accurate
-// ones, and l_j and m_j the lengths of their segments (or springs and rods):
+// Let x_i be the run's particles and y_i the accurate ones, and l_j and m_j the lengths of their segments (or springs and rods):
 //
 //   final_largest     max_i |x_i - y_i| at the end, m
 //   final_rms         sqrt(mean_i |x_i - y_i|^2) at the end, m
@@ -67,7 +66,7 @@ Errors floors(const Problem& problem, double least);
 // and another at the start; 1 for a single particle.
 double size_of(const Problem& problem);
 
-// The number of points whose distances count: a toy's particles, or those of a strand's centre line.
+// The number of particles.
 int points_of(const Problem& problem);
 
 // Compares a run with the accurate motion during the run.

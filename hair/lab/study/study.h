@@ -68,7 +68,6 @@ struct Study {
   double tolerance = 0;  // relative, for implicit solves
   double most_work = 0;  // the limit for a run: StudySettings
   Machine machine;
-  std::string program_digest;  // identifies the measuring program: program_digest(); compared on resuming
 
   // The accurate motion.
   std::string reference;

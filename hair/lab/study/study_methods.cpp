@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "hair/simulation/models.h"
-
 namespace hair {
 
 namespace {
@@ -33,16 +31,6 @@ const std::vector<StudyMethod>& methods_of_springs() {
   return methods;
 }
 
-// For strands that their models divide into elements: without springs there is no choice of products.
-const std::vector<StudyMethod>& methods_of_models() {
-  static const std::vector<StudyMethod> methods = {
-      {"symplectic-euler", "symplectic Euler", Method::symplectic_euler},
-      {"runge-kutta-4", "RK4", Method::runge_kutta_4},
-      {"implicit-euler", "linearly implicit Euler", Method::implicit_euler},
-  };
-  return methods;
-}
-
 bool fits(const StudyMethod& method, const Problem& problem) {
   if (problem.is_toy()) {
     const Toy& toy = problem.scene.toys[0];
@@ -58,11 +46,6 @@ bool fits(const StudyMethod& method, const Problem& problem) {
 
 std::vector<StudyMethod> methods_for(const Problem& problem, const std::vector<std::string>& absent) {
   std::vector<StudyMethod> methods;
-  if (problem.modelled()) {
-    for (const StudyMethod& method : methods_of_models())
-      if (problem.modelled()->model->moves_by(row_of(method.method))) methods.push_back(method);
-    return methods;
-  }
   for (const StudyMethod& method : methods_of_springs())
     if (!calls_absent(row_of(method.method).exercises, absent) && fits(method, problem))
       methods.push_back(method);

@@ -140,8 +140,7 @@ Page study_page(const Study& study) {
       page.paragraphs.push_back(sweep.method.name + " is left out: " + sweep.left_out + ".");
     if (sweep.end == SweepEnd::unfinished) missing += (missing.empty() ? "" : ", ") + sweep.method.name;
   }
-  if (!missing.empty())
-    page.paragraphs.push_back("Interrupted: finer steps are missing of " + missing + ". --resume goes on.");
+  if (!missing.empty()) page.paragraphs.push_back("Interrupted: finer steps are missing of " + missing + ".");
 
   page.sections.push_back(
       {.heading = "What an error costs",

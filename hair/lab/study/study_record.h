@@ -1,10 +1,9 @@
-// study.json: a study as a file that programs read and that --resume continues; also its table as CSV.
+// study.json: a study as a file that programs read; also its table as CSV.
 //
 //   program, format, finished
 //   scene, shows, content, quick, duration, strand, particles, size, tolerance, most_work
 //                    the problem, and the limit of a run
 //   machine          processor, cores, compiler, build, eigen
-//   program_digest   of the program's own bytes: another program may have other forces and methods
 //   reference        method, agreement, least_error, inextensible, from_cache, seconds
 //   space_error      null, or levels (segments, error), order, time_error, stretch, seconds; or left_out, the
 //                    reason why there is none
@@ -17,8 +16,6 @@
 //                    (their median)
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "hair/io/plot/columns.h"
@@ -32,11 +29,6 @@ OrderedJson study_json(const Study& study);
 
 // The page: the cheapest method for each error, the observed orders, and the failures.
 Page study_page(const Study& study);
-
-// Reads the sweeps of an earlier run of the same study into `study`, which has no runs yet. Throws BadInput
-// if the file is not a study, or if its problem, machine or program differs; the message names the
-// difference. If the reference is not known yet, it and everything derived from it are not compared.
-void read_runs(const std::filesystem::path& file, Study& study);
 
 std::vector<Row> run_rows(const Study& study);  // all runs: study.csv
 Row row_of_level(const SpaceLevel& level);

@@ -8,7 +8,6 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/plot/work_precision.h"
-#include "hair/truth/content.h"
 #include "solver/not_implemented.h"
 
 namespace hair {
@@ -17,22 +16,9 @@ namespace {
 
 constexpr int kMostSteps = 1 << 24;
 
-// The square of the angular frequency with which the joints of short elements turn, each against the next,
-// 1/s^2: when they twist, 2 c / l, with c the speed of torsion; when they bend, sqrt(48 EI / (rho A)) / l^2.
-double fastest_squared(const Problem& problem, const ModelledStrand& strand) {
-  const Eigen::VectorXd at = modelled_body(problem)->arc_lengths();
-  const double l = (at.tail(at.size() - 1) - at.head(at.size() - 1)).minCoeff();
-  const Fibre& fibre = strand.spec.fibre;
-  const Material& material = fibre.material;
-  const double twist = 4 * fibre.twist_factor * material.shear_modulus / material.density;
-  const double bend = 48 * fibre.bend_factor * material.bend_rigidity() / material.line_density();
-  return std::max(twist, bend / (l * l)) / (l * l);
-}
-
 // An upper bound of the squares of the angular frequencies with which springs swing, 1/s^2: twice the largest
 // sum of the stiffnesses at a particle, over its mass (Gershgorin).
 double fastest_squared(const Problem& problem) {
-  if (problem.modelled()) return fastest_squared(problem, *problem.modelled());
   const Eigen::VectorXd& mass =
       problem.is_toy() ? problem.scene.toys[0].particles.mass : problem.scene.hair.strands[0].strand.mass;
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.size());

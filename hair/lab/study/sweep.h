@@ -1,6 +1,6 @@
-// Chooses the steps of a method: from a coarse one, each half of the previous one, until finer steps give no
-// new information. The choice depends only on counts and errors, never on times, so a study has the same runs
-// on every machine, interrupted or not.
+// Chooses the steps of a method: from a coarse one, each half of the one before, until finer steps tell
+// nothing new. The choice depends only on counts and errors, never on times, so a study has the same runs on
+// every machine.
 #pragma once
 
 #include <atomic>

@@ -10,7 +10,6 @@
 #include "hair/lab/stability/theory.h"
 #include "hair/lab/validate/hanging_chain.h"
 #include "hair/simulation/tests/hairs.h"
-#include "particles/explicit_integrators.h"
 #include "solver/dense_solve.h"
 
 namespace reference_tests {
@@ -29,57 +28,6 @@ double spectral_radius(MatrixXd power) {
     power = (power / size * (power / size)).eval();
   }
   return std::exp(logarithm);
-}
-
-class Oscillating : public particles::Dynamics {
- public:
-  explicit Oscillating(const hair::Oscillator& oscillator) : oscillator_(oscillator) {}
-  void acceleration(particles::Input x, particles::Input v, particles::Output a) override {
-    a = -oscillator_.omega * oscillator_.omega * x - oscillator_.gamma * v;
-  }
-
- private:
-  hair::Oscillator oscillator_;
-};
-
-// The matrix of the implemented method: its columns are the steps from (1, 0) and (0, 1).
-MatrixXd step_matrix(Method method, const hair::Oscillator& oscillator, double h) {
-  Oscillating dynamics(oscillator);
-  MatrixXd matrix(2, 2), scratch = MatrixXd::Zero(3, particles::kIntegratorScratch);
-  for (int k = 0; k < 2; ++k) {
-    VectorXd x = VectorXd::Zero(3), v = VectorXd::Zero(3);
-    (k == 0 ? x : v)[0] = 1;
-    switch (method) {
-      case Method::forward_euler:
-        particles::forward_euler(dynamics, h, x, v, scratch);
-        break;
-      case Method::symplectic_euler:
-        particles::symplectic_euler(dynamics, h, x, v, scratch);
-        break;
-      case Method::midpoint:
-        particles::midpoint(dynamics, h, x, v, scratch);
-        break;
-      default:
-        particles::runge_kutta_4(dynamics, h, x, v, scratch);
-    }
-    matrix.col(k) << x[0], v[0];
-  }
-  return matrix;
-}
-
-TEST(StabilityTheory, ExplicitLimitsAreWhereTheStepsMatrixGrows) {
-  for (const Method method : kExplicitMethods)
-    for (const double zeta : {0.0, 0.01, 0.3, 0.99, 1.5, 10.0})
-      for (const double growth : {1.0, 1.01}) {
-        const hair::Oscillator oscillator{3, 6 * zeta};
-        const double h = hair::explicit_limit(method, oscillator, growth);
-        if (h == 0) continue;  // tested below
-        const double below = spectral_radius(step_matrix(method, oscillator, 0.999 * h));
-        const double above = spectral_radius(step_matrix(method, oscillator, 1.001 * h));
-        // A double eigenvalue -1 is known to the square root of rounding.
-        EXPECT_LE(below, growth * (1 + 1e-7)) << name_of(method) << ", zeta " << zeta << ", h " << h;
-        EXPECT_GT(above, growth * (1 + 1e-9)) << name_of(method) << ", zeta " << zeta << ", h " << h;
-      }
 }
 
 TEST(StabilityTheory, ExplicitLimitsHaveTheirClosedForms) {

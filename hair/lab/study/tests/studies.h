@@ -19,13 +19,6 @@ inline const char* const kSoftHair =
 inline const char* const kHair = R"({"shows": "hair", "frames": 3, "hair": [{"segments": 4, "length": 0.04,
   "clamped": false, "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-// 8 cm of rigid links in 4 pieces, easy to bend and to twist, that start straight, bent at their root.
-inline const char* const kSoftLinks =
-    R"({"shows": "soft links", "frames": 3, "method": "implicit_euler",
-  "hair": [{"model": "rigid_links", "segments": 4, "length": 0.08, "start": {"direction": [0.8, 0.6, 0]},
-  "material": {"bend_factor": 1e-4, "twist_factor": 1e-6},
-  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
-
 // A double pendulum made of springs.
 inline const char* const kPendulum = R"({"shows": "a pendulum", "frames": 3, "toys": [{
   "particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true}, {"position": [0.4, 0, -0.3], "mass": 0.3},
