@@ -13,22 +13,15 @@ namespace {
 
 using namespace head_study;
 
-// Numbers of strands for the engine, and for the exercises.
-constexpr int kFast = 20'000, kGiven = 1'000, kQuickFast = 2'000, kQuickGiven = 80;
+constexpr int kStrands = 1'000, kQuickStrands = 80;
 constexpr int kMostStrands = 200'000;
 constexpr int kGuides[] = {50, 100, 300, 1'000, 3'000, 10'000};
 
 struct HeadOptions : ShellOptions {
-  std::vector<std::string> hairs;      // none: all
-  int strands = 0, given_strands = 0;  // 0: as many as usual
+  std::vector<std::string> hairs;  // none: all
+  int strands = 0;                 // 0: as many as usual
   bool no_pictures = false;
 };
-
-int strands_of(const HeadOptions& options, const HeadHair& hair) {
-  if (has_fast_head() && !hair.curved)
-    return options.strands > 0 ? options.strands : options.quick ? kQuickFast : kFast;
-  return options.given_strands > 0 ? options.given_strands : options.quick ? kQuickGiven : kGiven;
-}
 
 // The page, the table, and the pictures of all hairs.
 std::vector<std::string> head_files() {
@@ -37,37 +30,6 @@ std::vector<std::string> head_files() {
     for (const char* what : {"few", "many", "every"}) files.push_back(hair.id + "-" + what + ".png");
   return files;
 }
-
-// Writes pictures of one hair into the folder, as the study calls it.
-class Pictured {
- public:
-  Pictured(HeadPictures* draws, const HeadHair& hair, PicturedGuides guides, const OutputFolder& folder,
-           std::vector<HeadPicture>& pictures)
-      : draws_(draws), hair_(hair), guides_(guides), folder_(folder), pictures_(pictures) {
-    if (draws_) draws_->begin();
-  }
-
-  SeeHead see(int strands) {
-    if (!draws_) return nullptr;
-    return [this, strands](int guides, std::span<const double> points) {
-      const char* const name = guides == strands        ? "every"
-                               : guides == guides_.few  ? "few"
-                               : guides == guides_.many ? "many"
-                                                        : nullptr;
-      if (!name) return;
-      const std::string file = hair_.id + "-" + name + ".png";
-      write_whole(folder_, file, encode_png(draws_->draw(points, hair_.points)));
-      pictures_.push_back({hair_.id, file, guides});
-    };
-  }
-
- private:
-  HeadPictures* draws_;
-  const HeadHair& hair_;
-  PicturedGuides guides_;
-  const OutputFolder& folder_;
-  std::vector<HeadPicture>& pictures_;
-};
 
 int run(const HeadOptions& options, const Course& course) {
   if (!course.has("H10"))
@@ -87,16 +49,30 @@ int run(const HeadOptions& options, const Course& course) {
   for (const HeadHair& hair : head_hairs()) {
     if (std::find(ids.begin(), ids.end(), hair.id) == ids.end()) continue;
     shell.say(hair.title + " grows");
-    const GrownHead head = grow_head(*bust, hair, strands_of(options, hair));
+    const GrownHead head = grow_head(*bust, hair,
+                                     options.strands > 0 ? options.strands
+                                     : options.quick     ? kQuickStrands
+                                                         : kStrands);
     const int strands = static_cast<int>(head.strands.size());
     HeadStudySettings settings{true, options.threads, {}};
     std::copy_if(std::begin(kGuides), std::end(kGuides), std::back_inserter(settings.guides),
                  [&](int guides) { return guides < strands; });
-    Pictured pictured(pictures.get(), hair, pictured_guides(settings.guides), shell.folder(), study.pictures);
+    if (pictures) pictures->begin();
+    const SeeHead see = [&, drawn = pictured_guides(settings.guides)](int guides,
+                                                                      std::span<const double> points) {
+      const char* const name = guides == strands      ? "every"
+                               : guides == drawn.few  ? "few"
+                               : guides == drawn.many ? "many"
+                                                      : nullptr;
+      if (!name) return;
+      const std::string file = hair.id + "-" + name + ".png";
+      write_whole(shell.folder(), file, encode_png(pictures->draw(points, hair.points)));
+      study.pictures.push_back({hair.id, file, guides});
+    };
     for (const bool collides : {true, false}) {
       settings.collides = collides;
       auto one = study_head(bust, head, settings, shell.interrupted(), shell.teller(),
-                            collides ? pictured.see(strands) : nullptr);
+                            collides && pictures ? see : nullptr);
       if (!one) return shell.end(false);
       study.cases.push_back(std::move(*one));
     }
@@ -117,11 +93,7 @@ Command add_study_head_command(CLI::App& study) {
       kStudies};
   CLI::App* app = add_study(study, command, *options, "fewer strands");
   app->add_option("--hair", options->hairs, "Which: straight, combed, wavy, curly (default: all)");
-  if (has_fast_head())
-    app->add_option("--strands", options->strands, "Of hair that the engine moves (default: 20,000)")
-        ->check(CLI::Range(1, kMostStrands));
-  app->add_option("--exercise-strands", options->given_strands,
-                  "Of hair that the exercises move (default: 1,000)")
+  app->add_option("--exercise-strands", options->strands, "Of hair that the exercises move (default: 1,000)")
       ->check(CLI::Range(1, kMostStrands));
   app->add_option("--threads", options->threads,
                   "How many move hair (default: 1); exercises must not use globals then")

@@ -6,7 +6,7 @@ namespace {
 Row row_of_case(const HeadCase& one) {
   return {{"hair", "", one.hair->id},
           {"head", "", one.collides},
-          {"simulated_by", "", simulated_by(one)},
+          {"simulated_by", "", "exercises"},
           {"strands", "", one.strands},
           {"points", "", one.hair->points, In::json},
           {"length", "m", one.length},
@@ -25,10 +25,6 @@ Row csv_row(const HeadCase& one, int guides, const char* mode, double simulation
 }
 
 }  // namespace
-
-const char* simulated_by(const HeadCase& one) {
-  return one.fast ? "engine" : "exercises";
-}
 
 Row row_of_mode(const ModeRun& run) {
   const HeadErrors& e = run.errors;

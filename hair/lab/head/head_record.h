@@ -3,10 +3,10 @@
 //
 //   program, quick, machine, format, threads
 //   frames_per_second, steps_per_frame, moving     of the motion: `moving` frames are measured
-//   cases      hair, head (true if it collides), simulated_by ("engine" or "exercises"), strands, points (per
-//              strand), length (m), seconds (CPU time of every strand simulated), runs
-//   runs       guides, simulation (CPU s of the guides), modes: for each SynthesisMode synthesis (CPU s), and
-//              the errors start, end, all, motion (head_errors.h), each with rms and most, m
+//   cases      hair, head (whether it collides), simulated_by ("exercises"), strands, points (of a strand), length (m),
+//              seconds (CPU time of every strand simulated), runs
+//   runs       guides, simulation (CPU s of the guides), modes: for each way of synthesis (interpolate, extrapolate, blend) synthesis
+//              (CPU s), and the errors start, end, all, motion (head_errors.h), each with rms and most, m
 //   pictures   hair, file, guides; no_pictures: why there are none, or null
 #pragma once
 
@@ -18,13 +18,14 @@
 
 namespace hair::head_study {
 
-const char* simulated_by(const HeadCase& one);
-
 // The time that a way of synthesis takes, and its errors.
 Row row_of_mode(const ModeRun& run);
 
 OrderedJson head_json(const HeadStudy& study);
 Page head_page(const HeadStudy& study);
+
+// Numbers that others report of heads with many strands, on their machines, of their scenes.
+Table published_heads();
 
 // head.csv: a row for each way of synthesis, and one for every strand.
 std::vector<Row> head_rows(const HeadStudy& study);

@@ -8,31 +8,6 @@
 namespace hair::head_study {
 namespace {
 
-// The head's strands, or its guides, in motion.
-class Moved {
- public:
-  Moved(const GrownHead& head, std::span<const std::size_t> which, const MovingHeadSettings& settings)
-      : head_(fast_head(head, which, settings)), points_(3 * which.size() * head.hair->points) {
-    if (!head_) head_ = given_head(head, which, settings);
-  }
-
-  // The CPU time that it took.
-  double advance() {
-    const double begin = timing::process_cpu_seconds();
-    head_->advance();
-    return timing::process_cpu_seconds() - begin;
-  }
-
-  std::span<const double> points() {
-    head_->read(points_);
-    return points_;
-  }
-
- private:
-  std::unique_ptr<MovingHead> head_;
-  std::vector<double> points_;
-};
-
 class GuidedHead {
  public:
   GuidedHead(const GrownHead& head, int guides, const MovingHeadSettings& settings)
@@ -75,8 +50,8 @@ class GuidedHead {
   }
 
   GuideRun run_;
-  Moved guides_;
-  std::vector<std::unique_ptr<Synthesis>> synthesis_;  // one for each mode, as are the tallies
+  MovingHead guides_;
+  std::vector<std::unique_ptr<Synthesis>> synthesis_;  // of each mode, as are the tallies
   std::vector<HeadErrorTally> tallies_;
 };
 
@@ -85,19 +60,13 @@ class GuidedHead {
 std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, const GrownHead& head,
                                    const HeadStudySettings& settings, const std::atomic<bool>& interrupted,
                                    const std::function<void(const std::string&)>& say, const SeeHead& see) {
-  HeadCase result{head.hair,
-                  settings.collides,
-                  has_fast_head() && !head.hair->curved,
-                  static_cast<int>(head.strands.size()),
-                  head.length,
-                  0,
-                  {}};
+  HeadCase result{head.hair, settings.collides, static_cast<int>(head.strands.size()), head.length, 0, {}};
   const std::string name = head.hair->title + (settings.collides ? ", on a head" : ", without a head");
   say(name);
   const MovingHeadSettings moving{bust, settings.collides, settings.threads};
   std::vector<std::size_t> all(head.strands.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  Moved every(head, all, moving);
+  MovingHead every(head, all, moving);
   std::vector<std::unique_ptr<GuidedHead>> guided;
   for (const int guides : settings.guides)
     if (guides <= result.strands) guided.push_back(std::make_unique<GuidedHead>(head, guides, moving));

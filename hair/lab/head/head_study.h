@@ -44,7 +44,6 @@ struct GuideRun {
 struct HeadCase {
   const HeadHair* hair = nullptr;
   bool collides = false;
-  bool fast = false;  // by the engine; else by the exercises
   int strands = 0;
   double length = 0;   // m, the mean of all strands
   double seconds = 0;  // for every strand simulated

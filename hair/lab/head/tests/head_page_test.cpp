@@ -5,7 +5,6 @@
 
 #include "hair/lab/head/head_pictures.h"
 #include "hair/lab/head/head_record.h"
-#include "hair/lab/head/published_heads.h"
 
 namespace hair::head_study {
 namespace {
@@ -19,7 +18,7 @@ HeadStudy made_study() {
   HeadStudy study{2, {}, {}, ""};
   for (const std::size_t hair : {0, 3})
     for (const bool collides : {true, false}) {
-      HeadCase one{&head_hairs()[hair], collides, hair == 0, 2000, number(), number(), {}};
+      HeadCase one{&head_hairs()[hair], collides, 2000, number(), number(), {}};
       for (const int guides : {100, 1'000}) {
         GuideRun run{guides, number(), {}};
         for (ModeRun& mode : run.modes) {

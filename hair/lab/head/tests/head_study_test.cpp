@@ -90,19 +90,6 @@ TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
   }
 }
 
-// If all strands have one shape, interpolation gives this shape with any number of guides. Before the head
-// moves, strands that start alike move alike, except for the rounding of their positions: u of 0.1 m at
-// each of 30 steps, which the stiffness of segments of 2 cm makes larger by h^2 k / m = 2e6 at most. H10's
-// own rounding is 1e-12 of coordinates below a metre.
-TEST(HeadStudy, EqualStrandsAreInterpolatedWithoutAnError) {
-  GrownHead head = smooth_patch(4);
-  for (std::size_t k = 0; k < head.strands.size(); ++k)
-    for (int i = 0; i < head.hair->points; ++i)
-      head.strands[k].segment<3>(3 * i) = head.roots[k].position + 0.02 * i * Vector3d(0.6, 0, 0.8);
-  const HeadCase one = studied(head, {false, 1, {5}});
-  EXPECT_LE(one.runs[0].modes[0].errors.start.rms, 30 * 2e6 * 0x1p-53 * 0.1 + 1e-12);
-}
-
 TEST(HeadStudy, SeesEveryStrandFirstAndThenEachNumberOfGuidesOnce) {
   const GrownHead head = grow_head(Bust(), hair_named("straight"), 8);
   std::vector<int> seen;
