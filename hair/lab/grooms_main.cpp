@@ -3,8 +3,8 @@
 
 int main(int argc, char* argv[]) {
   CLI::App app("hairlab: grooms, and scenes with files of grooms");
-  const std::vector<hair::Command> commands = {hair::add_run_command(app),   hair::add_scenes_command(app),
-                                               hair::add_info_command(app),  hair::add_convert_command(app),
-                                               hair::add_groom_command(app), hair::add_draw_command(app)};
+  const std::vector<hair::Command> commands = {hair::add_run_command(app), hair::add_scenes_command(app),
+                                               hair::add_info_command(app), hair::add_convert_command(app),
+                                               hair::add_groom_command(app)};
   return hair::run_program(app, commands, argc, argv);
 }

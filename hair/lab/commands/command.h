@@ -20,7 +20,6 @@ struct Command {
 
 Command add_bowl_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
-Command add_draw_command(CLI::App& program);
 Command add_groom_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_phase_command(CLI::App& program);

@@ -50,11 +50,9 @@ int convert_groom(const ConvertOptions& options) {
   return 0;
 }
 
-int show_groom(const InfoOptions& options) {
-  const Groom groom = read_groom(options.file, Numbers::any);
-  const GroomMeasures measures = measure_groom(groom);
-  const std::string name = options.file.string();
-  std::cout << (options.json ? groom_info_json(name, groom, measures) : groom_info(name, groom, measures));
+int show_groom(const std::filesystem::path& file) {
+  const Groom groom = read_groom(file, Numbers::any);
+  std::cout << groom_info(file.string(), groom, measure_groom(groom));
   return 0;
 }
 

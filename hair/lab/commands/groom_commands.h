@@ -15,11 +15,6 @@ struct ConvertOptions {
   bool ascii = false;  // for .ply
 };
 
-struct InfoOptions {
-  std::filesystem::path file;
-  bool json = false;
-};
-
 struct GrowOptions {
   std::string style, head = "bust";  // or "ellipsoid"
   std::filesystem::path out;
@@ -30,7 +25,7 @@ struct GrowOptions {
 
 // All return the program's exit code.
 int convert_groom(const ConvertOptions& options);
-int show_groom(const InfoOptions& options);
+int show_groom(const std::filesystem::path& file);
 int write_grown_groom(const GrowOptions& options);
 
 }  // namespace hair

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdio>
 
-#include "hair/io/files/json_text.h"
 #include "hair/io/files/printable.h"
 
 namespace hair {
@@ -83,50 +82,6 @@ std::string of_sphere(const std::optional<RootSphere>& sphere) {
          "), radius " + four_digits(sphere->radius);
 }
 
-std::string spread_json(const Spread& spread) {
-  return json_object({{"min", json_text(spread.min)},
-                      {"median", json_text(spread.median)},
-                      {"mean", json_text(spread.mean)},
-                      {"nine_tenths", json_text(spread.most)},
-                      {"max", json_text(spread.max)}});
-}
-
-std::string vector_json(const auto& numbers) {
-  return json_list({json_text(static_cast<double>(numbers[0])), json_text(static_cast<double>(numbers[1])),
-                    json_text(static_cast<double>(numbers[2]))});
-}
-
-std::string box_json(const GroomBox& box) {
-  return json_object({{"low", vector_json(box.low)}, {"high", vector_json(box.high)}});
-}
-
-std::string sphere_json(const std::optional<RootSphere>& sphere) {
-  if (!sphere) return "null";
-  return json_object({{"centre", vector_json(sphere->centre)}, {"radius", json_text(sphere->radius)}});
-}
-
-std::string odd_json(const std::vector<Oddity>& odd) {
-  std::string list;
-  for (const Oddity& one : odd)
-    list +=
-        (list.empty() ? "" : ",") + json_object({{"what", json_text(one.what)},
-                                                 {"count", json_text(one.count)},
-                                                 {"first_strand", json_text(static_cast<long>(one.strand))}});
-  return "[" + list + "]";
-}
-
-std::string look_json(const GroomLook& look) {
-  std::string text;
-  for (const LookPart& part : parts_of(look)) {
-    if (!part.is_known()) continue;
-    const std::string value = !part.of_each.empty() ? "null"
-                              : part.size == 1      ? json_text(static_cast<double>(part.of_all[0]))
-                                                    : vector_json(part.of_all);
-    text += json_text(part.name) + ":" + value + ",";
-  }
-  return "{" + text + json_text("info") + ":" + json_text(info_of(look)) + "}";
-}
-
 }  // namespace
 
 std::string in_groups(long number) {
@@ -168,24 +123,6 @@ std::string groom_info(const std::string& name, const Groom& groom, const GroomM
                                                                   " (strand " + std::to_string(one.strand) +
                                                                   (one.count > 1 ? " first)" : ")"));
   return text;
-}
-
-std::string groom_info_json(const std::string& name, const Groom& groom, const GroomMeasures& measures) {
-  return json_object({{"file", json_text(printable(name, 4096))},
-                      {"strands", json_text(measures.strands)},
-                      {"points", json_text(measures.points)},
-                      {"points_of_strand", spread_json(measures.points_of_strand)},
-                      {"length", spread_json(measures.length)},
-                      {"segment", spread_json(measures.segment)},
-                      {"curvature", spread_json(measures.curvature)},
-                      {"bend", spread_json(measures.bend)},
-                      {"box", box_json(measures.box)},
-                      {"roots", box_json(measures.roots)},
-                      {"root_sphere", sphere_json(measures.root_sphere)},
-                      {"unit_guess", measures.unit_guess > 0 ? json_text(measures.unit_guess) : "null"},
-                      {"look", look_json(groom.look)},
-                      {"odd", odd_json(measures.odd)}}) +
-         "\n";
 }
 
 }  // namespace hair

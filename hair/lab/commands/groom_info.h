@@ -1,4 +1,4 @@
-// A groom's measures as text for people, and as JSON for programs.
+// A groom's measures as text.
 #pragma once
 
 #include <string>
@@ -13,8 +13,5 @@ std::string counts_of(const Groom& groom);                                 // "2
 
 // Some lines; the last one names oddities.
 std::string groom_info(const std::string& name, const Groom& groom, const GroomMeasures& measures);
-
-// One object, whose keys are in hair/lab/README.md, and a line's end.
-std::string groom_info_json(const std::string& name, const Groom& groom, const GroomMeasures& measures);
 
 }  // namespace hair

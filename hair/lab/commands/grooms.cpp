@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "hair/lab/commands/command.h"
-#include "hair/lab/commands/draw_groom.h"
 #include "hair/lab/commands/groom_commands.h"
 #include "hair/lab/commands/hand_over.h"
 
@@ -23,37 +22,11 @@ Command add_convert_command(CLI::App& program) {
   return {app, [options](const Course&) { return convert_groom(*options); }};
 }
 
-Command add_draw_command(CLI::App& program) {
-  const auto options = std::make_shared<DrawOptions>();
-  CLI::App* app = program.add_subcommand(kDraw.name, kDraw.what);
-  app->add_option("FILE", options->file, "A groom: .hair or .ply")->required();
-  app->add_option("--picture", options->picture, "The PNG file to write")->required();
-  app->add_option("--colour", options->colour, "black, brown (default), chestnut, red, blond, grey or white");
-  app->add_option("--on", options->on, "What is under it: bust (default), ellipsoid or none")
-      ->check(CLI::IsMember({"bust", "ellipsoid", "none"}));
-  app->add_option("--unit", options->unit, "What FILE's unit is, in metres (default: it fits the head)")
-      ->check(CLI::Range(1e-6, 1e6));
-  app->add_option("--turn", options->turn,
-                  "Turns the groom about z by so many degrees; a bust's face looks along -y")
-      ->check(CLI::Range(-360.0, 360.0));
-  app->add_option("--width", options->width,
-                  "Of a strand, in metres (default: 80 micrometres, more if strands are few)")
-      ->check(CLI::Range(1e-6, 1.0));
-  app->add_option("--view", options->view, "From the hair to the camera: x y z (default: 0.6 -1 0.15)");
-  app->add_option("--zoom", options->zoom, "So many times as near (default: 1, everything is seen)")
-      ->check(CLI::Range(0.1, 100.0));
-  app->add_option("--size", options->size, "Width and height of the picture (default: 1280 720)")
-      ->check(CLI::Range(16, 4096));
-  app->add_flag("--no-shadows", options->no_shadows, "Without shadows");
-  return {app, [options](const Course&) { return draw_groom(*options); }};
-}
-
 Command add_info_command(CLI::App& program) {
-  const auto options = std::make_shared<InfoOptions>();
+  const auto file = std::make_shared<std::filesystem::path>();
   CLI::App* app = program.add_subcommand(kInfo.name, kInfo.what);
-  app->add_option("FILE", options->file, "A groom: .hair or .ply")->required();
-  app->add_flag("--json", options->json, "As JSON");
-  return {app, [options](const Course&) { return show_groom(*options); }};
+  app->add_option("FILE", *file, "A groom: .hair or .ply")->required();
+  return {app, [file](const Course&) { return show_groom(*file); }};
 }
 
 // As in scenes: doubles hold all whole numbers up to here.

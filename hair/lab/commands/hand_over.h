@@ -41,12 +41,11 @@ inline constexpr OtherCommand kPhasePlane = {
 inline constexpr OtherCommand kInfo = {"info", "Say what a groom is like, and what is odd about it", kGrooms};
 inline constexpr OtherCommand kConvert = {"convert", "Write a groom in another format", kGrooms};
 inline constexpr OtherCommand kGroom = {"groom", "Let hair grow on a head, in a style", kGrooms};
-inline constexpr OtherCommand kDraw = {"draw", "Draw a groom as it is", kGrooms};
 inline constexpr OtherCommand kPlayLive = {"live", "Play a scene while it is computed, in a browser", kLive};
 
-inline constexpr std::array kOtherCommands = {kPlayLive,    kInfo,           kConvert,   kGroom,
-                                              kDraw,        kErrorStudy,     kBowl,      kPhasePlane,
-                                              kSolverStudy, kStabilityStudy, kValidation};
+inline constexpr std::array kOtherCommands = {kPlayLive,       kInfo,      kConvert,    kGroom,
+                                              kErrorStudy,     kBowl,      kPhasePlane, kSolverStudy,
+                                              kStabilityStudy, kValidation};
 
 // Null for a command of hairlab's own.
 const OtherCommand* other_command(std::string_view name);

@@ -14,7 +14,6 @@
 #include "hair/lab/run/explain.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/run.h"
-#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stub.h"
 #include "solver/timing.h"
 

@@ -10,7 +10,6 @@
 #include "hair/lab/run/run_record.h"
 #include "hair/mass_spring/force_parts.h"
 #include "hair/render/idle_guides.h"
-#include "hair/scene/playback.h"
 #include "solver/not_implemented.h"
 
 namespace hair {
@@ -156,18 +155,6 @@ std::string guides_left_out(const Scene& scene) {
   }
 }
 
-// The number of dense strands that the first picture leaves out, if the exercises for them are written.
-std::string dense_out_of_view(const Scene& scene) {
-  try {
-    const Playback playback(scene);
-    const SceneDrawing drawing(scene, playback.strands(), cache_folder());
-    drawing.at(playback.centre_lines(playback.state()), playback.obstacles(), 0);
-    return std::to_string(drawing.synthesised().children_out_of_view) + " of them out of view at the start";
-  } catch (const NotImplemented&) {
-    return "less those out of view";
-  }
-}
-
 void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
   std::size_t strands = 0, guides = 0;
   for (const DenseHair& dense : scene.dense) {
@@ -175,10 +162,10 @@ void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
     guides += dense.description.guides.size();
   }
   const bool drawn = strands > 0 && render;
-  parts.add("dense hair", drawn,
-            "H10, " + counted(strands, "strand") + " of " + counted(guides, "guide") +
-                (drawn ? ", " + dense_out_of_view(scene) : ""),
-            strands > 0 ? "--no-render" : "strands are drawn as they are");
+  parts.add(
+      "dense hair", drawn,
+      "H10, " + counted(strands, "strand") + " of " + counted(guides, "guide") + ", less those out of view",
+      strands > 0 ? "--no-render" : "strands are drawn as they are");
   explain_clearance(scene, render, strands, parts);
   const std::string idle = drawn ? guides_left_out(scene) : "";
   // Its part is the work that these guides would take.

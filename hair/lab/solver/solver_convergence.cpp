@@ -1,11 +1,10 @@
-#include "hair/lab/solver/solver_convergence.h"
+#include "hair/lab/solver/solver_series.h"
 
 #include <string>
 #include <vector>
 
 #include "hair/io/plot/figure.h"
 #include "hair/lab/solver/solver_record.h"
-#include "hair/lab/solver/solver_series.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair::solver_lab {

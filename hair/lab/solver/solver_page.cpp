@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "hair/io/plot/figure.h"
-#include "hair/lab/solver/solver_convergence.h"
 #include "hair/lab/solver/solver_series.h"
 #include "hair/lab/solver/solver_verdicts.h"
 

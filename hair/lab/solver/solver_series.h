@@ -1,9 +1,11 @@
-// The series of the solver study's figures.
+// The series of the solver study's figures, and the sections of its page with the convergence of conjugate
+// gradients.
 #pragma once
 
 #include <string>
 
 #include "hair/io/plot/figure.h"
+#include "hair/io/plot/page.h"
 #include "solver/study/solver_study.h"
 
 namespace hair::solver_lab {
@@ -22,5 +24,11 @@ Series series_of(const solver::study::History& history, const std::string& name,
 Series bound_of(const solver::study::History& history, const std::string& name, int look);
 
 std::string condition_name(const solver::study::History& history);
+
+// A section for each family of systems.
+Section conditions_section(const solver::study::SolverStudy& study);
+Section clusters_section(const solver::study::SolverStudy& study);
+Section strands_section(const solver::study::SolverStudy& study);
+Section linked_section(const solver::study::SolverStudy& study);
 
 }  // namespace hair::solver_lab

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "hair/io/files/bad_input.h"
-#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

@@ -1,8 +1,6 @@
 // hairlab info, convert and groom, from outside.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "hair/head/groom_file.h"
 #include "hair/lab/tests/run_hairlab.h"
 
@@ -19,14 +17,6 @@ class GroomCommands : public testing::Test {
       return strand;
     };
     write_groom({{line(1, 0), line(2, 1), line(3, 2), line(5, 3)}}, groom_);
-  }
-
-  void expect_refused(const std::vector<std::string>& arguments, const std::string& part) const {
-    const ProgramRun run = run_hairlab(arguments);
-    EXPECT_EQ(run.code, 2);
-    EXPECT_EQ(run.output, "");
-    EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
-    EXPECT_TRUE(has(run.errors, part)) << run.errors;
   }
 
   TestFolder folder_;
@@ -46,29 +36,6 @@ TEST_F(GroomCommands, InfoSaysWhatAGroomIsLike) {
   EXPECT_TRUE(
       run.output.ends_with("\n  odd                 1 bald root: a strand of a single point (strand 0)\n"))
       << run.output;
-}
-
-TEST_F(GroomCommands, InfoAsJsonHasTheSame) {
-  const ProgramRun run = run_hairlab({"info", groom_, "--json"});
-  EXPECT_EQ(run.code, 0) << run.errors;
-  const auto json = nlohmann::json::parse(run.output);
-  EXPECT_EQ(json.at("strands"), 4);
-  EXPECT_EQ(json.at("points"), 11);
-  EXPECT_EQ(json.at("length").at("max"), 4);
-  EXPECT_EQ(json.at("points_of_strand").at("median"), 3);
-  EXPECT_EQ(json.at("roots").at("high"), (std::vector<double>{3, 0, 0}));
-  EXPECT_EQ(json.at("look"), nlohmann::json({{"info", ""}}));
-  EXPECT_EQ(json.at("odd").at(0).at("first_strand"), 0);
-  EXPECT_EQ(json.at("curvature").at("max"), 0);
-  const std::vector<std::string> keys = {
-      "file",        "strands", "points", "points_of_strand", "length",    "segment", "bend",
-      "root_sphere", "box",     "roots",  "unit_guess",       "curvature", "look",    "odd"};
-  EXPECT_EQ(json.size(), keys.size());
-  const std::string documented = bytes_of(std::string(HAIR_PROJECT) + "/hair/lab/README.md");
-  for (const std::string& key : keys) {
-    EXPECT_TRUE(json.contains(key)) << key;
-    EXPECT_TRUE(has(documented, "`" + key + "`")) << key;
-  }
 }
 
 TEST_F(GroomCommands, ConvertKeepsThePointsAndSaysWhatItLeavesOut) {
@@ -131,80 +98,31 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
   const std::string bytes = grown("b.hair");
   EXPECT_EQ(grown("c.hair"), bytes);
   EXPECT_TRUE(has(run_hairlab({"info", folder_ / "b.hair"}).output, "\"hairlab groom wavy --seed 7\"\n"));
-  expect_refused({"groom", "bob", "--out", out_},
-                 "there is no style \"bob\"; there are long-smooth, short-curly, wavy, ponytail");
-  expect_refused({"groom", "wavy", "--points", "10", "--out", out_}, "strands of 10 points; wavy has ");
-  expect_refused({"groom", "wavy", "--out", folder_ / "a.obj"}, "a.obj: has the ending of no groom's format");
-  for (const char* const seed : {"-1", "nan", "1.5", "9007199254740993"})
-    expect_refused({"groom", "wavy", "--seed", seed, "--out", out_}, "--seed");
-  EXPECT_EQ(bytes_of(out_), "");
-}
-
-TEST_F(GroomCommands, ResultsThatAreLostAreNotASuccess) {
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"info", groom_},
-                                             {"info", groom_, "--json"},
-                                             {"convert", groom_, out_},
-                                             {"groom", "wavy", "--strands", "50", "--out", out_},
-                                             {"info", "--help"}})
-    hair::expect_refused(
-        run_hairlab(arguments, {.output = "/dev/full"}), 2,
-        "hairlab: the standard output can't be written (No space left on device), so that results are lost");
-}
-
-TEST_F(GroomCommands, AFolderThatIsNotThereIsNotMade) {
-  const std::string in = folder_ / "none";
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"convert", groom_, in + "/a.hair"},
-           {"groom", "wavy", "--strands", "50", "--out", in + "/a.ply"},
-           {"draw", groom_, "--on", "none", "--size", "16", "16", "--picture", in + "/a.png"}})
-    expect_refused(arguments,
-                   "can't be written (No such file or directory); give a folder that can be written");
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.ply"}));
-}
-
-TEST_F(GroomCommands, DrawsAGroomTwiceWithTheSameBytes) {
-  const std::string hair = folder_ / "head.ply", picture = folder_ / "a.png", again = folder_ / "b.png";
-  ASSERT_EQ(run_hairlab({"groom", "wavy", "--strands", "300", "--out", hair}).code, 0);
-  for (const std::string& file : {picture, again}) {
-    const ProgramRun run =
-        run_hairlab({"draw", hair, "--picture", file, "--size", "160", "120", "--colour", "red"});
-    EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_TRUE(has(run.output, "png: 300 strands, a unit of ")) << run.output;
-  }
-  EXPECT_TRUE(bytes_of(picture).starts_with("\x89PNG"));
-  EXPECT_EQ(bytes_of(picture), bytes_of(again));
-}
-
-TEST_F(GroomCommands, DrawRefusesWhatCantBeDrawn) {
-  const std::string picture = folder_ / "a.png";
-  expect_refused({"draw", groom_, "--picture", picture, "--colour", "green"},
-                 "--colour: there is no colour \"green\"");
-  expect_refused({"draw", groom_, "--picture", picture},
-                 "a.ply: a head needs at least 4 roots that are not in one place; --on none draws it alone");
-  expect_refused({"draw", groom_, "--picture", picture, "--on", "none", "--view", "0", "0", "0"},
-                 "the view's direction");
-  expect_refused({"draw", folder_ / "none.hair", "--picture", picture}, "none.hair: can't be read");
-  EXPECT_EQ(bytes_of(picture), "");
 }
 
 TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
   const std::string whole = bytes_of(groom_);
   const std::size_t at = whole.find("end_header\n") + 11;
-  const std::string cut = folder_.write("cut.ply", whole.substr(0, at + 100));
-  expect_refused({"info", cut}, "cut.ply: its header says that there are 11 of ");
-  expect_refused({"convert", cut, out_}, "cut.ply: its header says ");
-  expect_refused({"info", folder_ / "none.hair"}, "none.hair: can't be read (No such file or directory)");
-  expect_refused({"info", folder_ / "a.obj"}, "a.obj: has the ending of no groom's format");
-  expect_refused({"convert", groom_, folder_ / "a.abc"}, "a.abc: has the ending of no groom's format");
-  expect_refused({"convert", groom_, out_, "--scale", "nan"}, "--scale");
-  expect_refused({"convert", groom_, out_, "--points", "1"}, "--points");
-  expect_refused({"convert", groom_, folder_ / "a.ply/b.hair"}, "b.hair: can't be written");
-  const std::string nan = folder_.write("nan.ply", std::string(whole).replace(at, 4, "\xff\xff\xff\x7f"));
-  expect_refused({"convert", nan, out_}, ": vertex 0 has a number that is not finite");
-  const ProgramRun run = run_hairlab({"info", nan});
-  EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_TRUE(has(run.output, "1 strand with a number that is not finite")) << run.output;
+  const std::string cut = folder_.write("cut.ply", whole.substr(0, at + 100)),
+                    nan = folder_.write("nan.ply", std::string(whole).replace(at, 4, "\xff\xff\xff\x7f"));
+  const struct {
+    std::vector<std::string> words;
+    std::string says;
+  } refused[] = {
+      {{"info", cut}, "cut.ply: its header says that there are 11 of "},
+      {{"info", folder_ / "none.hair"}, "none.hair: can't be read (No such file or directory)"},
+      {{"convert", groom_, folder_ / "a.abc"}, "a.abc: has the ending of no groom's format"},
+      {{"convert", groom_, out_, "--scale", "nan"}, "--scale"},
+      {{"convert", groom_, out_, "--points", "1"}, "--points"},
+      {{"convert", groom_, folder_ / "none/a.hair"}, "can't be written (No such file or directory); give a "},
+      {{"convert", nan, out_}, ": vertex 0 has a number that is not finite"},
+      {{"groom", "bob", "--out", out_},
+       "there is no style \"bob\"; there are long-smooth, short-curly, wavy, "},
+      {{"groom", "wavy", "--points", "10", "--out", out_}, "strands of 10 points; wavy has "},
+      {{"groom", "wavy", "--seed", "-1", "--out", out_}, "--seed"},
+      {{"groom", "wavy", "--seed", "9007199254740993", "--out", out_}, "--seed"}};
+  for (const auto& [words, says] : refused) expect_refused(run_hairlab(words), 2, says);
+  EXPECT_TRUE(has(run_hairlab({"info", nan}).output, "1 strand with a number that is not finite"));
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.ply", "cut.ply", "nan.ply"}));
 }
 

@@ -3,12 +3,9 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "hair/lab/run/states_csv.h"
 #include "hair/lab/tests/read_states.h"
 #include "hair/lab/tests/run_hairlab.h"
 
@@ -23,7 +20,6 @@ const char* const kSwing = R"({"shows": "a hair swings down", "frames": 4, "fram
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}],
  "render": {"image_width": 64, "image_height": 48}})";
 
-// 1 kg at the end of a rod of 1 m, level at the start.
 const char* const kPendulum = R"({"shows": "a pendulum", "frames": 60, "frames_per_second": 60,
  "steps_per_frame": 10, "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},
  {"position": [1, 0, 0], "mass": 1}], "rods": [{"between": [0, 1]}],
@@ -89,27 +85,6 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_EQ(states.strands, std::vector<std::uint32_t>{7});
   EXPECT_EQ(states.particles, 7U);
   ASSERT_EQ(states.frames.size(), 5u);
-  std::istringstream csv(bytes_of(out_ / "states.csv"));
-  std::string line;
-  std::getline(csv, line);
-  for (int k = 0; k < 5; ++k)
-    for (int i = 0; i < 7; ++i) {
-      ASSERT_TRUE(std::getline(csv, line));
-      std::istringstream fields(line);
-      std::vector<double> numbers;
-      for (std::string field; std::getline(fields, field, ',');)
-        std::from_chars(field.data(), field.data() + field.size(), numbers.emplace_back());
-      const StateFrame& frame = states.frames[k];
-      ASSERT_EQ(numbers.size(), 10u);
-      EXPECT_EQ(numbers[0], k);
-      EXPECT_EQ(numbers[1], frame.time);
-      EXPECT_EQ(numbers[3], i);
-      for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_EQ(numbers[4 + axis], frame.state.x[3 * i + axis]);
-        EXPECT_EQ(numbers[7 + axis], frame.state.v[3 * i + axis]);
-      }
-    }
-  EXPECT_FALSE(std::getline(csv, line));
   EXPECT_EQ(states.frames[4].time, 4.0 / 60);
   EXPECT_LT(states.frames[4].state.x[3 * 6 + 2], -0.01) << "the tip has not fallen";
 
@@ -129,32 +104,19 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_GT(record["seconds"]["simulate"], 0);
 }
 
-// Rod and point: E = 0 at the start, and v^2 / 2 = g times the height of its fall.
+// 1 kg on a rod of 1 m, level and at rest at the start, so that E = 0. RK4 with steps of 1/600 s; a swing turns
+// by 3.9 rad/s at most, (3.9 / 600)^4 = 2e-9 a step, 600 steps.
 TEST_F(Hairlab, MeasuresAPendulumAsItsClosedFormSays) {
-  const ProgramRun run = play(kPendulum);
-  ASSERT_EQ(run.code, 0) << run.errors;
+  ASSERT_EQ(play(kPendulum).code, 0);
   const Json frames = read_run(out_)["frames"];
   const StatesFile states = read_states(out_ / "states.bin");
   ASSERT_EQ(frames.size(), 61u);
-  ASSERT_EQ(states.frames.size(), 61u);
   EXPECT_TRUE(states.strands.empty());
-  // RK4 with steps of 1/600 s; a swing turns by 3.9 rad/s at most, (3.9 / 600)^4 = 2e-9 a step, 600 steps.
-  constexpr double kBound = 1e-6 * 9.81;
-  double deepest = 0;
   for (std::size_t k = 0; k < 61; ++k) {
-    const particles::State& state = states.frames[k].state;
-    const double height = state.x[5], speed = state.v.tail<3>().norm();
-    deepest = std::min(deepest, height);
-    EXPECT_NEAR(frames[k]["kinetic"], speed * speed / 2, 1e-12) << k;
-    EXPECT_NEAR(frames[k]["potential"], 9.81 * height, 1e-12) << k;
-    EXPECT_NEAR(frames[k]["energy"], 0, kBound) << k;
-    EXPECT_NEAR(frames[k]["momentum"][2], state.v[5], 1e-12) << k;
-    // x cross v, about y, of a point on a circle of radius 1.
-    EXPECT_NEAR(std::abs(frames[k]["angular_momentum"][1].get<double>()), speed, kBound) << k;
+    EXPECT_NEAR(frames[k]["potential"], 9.81 * states.frames[k].state.x[5], 1e-12) << k;
+    EXPECT_NEAR(frames[k]["energy"], 0, 1e-6 * 9.81) << k;
     EXPECT_LT(frames[k]["stretch"], 1e-6) << k;
   }
-  // A quarter of the period, T/4 = K(1/sqrt 2) sqrt(l/g) = 0.592 s, is within the second.
-  EXPECT_LT(deepest, -0.99);
 }
 
 TEST_F(Hairlab, DoesTheSameTwice) {
@@ -224,13 +186,9 @@ TEST_F(Hairlab, WritesWhichLinksBrokeWhen) {
   EXPECT_EQ(links["broken"], states.links->broken.size());
   EXPECT_EQ(links["first_broken"], states.links->broken.front().step);
   EXPECT_GT(links["worn_off"], 0);
-
-  ASSERT_EQ(play(kSwing, {"--no-render"}).code, 0);
-  EXPECT_FALSE(read_states(out_ / "states.bin").links);
-  EXPECT_TRUE(read_run(out_)["links"].is_null());
 }
 
-// Strands that start inside a ball are moved out of it; without a ball none is moved.
+// Strands that start through a ball are moved out of it.
 TEST_F(Hairlab, WritesHowManyStrandsItKeptOutOfObstacles) {
   const std::string scene = R"({"shows": "a disc of hair on a ball", "frames": 1, "method": "implicit_euler",
     "hair": [{"segments": 4, "length": 0.04, "roots": {"disc": {"centre": [0, 0, 0.1], "normal": [0, 0, 1],
@@ -242,8 +200,6 @@ TEST_F(Hairlab, WritesHowManyStrandsItKeptOutOfObstacles) {
   const Json dense = read_run(out_)["dense_hair"];
   EXPECT_GT(dense["moved_out"], 0);
   EXPECT_LE(dense["moved_out"], dense["strands"]);
-  ASSERT_EQ(play((scene + "}").c_str()).code, 0);
-  EXPECT_EQ(read_run(out_)["dense_hair"]["moved_out"], 0);
 }
 
 TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
@@ -279,15 +235,8 @@ TEST_F(Hairlab, WarnsInItsLastLineAndInTheRecord) {
   EXPECT_TRUE(run.errors.starts_with("hairlab: scene: warning: strand 0 is held by stretched springs"))
       << run.errors;
   EXPECT_TRUE(has(run.errors, "from step " + one["step"].dump() + " on")) << run.errors;
-}
-
-TEST_F(Hairlab, WarningsFailAStrictRun) {
   EXPECT_EQ(play(kWarns, {"--strict"}).code, 1);
-  EXPECT_EQ(read_run(out_)["ended"], "finished");
-  const ProgramRun well = play(kSwing, {"--strict", "--no-render"});
-  EXPECT_EQ(well.code, 0) << well.errors;
-  EXPECT_EQ(well.errors, "");
-  EXPECT_TRUE(read_run(out_)["warnings"].empty());
+  EXPECT_EQ(play(kSwing, {"--strict", "--no-render"}).code, 0);
 }
 
 TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {
@@ -396,52 +345,29 @@ TEST_F(Hairlab, TheLastPictureOfARunThatBrokeShowsTheStrand) {
   EXPECT_NE(bytes_of(out_ / name), broken);
 }
 
-TEST_F(Hairlab, RefusesBadScenesWithTheirJsonPath) {
+TEST_F(Hairlab, RefusesWrongUsageAndBadScenes) {
+  const std::string scene = folder_.write("good.json", kSwing), out = out_.string();
   std::string negative = kPendulum;
   negative.replace(negative.find("\"mass\": 1}]"), 9, "\"mass\": -1");
   expect_refused(play(negative.c_str()), 2, "scene.json: toys[0].particles[1].mass: ");
-  std::string unknown = kSwing;
-  unknown.replace(unknown.find("segments"), 8, "segmnets");
-  expect_refused(play(unknown.c_str()), 2, "scene.json: hair[0]: unknown key \"segmnets\"");
-  expect_refused(play("{\"shows\": "), 2, "scene.json");
+  const struct {
+    std::vector<std::string> words;
+    std::string says;
+  } refused[] = {{{}, ""},
+                 {{"play"}, ""},
+                 {{"run"}, "SCENE"},
+                 {{"run", scene}, "--out"},
+                 {{"run", scene, "--out", out, "--frames", "-1"}, "--frames"},
+                 {{"run", scene, "--out", out, "--frames", "1000001"}, "--frames"},
+                 {{"run", scene, "--out", out, "--fast"}, "--fast"},
+                 {{"run", "no-such-scene", "--out", out}, "no-such-scene: there is no such file"},
+                 {{"run", folder_.path().string(), "--out", out}, "is a folder"},
+                 {{"run", scene, "--out", folder_.path().string()}, "is not empty, and not from hairlab"}};
+  for (const auto& [words, says] : refused) expect_refused(run_hairlab(words), 2, says);
   EXPECT_FALSE(fs::exists(out_));
 }
 
-TEST_F(Hairlab, RefusesWrongUsage) {
-  const std::string scene = folder_.write("scene.json", kSwing), out = out_.string();
-  expect_refused(run_hairlab({}), 2, "");
-  expect_refused(run_hairlab({"play"}), 2, "");
-  expect_refused(run_hairlab({"run"}), 2, "SCENE");
-  expect_refused(run_hairlab({"run", scene}), 2, "--out");
-  for (const std::string frames : {"-1", "1.5", "many", "1000001"})
-    expect_refused(run_hairlab({"run", scene, "--out", out, "--frames", frames}), 2, "--frames");
-  expect_refused(run_hairlab({"run", scene, "--out", out, "--fast"}), 2, "--fast");
-  expect_refused(run_hairlab({"run", "no-such-scene", "--out", out}), 2,
-                 "no-such-scene: there is no such file");
-  expect_refused(run_hairlab({"run", folder_.path().string(), "--out", out}), 2, "is a folder");
-  EXPECT_FALSE(fs::exists(out_));
-}
-
-TEST_F(Hairlab, RefusesFoldersThatCanNotBeWrittenOrHoldSomethingElse) {
-  const std::string scene = folder_.write("scene.json", kSwing);
-  const auto into = [&](const std::string& out) {
-    return run_hairlab({"run", scene, "--out", out, "--no-render"});
-  };
-  expect_refused(into(scene), 2, scene + ": is a file");
-  expect_refused(into(scene + "/out"), 2, scene + "/out: can't be made");
-  expect_refused(into("/proc/out"), 2, "/proc/out: can't be made");
-  expect_refused(into("/"), 2, "is the root");
-  expect_refused(into(folder_.path().string()), 2, "is not empty, and not from hairlab");
-  EXPECT_EQ(bytes_of(scene), kSwing);
-
-  ASSERT_EQ(into(out_.string()).code, 0);
-  ASSERT_EQ(into(out_.string()).code, 0) << "an earlier run is replaced";
-  folder_.write("out/notes.txt", "mine");
-  expect_refused(into(out_.string()), 2, "holds notes.txt");
-  EXPECT_EQ(bytes_of(out_ / "notes.txt"), "mine");
-}
-
-// A limit on the size of files acts like a full disk, which affects the table of states first.
+// A limit on the size of files acts as a disk that is full: first for the table of states, with less for all.
 TEST_F(Hairlab, WritesNothingOnAFullDisk) {
   for (const int limit : {0, 1, 8}) {
     const ProgramRun run = play(kSwing, {"--no-render", "--frames", "40"}, {.file_limit = limit});
@@ -490,26 +416,11 @@ TEST_F(Hairlab, ExplainsWithoutRunning) {
   EXPECT_EQ(run.errors, "");
   EXPECT_TRUE(run.output.starts_with("scene: a hair swings down\n")) << run.output;
   EXPECT_TRUE(has(run.output, "\n  bending            used      H2, ")) << run.output;
-  EXPECT_TRUE(has(run.output, "\n  OpenGL             used      ")) << run.output;
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
   const ProgramRun both = play(kSwing, {"--explain", "--no-render"});
   EXPECT_TRUE(has(both.output, "\n  OpenGL             left out  --no-render: no library is loaded\n"))
       << both.output;
   EXPECT_TRUE(fs::exists(out_ / "run.json"));
-}
-
-TEST_F(Hairlab, ExplainsHowMuchDenseHairTheFirstPictureLeavesOut) {
-  const ProgramRun run = play(R"({"shows": "a tuft, of which the picture shows a part", "frames": 1, "hair": [
-    {"segments": 3, "length": 0.09, "roots": {"disc": {"centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 0.02, "count": 30}},
-     "synthesis": {"strands": 200}}],
-    "render": {"view": [0, -1, 0], "look_at": [0.012, 0, 0.02], "zoom": 20, "shadows": false, "image_width": 64, "image_height": 48}})",
-                              {"--explain", "--frames", "0"});
-  ASSERT_EQ(run.code, 0) << run.errors;
-  const Json dense = read_run(out_)["dense_hair"];
-  EXPECT_GT(dense["out_of_view"], 0);
-  EXPECT_TRUE(has(run.output, "H10, 200 strands of 30 guides, " + dense["out_of_view"].dump() +
-                                  " of them out of view at the start\n"))
-      << run.output;
 }
 
 // Two rows of eight straight guides, 2 cm apart. Thicker strips touch all 15 particles of each guide of the
