@@ -1,5 +1,5 @@
-// STAFF ONLY. Error against time of a submission's code, as a program that takes a job with all of its
-// objects and all of the reference's: links the reference, and never a student's code.
+// STAFF ONLY. Measures error against time of a submission. The job names all of its objects and all of the
+// reference's; the program links the reference, and never a student's code.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +12,8 @@ namespace {
 
 using namespace grader;
 
-// The CPU time limit of a worker. Each part may take most_seconds, plus the play that starts before they are
-// used up: with twice the steps of the previous play, it takes about as long as all plays before it together.
+// Limits a worker's CPU time. Each part may take most_seconds, plus the run that starts before they end: with
+// twice the steps of the previous run, it takes about as long as all runs before it together.
 int study_cpu_seconds(const StudySettings& settings) {
   std::size_t parts = 0;
   for (const SceneText& text : studied_scenes()) parts += parts_of(text).size();
@@ -30,8 +30,8 @@ std::string why_not_run(const std::vector<std::string>& exercises,
   return all.empty() ? all : all + ".";
 }
 
-// All scenes, one after the other. Scenes that can't be run have a reason in the result, and are not played;
-// those that need an exercise that the course leaves out are none of it.
+// Studies all scenes, one after the other. Scenes that can't run have a reason in the result; the result lacks
+// scenes that need an exercise that the course leaves out.
 SubmissionStudy study_submission(Student& student, Student& reference, const SuiteJob& job,
                                  const StudySettings& settings) {
   WorkerPlayer their_worker(student), ours(reference);
@@ -59,7 +59,7 @@ SuiteResult run(const SuiteJob& job) {
   const StudySettings settings;
   WorkerSetup worker = worker_of(job);
   worker.cpu_seconds = study_cpu_seconds(settings);
-  // Asked for by the instructor, beside the submission's budget.
+  // The instructor asks for a study, so the submission's budget does not bound it.
   Budget& limit = worker.allowance->limit;
   limit.worker_cpu_seconds = limit.suite_cpu_seconds = worker.cpu_seconds;
   limit.wall_seconds = std::numeric_limits<double>::infinity();  // a study has a clock of its own

@@ -1,5 +1,6 @@
-// STAFF ONLY. The small scenes of a study, which all exercises of a submission play together, a few
-// milliseconds of the reference each; and their parts, a scene or one of its toys, with fewer and more steps.
+// STAFF ONLY. The small scenes of a study, which all exercises of a submission run together (the
+// reference takes a few milliseconds for each), and their parts: a scene, or one of its toys, in fewer or more
+// steps.
 #pragma once
 
 #include <string>
@@ -20,22 +21,22 @@ struct StudiedPart {
   std::string name;   // "pendulums, forward Euler"
   std::string json;   // a scene with only this part
   hair::Scene scene;  // parsed from that text
-  int order = 1;      // of its method, for smooth motions
+  int order = 1;      // is the order of its method, for smooth motions
 };
 
 std::vector<StudiedPart> parts_of(const SceneText& text);
 
-// The same motion with other steps; `frames` frames are recorded after the start.
+// Describes the same motion with other steps; `frames` frames are recorded after the start.
 struct Division {
   int frames = 1, steps_per_frame = 1;
   int steps() const { return frames * steps_per_frame; }
 };
 SceneText divided(const StudiedPart& part, const Division& division);
 
-// From few steps to many, by powers of two around the scene's own number.
+// Lists divisions from few steps to many, by powers of two around the scene's own number.
 std::vector<Division> divisions_of(const hair::Scene& scene);
 
-// The divisions between `coarse` and the one with twice its steps, fewest steps first.
+// Lists the divisions between `coarse` and the one with twice its steps, fewest steps first.
 std::vector<Division> between(const Division& coarse);
 
 }  // namespace grader::judge

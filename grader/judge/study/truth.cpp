@@ -1,4 +1,4 @@
-// STAFF ONLY. The true motion of a part: by CVODE, or by the reference with many steps.
+// STAFF ONLY. Computes a part's reference solution, by CVODE or with many steps.
 #include "grader/judge/study/truth.h"
 
 #include <Eigen/Geometry>
@@ -41,7 +41,7 @@ hair::AccurateMotion by_many_steps(const StudiedPart& part) {
   return motion;
 }
 
-// Of one strand or one toy that meets nothing, unless CVODE can't.
+// CVODE computes one strand or one toy without contacts, if it can.
 std::optional<hair::AccurateMotion> by_cvode(const StudiedPart& part, const std::optional<fs::path>& kept) {
   const hair::Scene& scene = part.scene;
   if (!hair::have_accurate_motion() || !scene.hair.obstacles.empty() || scene.hair.strands.size() > 1)
