@@ -25,7 +25,8 @@ constexpr double kLargestMatrix = 2e5;  // entries
 
 using Ways = std::array<CvodeWay, 2>;
 
-// As different as CVODE has them; and where Newton's method would be too dear, two tolerances.
+// The two ways differ as much as CVODE allows; if Newton's method would be too expensive, they are two
+// tolerances.
 Ways ways_for(const Ode& ode, double tolerance) {
   const double entries = static_cast<double>(ode.size()) * (ode.above() + 1 + ode.below());
   if (entries > kLargestMatrix)
@@ -52,8 +53,8 @@ std::unique_ptr<Ode> ode_of(const Problem& problem) {
   return std::make_unique<StrandOde>(problem);
 }
 
-// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0
-// to 1.6 where it was let go, 2.4 where its root is carried about. Not derived, and so with room.
+// The distance of a stretching strand from the limit, over the largest stretch by its tensions: 1.0 to 1.6
+// for a released strand, 2.4 for a moving root. It is not derived, so the factor is larger.
 constexpr double kOfStretch = 4;
 
 }  // namespace

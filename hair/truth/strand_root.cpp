@@ -12,7 +12,7 @@ RootMotion start_of(const StrandStart& start) {
 }  // namespace
 
 StrandRoot::StrandRoot(const Scene& scene) : start_(start_of(scene.hair.strands.at(0))) {
-  // As in a simulation, the last one leads.
+  // The last motion counts, as in a simulation.
   for (const Rider& rider : scene.riders)
     if (!rider.strands.empty()) motion_ = &rider.motion;
   if (motion_) turns_ = scene.hair.strands[0].strand.clamped && hair::turns(*motion_);

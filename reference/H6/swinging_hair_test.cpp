@@ -160,7 +160,7 @@ Modes hanging_modes(const Strand& strand) {
   return {eigen.values, root.asDiagonal() * eigen.vectors};
 }
 
-// Hanging still, but for `amplitude` of a mode; H4's springs carry the weight.
+// Lets the hair hang still, displaced by `amplitude` of a mode. H4's springs carry the weight.
 void hang(Hair& hair, const VectorXd& mode, double amplitude, bool stretched) {
   hair.place(-Vector3d::UnitZ());
   const Strand& strand = hair.strand;

@@ -20,7 +20,7 @@ int study_cpu_seconds(const StudySettings& settings) {
   return static_cast<int>(std::ceil(2 * settings.most_seconds * static_cast<double>(parts)));
 }
 
-// "H4 does not compile.", or empty.
+// Returns "H4 does not compile.", or an empty text.
 std::string why_not_run(const std::vector<std::string>& exercises,
                         const std::map<std::string, std::string>& unavailable) {
   std::string all;
@@ -30,8 +30,8 @@ std::string why_not_run(const std::vector<std::string>& exercises,
   return all.empty() ? all : all + ".";
 }
 
-// Studies all scenes, one after the other. Scenes that can't run have a reason in the result; the result lacks
-// scenes that need an exercise that the course leaves out.
+// Studies all scenes, one after the other. Scenes that can't run have a reason in the result; the result
+// lacks scenes that need an exercise that the course leaves out.
 SubmissionStudy study_submission(Student& student, Student& reference, const SuiteJob& job,
                                  const StudySettings& settings) {
   WorkerPlayer their_worker(student), ours(reference);

@@ -10,7 +10,7 @@ using nlohmann::json;
 
 constexpr int kFewestFrames = 3;
 constexpr int kCoarser = 5, kFinerHair = 4,
-              kFinerToy = 3;  // times that steps are doubled; toys have many as it is
+              kFinerToy = 3;  // multiply the steps; toys have many already
 
 struct Known {
   const char* name;

@@ -1,6 +1,5 @@
-// STAFF ONLY. The small scenes of a study, which all exercises of a submission run together (the
-// reference takes a few milliseconds for each), and their parts: a scene, or one of its toys, in fewer or more
-// steps.
+// STAFF ONLY. The small scenes of a study, which all exercises of a submission run together, each in a few
+// milliseconds of the reference; and their parts: a scene, or one of its toys, in fewer or more steps.
 #pragma once
 
 #include <string>

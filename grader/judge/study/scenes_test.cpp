@@ -21,7 +21,7 @@ TEST(StudiedScenes, EachEndsSoundAndTogetherTheyNeedAllExercisesThatScenesCall) 
     const particles::State start = playback.state();
     while (playback.frame() < scene.frames) ASSERT_FALSE(playback.advance()) << text.name;
     EXPECT_TRUE(playback.state().x.allFinite() && playback.state().v.allFinite()) << text.name;
-    // Something moves: by a tenth of a millimetre at least.
+    // Something must move by at least a tenth of a millimetre.
     EXPECT_GT((playback.state().x - start.x).norm(), 1e-4) << text.name;
   }
   EXPECT_EQ(all, (std::set<std::string>{"S1", "P1", "P2", "H1", "H2", "H3", "H4", "H5", "H6"}));

@@ -58,7 +58,7 @@ std::string section_id(std::size_t section) {
   return "section-" + std::to_string(section + 1);
 }
 
-// An id that comes twice leads readers to the wrong place.
+// A duplicate id leads readers to the wrong place.
 std::vector<std::string> ids_in(const std::string& figure) {
   constexpr std::string_view kId = " id=\"";
   std::vector<std::string> ids;

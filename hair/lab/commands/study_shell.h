@@ -23,7 +23,7 @@ struct ShellOptions {
   std::filesystem::path out;
   bool writes = true;  // into `out`
   bool quick = false;
-  std::string when_quick;  // what --quick changes
+  std::string when_quick;  // the changes by --quick
   int threads = 1;
 };
 

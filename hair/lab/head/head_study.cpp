@@ -51,7 +51,7 @@ class GuidedHead {
 
   GuideRun run_;
   MovingHead guides_;
-  std::vector<std::unique_ptr<Synthesis>> synthesis_;  // of each mode, as are the tallies
+  std::vector<std::unique_ptr<Synthesis>> synthesis_;  // one for each mode, as are the tallies
   std::vector<HeadErrorTally> tallies_;
 };
 

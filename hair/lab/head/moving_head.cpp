@@ -13,7 +13,7 @@ Vector3d first_direction(const Eigen::VectorXd& x) {
   return (x.segment<3>(3) - x.head<3>()).normalized();
 }
 
-// Clamped as it leaves the head.
+// Clamped in the direction in which it leaves the head.
 StrandStart start_of(const Eigen::VectorXd& x, bool curved) {
   const Vector3d tangent = first_direction(x);
   return start_at_rest(Fibre{}, {x, tangent, tangent.unitOrthogonal()}, !curved, true);

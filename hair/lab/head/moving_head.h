@@ -33,7 +33,7 @@ struct MovingHeadSettings {
 
 class MovingHead {
  public:
-  // `which` of the head's strands: rising. With H1, H2 (of straight hair) and H4.
+  // `which` of the head's strands: ascending. With H1, H2 (for straight hair) and H4.
   MovingHead(const GrownHead& head, std::span<const std::size_t> which, const MovingHeadSettings& settings);
 
   // To the next frame; the CPU time that it took. Throws std::runtime_error if a strand breaks; passes on what

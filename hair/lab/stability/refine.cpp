@@ -10,7 +10,7 @@ namespace hair {
 
 namespace {
 
-// From its lowest row up: the class of each stretch, and the row that it begins at.
+// A stretch of a column: its class, and its first row. Stretches go from the lowest row up.
 struct Stretch {
   int fate, begin;
 };

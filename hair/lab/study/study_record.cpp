@@ -36,7 +36,7 @@ OrderedJson json_of(const std::optional<SpaceError>& space) {
           {"seconds", space->cpu_seconds}};
 }
 
-// All but the runs.
+// Everything except the runs.
 OrderedJson head_of(const Study& study) {
   const bool finished = std::none_of(study.sweeps.begin(), study.sweeps.end(),
                                      [](const Sweep& sweep) { return sweep.end == SweepEnd::unfinished; });

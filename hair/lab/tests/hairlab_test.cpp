@@ -367,7 +367,7 @@ TEST_F(Hairlab, RefusesWrongUsageAndBadScenes) {
   EXPECT_FALSE(fs::exists(out_));
 }
 
-// A limit on the size of files acts as a disk that is full: first for the table of states, with less for all.
+// A limit on the size of files acts like a full disk, which affects the table of states first.
 TEST_F(Hairlab, WritesNothingOnAFullDisk) {
   for (const int limit : {0, 1, 8}) {
     const ProgramRun run = play(kSwing, {"--no-render", "--frames", "40"}, {.file_limit = limit});

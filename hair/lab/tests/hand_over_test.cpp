@@ -77,7 +77,7 @@ TEST_F(HandOver, NamesWhatReadsTheGroomOfAScene) {
   EXPECT_EQ(run.output, "run " + scene + " --explain\n");
 }
 
-// By another name, too: the studies lie beside the program, not beside its name.
+// The studies are found by the program's own folder, not by that of its link.
 TEST_F(HandOver, FindsStudiesThroughALinkAndSaysThatTheyDoNotRun) {
   make_program(studies_);
   fs::create_symlink(hairlab_, folder_ / "lab");

@@ -210,7 +210,7 @@ TEST_P(Studies, NameTheExerciseThatIsNotWrittenAndWriteNothing) {
   EXPECT_TRUE(GetParam().name == "validate" || folder_.names().empty());
 }
 
-// As soon as it studies, its hidden folder is there.
+// Its hidden folder exists as soon as it studies.
 TEST_P(Studies, InterruptedKeepWhatTheySayOrNothing) {
   if (GetParam().name == "bowl" || GetParam().name == "phase") GTEST_SKIP() << "it is too short";
   ProgramSettings settings;

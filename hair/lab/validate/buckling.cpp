@@ -1,4 +1,4 @@
-// The height at which hair that stands buckles: by its stiffness, and by what it does.
+// The height at which standing hair buckles: from its stiffness, and from its motion.
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
@@ -31,8 +31,8 @@ Lean lean(double gamma) {
   return sum;
 }
 
-// Where the softest stiffness changes its sign: a secant from either side, halved where it does not close in.
-// NaN, if there is no such place from 6 to 9.
+// The zero of the softest stiffness: a secant from either side, with bisection where it does not converge.
+// NaN if there is no zero from 6 to 9.
 double critical_gamma(const Material& material, int segments) {
   const auto stiffness = [&](double gamma) {
     return softest_stiffness(standing_hair(material, segments, length_of(material, gamma)));
@@ -128,7 +128,7 @@ double softest_stiffness(const StrandStart& standing) {
   const auto strand = under_gravity(standing, Vector3d(0, 0, -kEarthGravity));
   const Eigen::MatrixXd K = planar_stiffness(strand->force, standing.state.x);
   const int n = standing.strand.segments();
-  // Of a particle's two unknowns, the one that is level.
+  // Each particle has two unknowns; this takes the horizontal one.
   const Eigen::MatrixXd sideways = K(Eigen::seqN(0, n, 2), Eigen::seqN(0, n, 2));
   return solver::symmetric_eigenvalues(sideways)[0];
 }

@@ -11,13 +11,13 @@ namespace hair {
 namespace {
 
 constexpr double kLongestTurn = 0.2;     // rad that the mode turns in a step
-constexpr double kHighestTurn = 0.5;     // and the fastest one, which must stay stable
-constexpr double kMostSteps = 20000;     // beyond, fewer periods will do,
+constexpr double kHighestTurn = 0.5;     // rad for the fastest mode, which must stay stable
+constexpr double kMostSteps = 20000;     // beyond, fewer periods are enough,
 constexpr double kFewestPeriods = 1.75;  // as long as it changes its sign three times
 constexpr int kStepsInARow = 1000;       // between looks at Ctrl-C
 
-// How far all masses are out in the mode: the product with its shape that leaves other modes out, for shapes
-// are orthogonal in the masses.
+// The amplitudes of all masses in the mode: a product with its shape that removes other modes, because shapes
+// are orthogonal with masses as weights.
 Eigen::VectorXd weights_of(const HangingChain& chain, const Eigen::VectorXd& angles) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(3 * chain.count() + 3);
   double sideways = 0;

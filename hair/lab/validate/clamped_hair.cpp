@@ -38,7 +38,7 @@ std::unique_ptr<MovingStrand> under_gravity(const StrandStart& start, const Vect
   return moving;
 }
 
-// Newton's method on cos(b) + 1 / cosh(b), which does not overflow, from where the cosine is 0.
+// Newton's method on cos(b) + 1 / cosh(b), which does not overflow, from a zero of the cosine.
 double clamped_beam_root(int mode) {
   double b = (mode - 0.5) * std::numbers::pi;
   for (int i = 0; i < 20; ++i)
@@ -57,7 +57,7 @@ BeamModes beam_modes(const StrandStart& start) {
   const Eigen::MatrixXd K = planar_stiffness(strand->force, start.state.x);
   const int n = start.strand.segments();
   const Eigen::VectorXd weights = start.strand.mass.tail(n).cwiseSqrt().cwiseInverse();
-  // Of a particle's two unknowns, the one that is down.
+  // Each particle has two unknowns; this takes the vertical one.
   const Eigen::MatrixXd sideways = K(Eigen::seqN(1, n, 2), Eigen::seqN(1, n, 2));
   const solver::SymmetricEigen eigen =
       solver::symmetric_eigen(weights.asDiagonal() * sideways * weights.asDiagonal());

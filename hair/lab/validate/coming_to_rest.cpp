@@ -22,7 +22,7 @@ struct Settled {
   double speed = 0;   // m/s, of the fastest particle at the end
 };
 
-// Moves hair until drag has brought it to rest.
+// Moves hair until drag brings it to rest.
 //
 // Uses critical drag for an oscillation of `slowest` = w rad/s, so that all faster ones decay at least like
 // exp(-w t); runs for 60 / w seconds. H4 and H6 add their own damping, w^2 h for an oscillation w. So the

@@ -9,7 +9,7 @@ namespace hair {
 
 namespace {
 
-// From the first and the last time that it is 0, and how often in between; NaN for fewer than three times.
+// From the first and the last zero, and the number of zeros in between; NaN for fewer than three.
 double frequency_of_signs(const Eigen::VectorXd& samples) {
   double first = 0, last = 0;
   int count = 0;
@@ -23,7 +23,7 @@ double frequency_of_signs(const Eigen::VectorXd& samples) {
 }
 
 constexpr int kMostGaussNewtonSteps = 30;
-constexpr double kClose = 1e-14, kCloseEnough = 1e-10;  // to end; to have found something after all steps
+constexpr double kClose = 1e-14, kCloseEnough = 1e-10;  // ends the iteration; a result after all steps
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace hair {
 // A sinusoid in a signal.
 struct Sinusoid {
   double frequency = 0;  // rad for each sample; NaN if there is none or the fit does not converge
-  double decay = 0;      // of the amplitude, for each sample
+  double decay = 0;      // the amplitude's, for each sample
   double amplitude = 0;
   double residual = 0;  // root mean square of signal minus fit
 };

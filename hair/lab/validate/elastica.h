@@ -62,7 +62,7 @@ Elastica elastica(double gamma, double stretch = 0,
 
 // ---- A hanging strand with a horizontal clamp, and its deviation from the elastica ----
 
-// Whether segments are shorter than the boundary layer at the clamp: only then errors have an order.
+// True if segments are shorter than the boundary layer at the clamp: only then errors have an order.
 bool has_an_order(double gamma, int segments);
 
 // The ratio of the error's second term to its first. In the boundary layer at the clamp, 4 n^2 sinh^2(mu /

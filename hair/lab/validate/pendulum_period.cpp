@@ -23,9 +23,8 @@ Swing swing_of(const HangingChain& chain, const particles::State& state) {
   return {angle, (state.v[3] * std::cos(angle) + state.v[5] * std::sin(angle)) / chain.link};
 }
 
-// Which part of a step of h it takes from `before` to hang straight: a zero of the cubic with both angles and
-// rates. Where a pendulum hangs its angle's second and fourth derivatives are 0, so that this is better than
-// most methods.
+// The part of a step of h from `before` until it hangs straight: a zero of the cubic with both angles and
+// rates. There the angle's second and fourth derivatives are 0, so this is better than most methods.
 double part_until_straight(const Swing& before, const Swing& after, double h) {
   const auto angle = [&](double t) {
     const double u = 1 - t;
@@ -40,8 +39,8 @@ double part_until_straight(const Swing& before, const Swing& after, double h) {
   return low;
 }
 
-// Of the error's series a h^p + b h^(p+1) + ... two runs take away the first term (L. F. Richardson): with
-// `coarse` of steps of h and `fine` of h/2.
+// Two runs remove the first term of the error's series a h^p + b h^(p+1) + ... (L. F. Richardson): `coarse`
+// with steps of h and `fine` with h/2.
 double extrapolated(double coarse, double fine, int order) {
   return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
@@ -143,7 +142,7 @@ double period_ratio(double angle) {
 double measured_period_ratio(const ChainMethod& method, double angle, int steps_per_small_period,
                              const ValidationSettings& settings) {
   HangingChain chain{Eigen::VectorXd::Constant(1, 1e-7)};
-  // Each step stretches by that much, and the correction's damping adds up over more, smaller steps.
+  // Each step stretches by this much, and the correction's damping adds up over more, smaller steps.
   chain.stretch = 1e-11;
   const double small_period = 2 * std::numbers::pi / std::sqrt(chain.square_unit());
   const double h = small_period / steps_per_small_period;

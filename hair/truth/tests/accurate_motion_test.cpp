@@ -56,7 +56,7 @@ TEST(AccurateMotion, KeepsTheEnergyWithoutDrag) {
       << "with a kinetic energy of " << kinetic << " J";
 }
 
-// y' = -y, which someone interrupts when it is asked for the 20th time.
+// y' = -y, interrupted at the 20th evaluation.
 class Interrupting : public hair::Ode {
  public:
   explicit Interrupting(std::atomic<bool>& interrupted) : interrupted_(interrupted) {}

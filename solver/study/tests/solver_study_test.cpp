@@ -249,7 +249,7 @@ TEST(IterationsNeededTest, AreOnlyThoseThatLedThere) {
   EXPECT_EQ(iterations_needed(no_numbers, system, 1000), std::nullopt);
 }
 
-// k + 1 different eigenvalues take k + 1 iterations, whatever the condition number: so it is with Eigen's.
+// k + 1 different eigenvalues take k + 1 iterations, for any condition number, and so with Eigen's method.
 TEST(PreconditionedTest, ALinkedStrandTakesAsManyIterationsAsItHasEigenvalues) {
   const ConjGradFunction solve = eigen;
   for (const double step : {1e-4, 1e-2}) {
@@ -265,7 +265,7 @@ TEST(PreconditionedTest, ALinkedStrandTakesAsManyIterationsAsItHasEigenvalues) {
   }
 }
 
-// The solver is asked for as many iterations as before, and not for those that it says it took.
+// The solver is called with as many iterations as before, and not with the number that it reported.
 TEST(HistoryTest, TimesWhatWasAskedFor) {
   const System system = spread_system(10, 10);
   int smallest = 1 << 30;

@@ -62,7 +62,7 @@ TEST(KnownOrders, OfAPendulum) {
   expect_order(study, "h4-filtered", 1);
 }
 
-// Once its errors are below what the reference knows, a method has no finer steps, and none of these errors
+// Once its errors are below the reference's accuracy, a method has no finer steps, and none of these errors
 // is quoted.
 TEST(KnownOrders, ASweepEndsAtTheFloor) {
   const hair::Study study = studied(kPendulum, 0.1, {"runge-kutta-4"}, 1e7).whole();

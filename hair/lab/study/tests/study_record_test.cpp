@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// As it is read: a number that is none is null.
+// The JSON as a reader sees it: NaN is null.
 Json json_of(const hair::Study& study) {
   return Json::parse(hair::record_text(hair::study_json(study)));
 }
@@ -42,7 +42,7 @@ TEST(StudyRecord, ErrorsBelowTheFloorAreNoNumbers) {
           << norm << ": " << error;
 }
 
-// A position that is known at the end alone says nothing of whether smaller steps make a difference.
+// A position that is known only at the end does not show whether smaller steps make a difference.
 TEST(StudyRecord, ASweepDoesNotStallWhereNothingIsKnownOfItsErrors) {
   const Studied all = studied(kPendulum, 0.1, {"midpoint"}, 1e6);
   hair::Study study = all.empty();

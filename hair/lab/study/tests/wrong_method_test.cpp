@@ -11,7 +11,7 @@
 
 namespace particles {
 
-// Right, until it throws: what falls is as fast after 2 ms, before the first of the study's moments.
+// Correct until it throws, which is after 2 ms of a fall, before the first of the study's moments.
 void forward_euler(Dynamics& dynamics, double h, Output x, Output v, Scratch scratch) {
   dynamics.acceleration(x, v, scratch.col(0));
   x += h * v;

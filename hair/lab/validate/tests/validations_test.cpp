@@ -37,9 +37,9 @@ INSTANTIATE_TEST_SUITE_P(All, Validations, testing::ValuesIn(all_validations({})
   return name;
 });
 
-// --- What is wrong ---
+// --- Wrong models ---
 
-// A method that is asked to swing a chain, and swings another.
+// A wrong method: it swings another chain than the given one.
 template <const ChainMethod& (*method)(), void (*change)(HangingChain&)>
 std::unique_ptr<MovingChain> start_changed(const HangingChain& chain, const particles::State& state,
                                            double step) {
@@ -83,7 +83,7 @@ TEST(Oscillations, ATipTooLightOrALittleMoreGravityOrAnotherDispersionIsFoundOut
   EXPECT_GT(error_over_tolerance(wrong), 1000);
 }
 
-// What a student's method may do: no number at all from the third step on.
+// A student's method may return NaN, here from the third step on.
 class BrokenChain : public MovingChain {
  public:
   explicit BrokenChain(const particles::State& state) : state_(state) {}
@@ -121,7 +121,7 @@ TEST(Oscillations, ALostOrderIsFoundOutAtEachAngle) {
     EXPECT_GT(std::abs(check.error()), check.tolerance) << check.id;
 }
 
-// What the frequency of a mode is off by, relative, over what theory says.
+// The relative error of a mode's frequency, over theory's.
 double frequency_error(int segments, int mode, const StrandStart& start) {
   const double length = start.strand.rest_length.sum();
   const double root = beam_root_of({}, length, beam_modes(start).frequencies[mode - 1]);
@@ -138,8 +138,8 @@ TEST(Bending, FrequenciesOfAWholeSegmentsMassAtTheTipAreTooLow) {
   }
 }
 
-// Gamma is known to the error's next term, about its square, and to W / EA of the height, cubed: 2.8e-5 of 10
-// segments.
+// Gamma is accurate to the error's next term, about its square, and to W / EA of the height, cubed: 2.8e-5
+// for 10 segments.
 TEST(Bending, HairThatIsHeavierByATenThousandthBucklesWhereItShouldStand) {
   const Material material;
   const double height = length_of(material, (1 - 5e-5) * strand_greenhill(10));
@@ -165,7 +165,7 @@ TEST(Sinusoid, WhatIsNoneHasNoFrequency) {
   EXPECT_TRUE(std::isnan(fit_sinusoid(samples).frequency));
 }
 
-// Its frequency triples on the way: there is no best one in reach of the steps.
+// Its frequency triples on the way: no single frequency fits.
 TEST(Sinusoid, AFitThatDoesNotConvergeHasNoFrequency) {
   Eigen::VectorXd samples(50);
   for (int k = 0; k < 50; ++k) samples[k] = std::cos(0.2 * k + 0.004 * k * k);
