@@ -8,8 +8,8 @@
 //
 //   x = x_8b + (x_8b - x_4b) / (2^p - 1),   p = log2(|x_4b - x_2b| / |x_8b - x_4b|).
 //
-// The segments are rigid: stretching moves hair by a millionth of its length, and space errors are thousands of
-// times larger. Softer strands, which would take minutes, have no such error here.
+// The segments are rigid: stretching moves hair by a millionth of its length, and space errors are thousands
+// of times larger. Softer strands, which would take minutes, have no such error here.
 #pragma once
 
 #include <atomic>

@@ -9,7 +9,7 @@ namespace hair {
 
 struct RootMotion {
   Vector3d position, velocity, acceleration;  // m, m/s, m/s^2
-  Vector3d tangent, normal;                   // of length 1
+  Vector3d tangent, normal;                   // unit vectors
 };
 
 class StrandRoot {

@@ -1,5 +1,5 @@
-// A head that moves with its hair: all of its strands, or some of them, simulated with the exercises, strand by
-// strand.
+// A head that moves with its hair: all of its strands, or some of them, simulated with the exercises, strand
+// by strand.
 //
 // The hair has stretch, bending, gravity, drag in the air, and collides with the head if that is
 // asked for. Strands do not touch each other. Times are frames: kFrame s, of kStepsPerFrame equal steps.
@@ -36,8 +36,8 @@ class MovingHead {
   // `which` of the head's strands: ascending. With H1, H2 (for straight hair) and H4.
   MovingHead(const GrownHead& head, std::span<const std::size_t> which, const MovingHeadSettings& settings);
 
-  // To the next frame; the CPU time that it took. Throws std::runtime_error if a strand breaks; passes on what
-  // exercises throw.
+  // To the next frame; the CPU time that it took. Throws std::runtime_error if a strand breaks; passes on
+  // what exercises throw.
   double advance();
   // Strand after strand, 3n numbers each, m; valid until the next advance().
   std::span<const double> points();

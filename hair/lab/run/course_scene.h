@@ -10,7 +10,8 @@
 
 namespace hair {
 
-// The names of the scenes that come with the project, in alphabetical order: "bead-on-wire", ..., from the *.json files in the folder.
+// The names of the scenes that come with the project, in alphabetical order: "bead-on-wire", ..., from the
+// *.json files in the folder.
 std::vector<std::string> shipped_scenes(const std::filesystem::path& folder);
 
 // The path of `scene`: a file, or the name of a shipped scene. Throws BadInput with a list of the shipped

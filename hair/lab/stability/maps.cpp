@@ -37,7 +37,8 @@ struct Station {
   double drag;
 };
 
-// The largest step with which nothing grows by more than `growth` in a step; infinity if H6's is above `most`.
+// The largest step with which nothing grows by more than `growth` in a step; infinity if H6's is above
+// `most`.
 double limit_of(const Description& hair, const StudyMethod& method, const Station& station, double growth,
                 double most) {
   const Hanging& hanging = station.hanging;

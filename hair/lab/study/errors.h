@@ -1,6 +1,7 @@
 // The distance of a run from the accurate motion, in several norms, at the problem's moments.
 //
-// Let x_i be the run's particles and y_i the accurate ones, and l_j and m_j the lengths of their segments (or springs and rods):
+// Let x_i be the run's particles and y_i the accurate ones, and l_j and m_j the lengths of their segments (or
+// springs and rods):
 //
 //   final_largest     max_i |x_i - y_i| at the end, m
 //   final_rms         sqrt(mean_i |x_i - y_i|^2) at the end, m

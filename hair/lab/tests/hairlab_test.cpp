@@ -104,8 +104,8 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_GT(record["seconds"]["simulate"], 0);
 }
 
-// 1 kg on a rod of 1 m, level and at rest at the start, so that E = 0. RK4 with steps of 1/600 s; a swing turns
-// by 3.9 rad/s at most, (3.9 / 600)^4 = 2e-9 a step, 600 steps.
+// 1 kg on a rod of 1 m, level and at rest at the start, so that E = 0. RK4 with steps of 1/600 s; a swing
+// turns by 3.9 rad/s at most, (3.9 / 600)^4 = 2e-9 a step, 600 steps.
 TEST_F(Hairlab, MeasuresAPendulumAsItsClosedFormSays) {
   ASSERT_EQ(play(kPendulum).code, 0);
   const Json frames = read_run(out_)["frames"];

@@ -1,4 +1,5 @@
-// The frequency of an oscillation, from a signal: the fit of a sinusoid, without what the integrator made of it.
+// The frequency of an oscillation, from a signal: the fit of a sinusoid, without what the integrator made of
+// it.
 //
 // An integrator changes a frequency: an oscillation x'' = -w^2 x, taken in steps of h, gets another frequency
 // W. W is measured, and the functions undo_... compute w from it.

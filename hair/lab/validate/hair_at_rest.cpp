@@ -16,7 +16,7 @@ namespace {
 
 struct Rest {
   int segments;
-  double error;  // of the tip, over L; NaN, if none was found
+  double error;  // the tip's, over L; NaN if no balance was found
 
   // The fourth-order curve of the strand, over L; 0 if the strand has too few segments for it.
   double expected = 0;   // the tip's error

@@ -1,5 +1,5 @@
-// STAFF ONLY. The reference swings, bends and comes to rest as theory says: each validation's checks hold. And a
-// method, a mass or a moment that is a little wrong is found out.
+// STAFF ONLY. The reference swings, bends and comes to rest as theory says: each validation's checks hold.
+// And a method, a mass or a moment that is a little wrong is found out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -112,8 +112,8 @@ TEST(Oscillations, WhatBreaksDoesNotHoldAndIsShown) {
   }
 }
 
-// H6 is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving steps
-// changes it by as much as that error: no measure of what is left.
+// H6 is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving
+// steps changes it by as much as that error: no measure of what is left.
 TEST(Oscillations, ALostOrderIsFoundOutAtEachAngle) {
   ChainMethod lost = chain_by_h6();
   lost.order = 2;
