@@ -87,8 +87,7 @@ Section section_of_hair(const StabilityReport& report) {
       (report.segments == report.scene_segments
            ? std::string(".")
            : ", which the scene has in " + std::to_string(report.scene_segments) + " segments.") +
-      " The fastest motion along it, or about it, goes with n / length, so that limits of explicit methods "
-      "do, too, "
+      " The fastest motion along it goes with n / length, so that limits of explicit methods do, too, "
       "inversely.");
   if (report.was_curved)
     section.paragraphs.emplace_back(
@@ -161,12 +160,11 @@ CellMap figure_of(const StabilityMap& map) {
 Page page_of(const StabilityReport& report) {
   Page page{report.scene + ": where each method breaks"};
   page.paragraphs = {
-      "The scene's first strand hangs straight down at rest, and every oscillation that it can make, along, "
-      "across and about itself, is given the same little energy: so little that no segment comes out of "
-      "tension. Each cell of a map is a run from there, with its step size and its stiffness (the moduli: "
-      "EA, "
-      "EI and GJ together, as far as the model has them) or drag. The start is the study's own: what else is "
-      "in the scene does not matter.",
+      "The scene's first strand hangs straight down at rest, and every oscillation that it can make, along "
+      "it "
+      "and across it, is given the same little energy: so little that no segment comes out of tension. Each "
+      "cell of a map is a run from there, with its step size and its stiffness (EA and EI together) or drag. "
+      "The start is the study's own: what else is in the scene does not matter.",
       "Blown up: the simulation says so, or the hair moves with more energy than it would take to throw it "
       "over its root "
       "(2 m g L). Wrong: all numbers are finite, but at some moment an oscillation has 100 times the energy "
