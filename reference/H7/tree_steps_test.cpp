@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "hair/lab/validate/hanging_chain.h"
 #include "reference/H7/link_trees_for_tests.h"
 #include "solver/test_allocations.h"
 #include "solver/test_numbers.h"
@@ -22,32 +21,6 @@ TreeForces weight() {
   TreeForces forces;
   forces.gravity = Vector3d(0, 0, -kGravity);
   return forces;
-}
-
-VectorXd accelerations(TreeSystem& system, const VectorXd& q) {
-  const VectorXd rates = VectorXd::Zero(system.tree().rates());
-  VectorXd a(rates.size());
-  system.accelerations({}, q, rates, 0, {}, a);
-  return a;
-}
-
-// omega_k^2 = (g / l) x_k. The derivative of the accelerations by central differences of e has an error of
-// e^2 and one of rounding, 1e-16 / e, both times x_n: with e = 1e-5 about 1e-10.
-TEST(TreeSteps, AHangingChainHasLaguerresFrequencies) {
-  for (const int n : {2, 10, 20}) {
-    const double l = 0.3, e = 1e-5;
-    TreeSystem system(point_chain(n, l, 2), weight());
-    MatrixXd derivative(n, n);
-    for (int k = 0; k < n; ++k) {
-      const VectorXd q = e * VectorXd::Unit(n, k);
-      derivative.col(k) = (accelerations(system, q) - accelerations(system, -q)) / (2 * e);
-    }
-    VectorXd squared = -derivative.eigenvalues().real() * l / kGravity;
-    std::sort(squared.begin(), squared.end());
-    const VectorXd zeros = hair::laguerre_zeros(n);
-    for (int k = 0; k < n; ++k)
-      EXPECT_NEAR(squared[k], zeros[k], 1e-8 * zeros[n - 1]) << n << " links, mode " << k;
-  }
 }
 
 using Step = void (TreeSteps::*)(const TreeBase&, double, std::span<const hair::LinkForce>, hair::Output,
