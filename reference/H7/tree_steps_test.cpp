@@ -23,6 +23,13 @@ TreeForces weight() {
   return forces;
 }
 
+VectorXd accelerations(TreeSystem& system, const VectorXd& q) {
+  const VectorXd rates = VectorXd::Zero(system.tree().rates());
+  VectorXd a(rates.size());
+  system.accelerations({}, q, rates, 0, {}, a);
+  return a;
+}
+
 using Step = void (TreeSteps::*)(const TreeBase&, double, std::span<const hair::LinkForce>, hair::Output,
                                  hair::Output);
 
