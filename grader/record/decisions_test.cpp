@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "grader/course/input.h"
 #include "grader/record/changes.h"
 #include "grader/record/record.h"
