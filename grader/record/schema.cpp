@@ -103,7 +103,7 @@ CREATE TABLE listed_files (
 ) STRICT;
 )";
 
-// Records that were begun before extra credit had a share keep their totals.
+// Records that began before extra credit had a share keep their totals.
 constexpr const char* kExtraCredit = R"(
 ALTER TABLE class ADD COLUMN all_extra_credit INTEGER NOT NULL DEFAULT 0;  -- 1: it has no share
 UPDATE class SET all_extra_credit = EXISTS (SELECT 1 FROM assignments WHERE made_by <> '' OR rules <> '')

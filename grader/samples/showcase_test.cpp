@@ -101,7 +101,7 @@ TEST(Showcase, HoldsWhatIsMarkedAndNothingElse) {
   EXPECT_EQ(packed(HAIR_FIRST_SAMPLES), first);
 }
 
-// By the exercise that is not right.
+// The exercise that is not right decides the kind.
 TEST(FirstSamples, AreTwelveKinds) {
   std::map<std::string, std::set<std::string>> kinds;
   for (const Sample& sample : shown()) {

@@ -42,8 +42,8 @@ std::string folder_of_hand_in(const std::string& name) {
 std::vector<CourseHandIn> read_hand_ins(const Course& course,
                                         const std::optional<std::filesystem::path>& course_json) {
   if (!course_json) return {{"", {}}};
-  const nlohmann::json document = read_json(*course_json);
-  const JsonValue file(document, *course_json);
+  const hair::JsonDocument document = hair::read_document(*course_json);
+  const JsonValue file(*document, *course_json);
   HandInRules common;
   if (file.has("hand_in")) {
     read_rules(file["hand_in"], common);

@@ -154,7 +154,7 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
             std::string::npos);
 }
 
-// Records of version 7 are without the share.
+// Records of version 7 have no share.
 TEST_F(HandIns, OfARecordThatBeganWithoutAShareOfExtraCreditHaveNone) {
   SubmissionResult alice = result_of("alice", "S1", 10);
   alice.exercises.push_back(alice.exercises.front());

@@ -30,7 +30,7 @@ namespace grader::inline record {
 
 // Counts the categories of each exercise from 1.
 std::vector<PointsThen> points_then(const SubmissionResult& result);
-// As the log has them in its entry's detail; errors name it `name`.
+// Reads them from the detail of the log's entry; errors name it `name`.
 std::vector<PointsThen> points_then(const std::string& detail, const std::string& name);
 
 }  // namespace grader::record

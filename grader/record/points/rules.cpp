@@ -29,7 +29,7 @@ double per_cent_of(const HandInRules& rules, const Lateness& late) {
   return std::min(rules.late_per_cent_at_most, (late.days - late.free_days) * rules.late_per_cent_a_day);
 }
 
-// The result has the extra credit that counts.
+// Takes a result with the extra credit that counts.
 Lateness lateness_of(const HandInRules& rules, const SubmissionResult& result, const std::string& handed_in,
                      const MoreDays& more) {
   const std::optional<TimeText> time = read_time(handed_in);

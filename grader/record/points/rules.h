@@ -30,7 +30,7 @@
 namespace grader::inline record {
 
 inline constexpr double kExtraCreditShare = 0.1;
-// The share in a record that was begun before there was one.
+// Is the share in a record that began before shares did.
 inline constexpr double kAllExtraCredit = std::numeric_limits<double>::infinity();
 
 enum class LateOf { reached, reachable };

@@ -73,7 +73,7 @@ TEST(Lateness, TakesAShareOfWhatIsReachedOrReachable) {
 
 TEST(ExtraCredit, MakesUpForATenthAndNoMoreUnlessTheCourseSaysSo) {
   struct Row {
-    double assigned, extra;  // of 100 and of 50
+    double assigned, extra;  // at most 100 and 50
     std::optional<double> share;
     double total_per_cent, total;
     const char* remark;

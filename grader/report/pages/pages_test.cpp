@@ -290,7 +290,7 @@ TEST(Pages, TheClassShowsEverySubmissionAndStatus) {
     EXPECT_GE(count(page, hair::escaped(to_string(status))), 1u) << to_string(status);
 }
 
-// A tenth of the full points of both, as each hand-in has it.
+// Both hand-ins have the share of a tenth.
 TEST(CourseTotals, HaveExtraCreditUpToTheSharesOfAllHandIns) {
   using Cell = CourseTable::Cell;
   struct Row {

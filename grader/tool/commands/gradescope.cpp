@@ -26,7 +26,7 @@ struct GradescopeOptions {
 // Writes results.json in any case, and then throws the error, if there is one.
 int grade_on_gradescope(GradescopeOptions options) {
   Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
-  // Gradescope takes off for lateness.
+  // Gradescope itself takes off points for lateness.
   const HandInRules rules = read_hand_in(course, options.settings.course, options.hand_in).rules;
   course.of_hand_in = rules.exercises;
   options.settings.of_hand_in = course.of_hand_in;

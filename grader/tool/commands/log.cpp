@@ -14,8 +14,7 @@ namespace {
 std::string in_short(const LogEntry& entry) {
   if (entry.did != "graded") return entry.detail;
   double sum = 0;
-  for (const PointsThen& one : points_then(entry.detail, "the log"))
-    sum += one.points;
+  for (const PointsThen& one : points_then(entry.detail, "the log")) sum += one.points;
   return shown_points(sum) + " points computed";
 }
 
