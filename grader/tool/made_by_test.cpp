@@ -94,7 +94,7 @@ TEST(MadeBy, TellsWhatDiffersAndTheWayOut) {
        other + "S2 is worth 10 points there and 15 here, H3 is optional there and left out here, "
                "H4 is given there and assigned here. ",
        course},
-      {[](MadeBy& here) { here.exercises.pop_back(); }, "", ""},  // what is not known is left out
+      {[](MadeBy& here) { here.exercises.pop_back(); }, "", ""},  // an unknown exercise is left out
       {[](MadeBy& here) {
          here.exercises.push_back({"X1", Role::assigned, 1});
        },

@@ -181,7 +181,7 @@ TEST_P(Bodies, VelocitiesAreThoseOfTheLine) {
   EXPECT_LE(((then.x - now.x) / h - then.v).norm(), 1e-3 * then.v.norm());
 }
 
-// A root that turns by half a radian, and moves, takes the whole curl along: in air it is at rest there later.
+// A root that turns by half a radian, and moves, takes the whole curl along: in air, it rests there later.
 TEST_P(Bodies, FollowTheirRoot) {
   const StrandSpec spec = curly();
   const auto strand = body(spec, {.gravity = Vector3d::Zero(), .drag = 1e-3});

@@ -1,5 +1,5 @@
-// STAFF ONLY. Angular springs obey geometry and the continuum: to second order, energies do not depend on how
-// finely a strand is divided. Shapes and frequencies are in validate/. The public checks test the promises of
+// STAFF ONLY. The second products of angular springs, and the bends at which implicit steps are indefinite.
+// Shapes, frequencies and energies are in validate/. The public checks test the promises of
 // hair/angular_springs.h.
 
 #include "hair/angular_springs.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY. H5 beyond its public checks: the convergence of relaxation, and corrections in extremes.
+// STAFF ONLY. H5 beyond its public checks: corrections in extremes.
 
 #include "hair/length_correction.h"
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. Energy and angular momentum that H6 loses, and the memory that its steps and those of H4 take.
-// The public checks test the promises of hair/predictor_corrector.h.
+// STAFF ONLY. Energy and angular momentum that H6 loses. The public checks test the promises of
+// hair/predictor_corrector.h.
 
 #include "hair/predictor_corrector.h"
 

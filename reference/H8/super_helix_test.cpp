@@ -1,5 +1,4 @@
-// STAFF ONLY. H8 beyond its public checks: its sums over the points of given motions, hair at rest, and no
-// allocations.
+// STAFF ONLY. H8 beyond its public checks: its sums over the points of given motions.
 
 #include "hair/super_helix.h"
 

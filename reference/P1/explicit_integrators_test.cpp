@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particles/state.h"
 #include "solver/test_numbers.h"
 
 namespace reference_tests {

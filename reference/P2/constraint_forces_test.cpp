@@ -49,7 +49,8 @@ TEST(SolveConstraints, TakesAsManyStepsAsAChainHasRods) {
 TEST(Redundant, AllDistancesOfARigidBodyAgree) {
   // Six particles have fifteen rods; a rigid body needs twelve of them. It spins, without any force.
   ConstrainedMotion body;
-  body.particles = {(VectorXd(6) << 0.3, 2, 0.7, 5, 1.1, 0.5).finished(), std::vector<char>(6, 0)};
+  body.particles = {VectorXd(6), std::vector<char>(6, 0)};
+  body.particles.mass << 0.3, 2, 0.7, 5, 1.1, 0.5;
   body.state = {VectorXd(18), VectorXd(18)};
   body.state.x << 0, 0, 0, 1, 0, 0.2, 0, 1.1, 0, 0.3, 0.2, 1, 1.2, 0.9, 0.8, -0.7, 0.4, 0.5;
   const Vector3d spin(0.5, -1, 2);
