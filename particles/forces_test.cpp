@@ -24,7 +24,7 @@ using particles::Products;
 using particles::Spring;
 
 constexpr int kCount = 5;
-constexpr double kSize = 100;  // of the largest stiffness: what entries are made of
+constexpr double kSize = 100;  // the largest stiffness, of which entries are made
 
 VectorXd force_at(const Force& force, const VectorXd& x, const VectorXd& v) {
   VectorXd f = VectorXd::Zero(x.size());

@@ -133,9 +133,8 @@ TEST_F(Hints, NameATranspose) {
 
 TEST_F(Hints, NameWhatStoodThereBefore) {
   const Numbers expected = numbers(6), before = numbers(6);
-  EXPECT_EQ(
-      hint(before, expected, kBound, 3, before),
-      "the input, or the values from before, unchanged: never written, nothing done, or undone again?");
+  EXPECT_EQ(hint(before, expected, kBound, 3, before),
+            "the input, or the values from before, unchanged: never written, nothing done, or undone again?");
   EXPECT_EQ(hint(expected, expected, kBound, 3, expected), "") << "where nothing is to be changed";
   EXPECT_EQ(hint(numbers(6), expected, kBound, 3, before), "");
 }

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
+#include "hair/obstacles/test_placed_ball.h"
 #include "hair/scene_drawing/scene_bounds.h"
 #include "hair/strand/make_strand.h"
-#include "hair/obstacles/test_placed_ball.h"
 
 namespace hair {
 namespace {

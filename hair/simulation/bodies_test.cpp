@@ -6,11 +6,11 @@
 #include <ostream>
 
 #include "hair/lab/validate/elastica.h"
+#include "hair/obstacles/test_placed_ball.h"
 #include "hair/simulation/models.h"
 #include "hair/strand/centre_line.h"
 #include "hair/strand/implicit_contacts.h"
 #include "hair/strand/test_bodies.h"
-#include "hair/obstacles/test_placed_ball.h"
 #include "hair/strand/turns.h"
 #include "solver/test_allocations.h"
 

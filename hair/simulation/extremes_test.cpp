@@ -32,7 +32,7 @@ Eigen::VectorXd zigzag(int n, double length) {
 
 struct ExtremeState {
   const char* name;
-  void (*change)(particles::State& state);  // of any strand with at least four particles
+  void (*change)(particles::State& state);  // the strand has at least four particles
 };
 const ExtremeState kExtremeStates[] = {
     {"all particles in one place", [](particles::State& state) { state.x.setZero(); }},

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/io/files/digest.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/digest.h"
 #include "hair/simulation/models.h"
 #include "particles/require.h"
 

@@ -3,10 +3,11 @@
 //
 //   program, quick, machine, format, threads
 //   frames_per_second, steps_per_frame, moving     of the motion: `moving` frames are measured
-//   cases      hair, head (whether it collides), simulated_by ("exercises"), strands, points (of a strand), length (m),
-//              seconds (CPU time of every strand simulated), runs
-//   runs       guides, simulation (CPU s of the guides), modes: for each way of synthesis (interpolate, extrapolate, blend) synthesis
-//              (CPU s), and the errors start, end, all, motion (head_errors.h), each with rms and most, m
+//   cases      hair, head (true if it collides), simulated_by ("exercises"), strands, points (in a strand),
+//              length (m), seconds (CPU time of every strand simulated), runs
+//   runs       guides, simulation (CPU s of the guides), modes: for each way of synthesis (interpolate,
+//              extrapolate, blend) synthesis (CPU s), and the errors start, end, all, motion (head_errors.h),
+//              each with rms and most, m
 //   pictures   hair, file, guides; no_pictures: why there are none, or null
 #pragma once
 
