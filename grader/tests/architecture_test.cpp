@@ -106,7 +106,7 @@ std::map<std::string, Names> read_includes() {
 
 bool is_for_tests(const std::string& path) {
   const auto has = [&](const char* part) { return path.find(part) != std::string::npos; };
-  return has("_test.") || has("_fuzz.") || has("_for_tests.") || has("/tests/");
+  return has("_test.") || has("/test_") || has("_fuzz.") || has("_for_tests.") || has("/tests/");
 }
 
 TEST(Includes, PointUpTheListsOfFolders) {
