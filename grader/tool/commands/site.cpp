@@ -32,7 +32,10 @@ Html worst_run(const std::vector<SubmissionResult>& results) {
   for (const SubmissionResult& result : results)
     for (const ExerciseResult& exercise : result.exercises)
       for (const PictureResult& picture : exercise.pictures)
-        if (picture.flip > most) most = picture.flip, worst = &exercise.pictures;
+        if (picture.flip > most) {
+          most = picture.flip;
+          worst = &exercise.pictures;
+        }
   return worst ? moments(*worst, "A wrong program's run beside the reference's", report::Ending::whole,
                          "Theirs", {})
                : Html();
@@ -59,6 +62,8 @@ std::string start_page(const std::vector<SubmissionResult>& results, const std::
 }
 
 int site(const SiteOptions& options) {
+  if (fs::exists(options.out) && !fs::is_empty(options.out))
+    throw BadInput(printable(options.out.string(), 4096) + ": is not empty; name a new folder with --out");
   const std::unique_ptr<Record> record = open_record(options.grades, "");
   Files pages;
   std::vector<SubmissionResult> results;
@@ -78,8 +83,6 @@ int site(const SiteOptions& options) {
   }
   pages["index.html"] = start_page(results, options.motions);
   check_pages(pages, {HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, read_course(HAIR_EXERCISES_JSON, {}));
-  if (fs::exists(options.out) && !fs::is_empty(options.out))
-    throw BadInput(options.out.string() + ": is not empty; name a new folder with --out");
   std::uintmax_t bytes = 0;
   for (const auto& [path, text] : pages) {
     fs::create_directories((options.out / path).parent_path());
