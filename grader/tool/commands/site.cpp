@@ -10,6 +10,8 @@
 #include "grader/report/facts/student_view.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
+#include "grader/result/json_fields.h"
+#include "grader/result/result_fields.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
@@ -72,9 +74,10 @@ int site(const SiteOptions& options) {
     if (!one) continue;
     results.push_back(for_student(one->result));
     pages["class/" + name + "/report.html"] = student_page(one->result);
-    if (one->study)
-      pages["class/" + name + "/study.html"] =
-          study_page(results.back(), one->study->own, one->study->beside_itself);
+    if (!one->study) continue;
+    pages["class/" + name + "/study.html"] =
+        study_page(results.back(), one->study->own, one->study->beside_itself);
+    pages["class/" + name + "/study.json"] = json_text(one->study->own, 1);
   }
   pages["class/index.html"] = class_page(results, {.is_public = true});
   for (const fs::path& motion : options.motions) {
