@@ -87,17 +87,17 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   fs::last_write_time(in / exercise.file, fs::file_time_type());  // makes __TIMESTAMP__ constant
 
   double taken = 0;
-  Cage cage;
+  Sandbox sandbox;
   auto run = [&](bool precompiled, bool& used) {
-    cage = toolchain_.compiling(exercise.libraries, cpu_seconds - taken);
-    cage.mounts.push_back({in, kStudentFolder});
-    cage.mounts.push_back({out, "/out", true});
-    cage.folder = kStudentFolder;
+    sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds - taken);
+    sandbox.mounts.push_back({in, kStudentFolder});
+    sandbox.mounts.push_back({out, "/out", true});
+    sandbox.folder = kStudentFolder;
     std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, build);
     const PrecompiledHeader& header = build == Build::sanitised ? precompiled_sanitised_ : precompiled_;
-    used = precompiled && header.use(exercise.libraries, cage, command);
+    used = precompiled && header.use(exercise.libraries, sandbox, command);
     command.insert(command.end(), {"-c", exercise.file, "-o", "/out/object.o"});
-    Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
+    Toolchain::Run found = toolchain_.run(sandbox, command, exercise.file);
     taken += found.cpu_seconds;
     return found;
   };
@@ -107,7 +107,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
 
   Compiled compiled{{}, own_messages(found.output, exercise.file), found.output, taken};
   if (found.ending.well()) {
-    const std::optional<std::string> object = read_written(out / "object.o", cage.limits.file_bytes);
+    const std::optional<std::string> object = read_written(out / "object.o", sandbox.limits.file_bytes);
     const std::optional<std::string> forbidden = forbidden_definition(object ? *object : "");
     if (!forbidden) {
       compiled.object = out / "object.o";
@@ -116,7 +116,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
     compiled.messages += "the file defines " + *forbidden + "; no exercise needs it\n";
     return compiled;
   }
-  toolchain_.prove_it_compiles(cage);
+  toolchain_.prove_it_compiles(sandbox);
   if (const std::string wide = told_if_wide(source, exercise.file); !wide.empty())
     compiled.messages = wide;
   else
@@ -137,13 +137,13 @@ Compiled Compiler::look_for_switches(const Exercise& exercise, const std::string
   share_with_sandbox(in, false);
   std::ofstream(in / exercise.file, std::ios::binary) << source;
   fs::permissions(in / exercise.file, fs::perms(0644));
-  Cage cage = toolchain_.compiling(exercise.libraries, cpu_seconds);
-  cage.mounts.push_back({in, kStudentFolder});
-  cage.mounts.push_back({out, "/out", true});
-  cage.folder = kStudentFolder;
+  Sandbox sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds);
+  sandbox.mounts.push_back({in, kStudentFolder});
+  sandbox.mounts.push_back({out, "/out", true});
+  sandbox.folder = kStudentFolder;
   std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, Build::sanitised);
   command.insert(command.end(), {"-E", exercise.file, "-o", "/out/text"});
-  const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
+  const Toolchain::Run found = toolchain_.run(sandbox, command, exercise.file);
   Compiled compiled{{}, {}, found.output, found.cpu_seconds};
   const std::optional<std::string> text =
       found.ending.well() ? read_written(out / "text", kMostText) : std::nullopt;
@@ -163,26 +163,27 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
                               Build build) const {
   constexpr std::size_t kLargestObject = 8 << 20;
   const fs::path out = writable_folder(job / "linked");
-  Cage cage = toolchain_.linking(cpu_seconds);
-  cage.mounts.push_back({job / "object", "/object"});
-  cage.mounts.push_back({out, "/out", true});
-  cage.mounts.push_back({toolchain_.kit().folder() / "export" / (exercise.id + ".map"), "/export.map"});
+  Sandbox sandbox = toolchain_.linking(cpu_seconds);
+  sandbox.mounts.push_back({job / "object", "/object"});
+  sandbox.mounts.push_back({out, "/out", true});
+  sandbox.mounts.push_back({toolchain_.kit().folder() / "export" / (exercise.id + ".map"), "/export.map"});
   std::vector<std::string> command = toolchain_.link_command(build);
   // Other exercises' objects find it under its name when all run together.
   command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
                                  "-o", "/out/" + exercise.id + ".so", "/object/object.o"});
   for (const std::string& id : exercise.prerequisites) {
-    cage.mounts.push_back({toolchain_.kit().folder() / "provided" / (id + ".so"), "/provided/" + id + ".so"});
+    sandbox.mounts.push_back(
+        {toolchain_.kit().folder() / "provided" / (id + ".so"), "/provided/" + id + ".so"});
     command.push_back("/provided/" + id + ".so");
   }
-  cage.mounts.push_back({toolchain_.kit().folder() / "given", "/given"});
+  sandbox.mounts.push_back({toolchain_.kit().folder() / "given", "/given"});
   for (const std::string& library : exercise.libraries) command.push_back("/given/" + library + ".a");
   command.push_back("/given/standard.a");
 
-  const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
+  const Toolchain::Run found = toolchain_.run(sandbox, command, exercise.file);
   Compiled compiled{{}, {}, found.output, found.cpu_seconds};
   if (!found.ending.well()) {
-    toolchain_.prove_it_links(cage);
+    toolchain_.prove_it_links(sandbox);
     const std::string names = undefined_names(found.output);
     compiled.messages =
         "the file compiles, but does not link: neither it, nor the exercises that it needs, nor the given "

@@ -187,13 +187,13 @@ TEST_F(CompilerTest, IsNotToldByTheFileThatTheMachineFails) {
 
 TEST_F(CompilerTest, ProvesThatTheMachineFails) {
   const Toolchain toolchain(kit_, isolation_for_tests());
-  Cage cage = toolchain.compiling({}, 5);
-  EXPECT_NO_THROW(toolchain.prove_it_compiles(cage));
+  Sandbox sandbox = toolchain.compiling({}, 5);
+  EXPECT_NO_THROW(toolchain.prove_it_compiles(sandbox));
   EXPECT_NO_THROW(toolchain.prove_it_links(toolchain.linking(5)));
-  cage.limits.memory_bytes = std::size_t{20} << 20;  // is less than the compiler itself needs
-  EXPECT_THROW(toolchain.prove_it_compiles(cage), std::runtime_error);
-  cage.mounts.clear();
-  EXPECT_THROW(toolchain.prove_it_links(cage), std::runtime_error);
+  sandbox.limits.memory_bytes = std::size_t{20} << 20;  // is less than the compiler itself needs
+  EXPECT_THROW(toolchain.prove_it_compiles(sandbox), std::runtime_error);
+  sandbox.mounts.clear();
+  EXPECT_THROW(toolchain.prove_it_links(sandbox), std::runtime_error);
 }
 
 // A bomb is compiled once, with the precompiled header, up to its limit.

@@ -23,12 +23,12 @@ constexpr const char* kText = "#include \"particles/usual.h\"\n";
 
 }  // namespace
 
-bool PrecompiledHeader::use(const std::vector<std::string>& libraries, Cage& cage,
+bool PrecompiledHeader::use(const std::vector<std::string>& libraries, Sandbox& sandbox,
                             std::vector<std::string>& command) const {
   if (libraries != kLibraries) return false;
   std::call_once(made_, [this] { make(); });
   if (folder_.empty()) return false;
-  cage.mounts.push_back({folder_, "/precompiled"});
+  sandbox.mounts.push_back({folder_, "/precompiled"});
   command.insert(command.end(), {"-include", "/precompiled/given.h"});
   return true;
 }
@@ -71,14 +71,14 @@ std::optional<std::string> PrecompiledHeader::compile() const {
   fs::permissions(in / "given.h", fs::perms(0644));
   const fs::path out = writable_folder(job / "object");
 
-  Cage cage = toolchain_.compiling(kLibraries, kMostSeconds);
-  cage.limits.file_bytes = kMostBytes;
-  cage.mounts.push_back({in, kStudentFolder});
-  cage.mounts.push_back({out, "/out", true});
-  cage.folder = kStudentFolder;
+  Sandbox sandbox = toolchain_.compiling(kLibraries, kMostSeconds);
+  sandbox.limits.file_bytes = kMostBytes;
+  sandbox.mounts.push_back({in, kStudentFolder});
+  sandbox.mounts.push_back({out, "/out", true});
+  sandbox.folder = kStudentFolder;
   std::vector<std::string> command = toolchain_.compile_command(kLibraries, build_);
   command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
-  const Toolchain::Run run = toolchain_.run(cage, command, "given.h");
+  const Toolchain::Run run = toolchain_.run(sandbox, command, "given.h");
   std::optional<std::string> bytes =
       run.ending.well() ? read_written(out / "given.h.gch", kMostBytes) : std::nullopt;
   std::error_code ignored;

@@ -23,7 +23,8 @@ class PrecompiledHeader {
 
   // Mounts it for exercises with these libraries, and adds the option to use it. Makes it at the first use if
   // it is not in the cache. Returns false, and changes nothing, if the exercise can't use it.
-  bool use(const std::vector<std::string>& libraries, Cage& cage, std::vector<std::string>& command) const;
+  bool use(const std::vector<std::string>& libraries, Sandbox& sandbox,
+           std::vector<std::string>& command) const;
 
  private:
   void make() const;

@@ -12,8 +12,8 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline compile {
@@ -73,65 +73,67 @@ Toolchain::Toolchain(const StagedKit& kit, Isolation isolation)
   version_ = sha256(all);
 }
 
-Toolchain::Run Toolchain::run(const Cage& cage, const std::vector<std::string>& command,
+Toolchain::Run Toolchain::run(const Sandbox& sandbox, const std::vector<std::string>& command,
                               const std::string& file) const {
   Pipe output = make_pipe();
-  const std::vector<std::string> limited = isolated() ? with_inner_limits(cage.limits, command) : command;
-  CagedProcess process(cage, limited, -1, -1, output.write_end.get());
+  const std::vector<std::string> limited = isolated() ? with_inner_limits(sandbox.limits, command) : command;
+  SandboxedProcess process(sandbox, limited, -1, -1, output.write_end.get());
   output.write_end.close();
-  Run run{{}, read_both_ends(output.read_end, kMostOutput, cage.limits.wall_seconds)};
+  Run run{{}, read_both_ends(output.read_end, kMostOutput, sandbox.limits.wall_seconds)};
   run.ending = process.wait(1);
   run.cpu_seconds = run.ending.cpu_seconds;
   run.limited =
-      run.ending.timed_out || run.ending.out_of_memory || run.cpu_seconds >= cage.limits.cpu_seconds_of_all ||
+      run.ending.timed_out || run.ending.out_of_memory ||
+      run.cpu_seconds >= sandbox.limits.cpu_seconds_of_all ||
       tool_says(run.output, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"});
   // A bomb may meet another limit in each run, but it always meets one.
   if (run.limited && !run.ending.well()) run.output = "a limit on time or memory was reached\n";
   return run;
 }
 
-void Toolchain::prove(Cage cage, const std::vector<std::string>& command) const {
-  cage.limits.cpu_seconds_of_all = cage.limits.cpu_seconds = 10;  // ignores the rest of the file's share
-  const Run control = run(cage, command, "/dev/null");
+void Toolchain::prove(Sandbox sandbox, const std::vector<std::string>& command) const {
+  sandbox.limits.cpu_seconds_of_all = sandbox.limits.cpu_seconds =
+      10;  // ignores the rest of the file's share
+  const Run control = run(sandbox, command, "/dev/null");
   if (!control.ending.well())
     throw std::runtime_error("the compiler could not run: " + printable(control.output.substr(0, 500)));
 }
 
-void Toolchain::prove_it_compiles(const Cage& cage) const {
+void Toolchain::prove_it_compiles(const Sandbox& sandbox) const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kCompile.begin(), kCompile.end());
   command.insert(command.end(), {"-x", "c++", "-c", "-", "-o", "/tmp/nothing.o"});
-  prove(cage, command);
+  prove(sandbox, command);
 }
 
-void Toolchain::prove_it_links(const Cage& cage) const {
+void Toolchain::prove_it_links(const Sandbox& sandbox) const {
   std::vector<std::string> command = link_command();
   command.insert(command.end(), {"-nostdlib", "-o", "/tmp/nothing.so", "-Wl,--version"});
-  prove(cage, command);
+  prove(sandbox, command);
 }
 
-Cage Toolchain::linking(double cpu_seconds) const {
-  Cage cage;
-  cage.mounts = system_;
-  cage.tmp_bytes = 64 << 20;
-  cage.syscalls = Syscalls::toolchain;
-  cage.limits.memory_bytes = std::size_t{2} << 30;
-  cage.limits.cpu_seconds_of_all = std::max(kLeastSeconds, cpu_seconds);
-  cage.limits.cpu_seconds = static_cast<int>(std::ceil(cage.limits.cpu_seconds_of_all));
-  cage.limits.wall_seconds = 600;  // compilers do not sleep, but machines are busy
-  cage.isolation = isolation_;
-  cage.roots = kit_.roots();
-  return cage;
+Sandbox Toolchain::linking(double cpu_seconds) const {
+  Sandbox sandbox;
+  sandbox.mounts = system_;
+  sandbox.tmp_bytes = 64 << 20;
+  sandbox.syscalls = Syscalls::toolchain;
+  sandbox.limits.memory_bytes = std::size_t{2} << 30;
+  sandbox.limits.cpu_seconds_of_all = std::max(kLeastSeconds, cpu_seconds);
+  sandbox.limits.cpu_seconds = static_cast<int>(std::ceil(sandbox.limits.cpu_seconds_of_all));
+  sandbox.limits.wall_seconds = 600;  // compilers do not sleep, but machines are busy
+  sandbox.isolation = isolation_;
+  sandbox.roots = kit_.roots();
+  return sandbox;
 }
 
-Cage Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_seconds) const {
-  Cage cage = linking(cpu_seconds);
+Sandbox Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_seconds) const {
+  Sandbox sandbox = linking(cpu_seconds);
   std::vector<std::string> folders;
   for (const std::string& library : libraries) folders.push_back(folder_of(library));
   for (const Mount& mount : header_mounts(isolation_, kit_.empty_folder(), folders))
-    cage.mounts.push_back(mount);
-  cage.mounts.push_back({kit_.folder() / "handout", "/handout"});
-  return cage;
+    sandbox.mounts.push_back(mount);
+  sandbox.mounts.push_back({kit_.folder() / "handout", "/handout"});
+  return sandbox;
 }
 
 std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grader/compile/kit.h"
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline compile {
 
@@ -30,22 +30,22 @@ class Toolchain {
   };
 
   // Runs a command about `file`.
-  Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& file) const;
+  Run run(const Sandbox& sandbox, const std::vector<std::string>& command, const std::string& file) const;
 
   // Finds whose fault a failed command is: runs the same tools in the same sandbox without a student's file.
   // Throws std::runtime_error, our fault, if that fails, too. The tools' messages decide nothing, since a
   // student's file can choose them.
-  void prove_it_compiles(const Cage& cage) const;
-  void prove_it_links(const Cage& cage) const;
+  void prove_it_compiles(const Sandbox& sandbox) const;
+  void prove_it_links(const Sandbox& sandbox) const;
 
   // Returns a sandbox for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and
   // the command to compile in it. The caller adds the input, the output, and the mounts for both.
-  Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
+  Sandbox compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
                                            Build build = Build::ordinary) const;
 
   // Returns the same for linking: a sandbox without headers.
-  Cage linking(double cpu_seconds) const;
+  Sandbox linking(double cpu_seconds) const;
   std::vector<std::string> link_command(Build build = Build::ordinary) const;
 
   const StagedKit& kit() const { return kit_; }
@@ -53,7 +53,7 @@ class Toolchain {
   const std::string& version() const { return version_; }  // changes with the compiler and its options
 
  private:
-  void prove(Cage cage, const std::vector<std::string>& command) const;
+  void prove(Sandbox sandbox, const std::vector<std::string>& command) const;
 
   const StagedKit& kit_;
   Isolation isolation_;

@@ -32,13 +32,13 @@ std::string why_not(Isolation kind, const StagedKit& kit) {
     return "bubblewrap is not installed; install the package bubblewrap";
   if (kind == Isolation::container && geteuid() != 0)
     return "it needs root, who gives each run a user of its own";
-  Cage cage;
-  cage.isolation = kind;
-  cage.roots = kit.roots();
-  cage.mounts = runtime_library_mounts();
-  cage.mounts.push_back({kit.folder() / "probe", "/probe"});
+  Sandbox sandbox;
+  sandbox.isolation = kind;
+  sandbox.roots = kit.roots();
+  sandbox.mounts = runtime_library_mounts();
+  sandbox.mounts.push_back({kit.folder() / "probe", "/probe"});
   try {
-    return open_fence(cage);
+    return open_fence(sandbox);
   } catch (const std::exception& error) {
     return error.what();
   }

@@ -14,9 +14,9 @@
 #include "grader/grading/suite_jobs.h"
 #include "grader/judge/memory_points.h"
 #include "grader/report/facts/student_view.h"
-#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/wire/memory_error.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
@@ -318,11 +318,11 @@ TEST_F(MemoryErrorsTest, AreNotLookedForWithoutAControlGroup) {
     if (!become(sandbox_identity())) _exit(3);
     const std::optional<ControlGroup> group = ControlGroup::create(std::size_t{1} << 30, 8);
     if (group && group->bounds_memory()) _exit(4);
-    Cage cage;
-    cage.isolation = Isolation::none;
-    cage.limits.memory_of_group = true;
+    Sandbox sandbox;
+    sandbox.isolation = Isolation::none;
+    sandbox.limits.memory_of_group = true;
     try {
-      CagedProcess process(cage, {"/bin/true"}, -1, -1, -1);
+      SandboxedProcess process(sandbox, {"/bin/true"}, -1, -1, -1);
       _exit(5);
     } catch (const std::runtime_error&) {
       _exit(0);

@@ -1,5 +1,5 @@
 // STAFF ONLY. The settings of grading in tests: the parts of this build, and the course as the handout has
-// it. The program's target says where they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_PLAYERS,
+// it. The program's target says where they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_RUNNERS,
 // HAIR_HIDDEN_SCENES).
 #pragma once
 
@@ -16,7 +16,7 @@ inline GradingSettings settings_for_tests() {
   settings.course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
-  settings.players = HAIR_PLAYERS;
+  settings.runners = HAIR_RUNNERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.isolation = isolation_for_tests();
   settings.memory_errors |= settings.isolation == Isolation::container;

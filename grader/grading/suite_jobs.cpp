@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLeastCpuSeconds = 2;
-constexpr int kLeastRunCpuSeconds = 3;  // a run also has a bound of its own: see grader/judge/run/player.cpp
+constexpr int kLeastRunCpuSeconds = 3;  // a run also has a bound of its own: see grader/judge/run/runner.cpp
 // A worker, all workers of an exercise, and the suite while it asks them may take this many times the
 // reference's CPU time and messages.
 constexpr double kTimesReference = 20;
@@ -67,7 +67,7 @@ std::string what_draws() {
 SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
     : settings_(settings),
       kit_(kit),
-      suite_hash_(sha256(sha256_of(settings.suite) + sha256_of(settings.players))),
+      suite_hash_(sha256(sha256_of(settings.suite) + sha256_of(settings.runners))),
       drawn_(settings.images ? what_draws() : "") {
   if (settings_.images) pictures_ = settings_.cache / "pictures" / sha256(suite_hash_ + drawn_);
 }
@@ -143,7 +143,7 @@ std::optional<WholeRunJob> SuiteJobs::whole_run(const std::string& exercise) con
   WholeRunJob run;
   run.scene = scene;
   run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
-  run.player = settings_.players / (exercise + ".so");
+  run.runner = settings_.runners / (exercise + ".so");
   run.cpu_seconds = kLeastRunCpuSeconds;
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
     run.cpu_seconds = std::max(kLeastRunCpuSeconds, cpu_limit(reference->second.run_cpu_seconds));

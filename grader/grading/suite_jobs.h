@@ -20,7 +20,7 @@ namespace grader::inline grading {
 struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grades only this one
-  std::filesystem::path kit, suite, study_program, players, scenes, cache;
+  std::filesystem::path kit, suite, study_program, runners, scenes, cache;
   std::uintmax_t cache_bytes = kCacheBytes;
   std::filesystem::path reference;  // holds its sources
   std::string secret;
@@ -44,7 +44,7 @@ class SuiteJobs {
   const GradingSettings& settings() const { return settings_; }
   const StagedKit& kit() const { return kit_; }
 
-  // Hashes everything that results depend on: kit, suite, players, scenes, secret, renderer, course.
+  // Hashes everything that results depend on: kit, suite, runners, scenes, secret, renderer, course.
   std::string fingerprint() const;
 
   // From now on a worker's limit is a multiple of the reference's time.

@@ -15,7 +15,7 @@
 
 #include "grader/course/input.h"
 #include "grader/intake/archives/archive_builder.h"
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/read_submissions.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
@@ -43,8 +43,8 @@ inline std::string zip(const std::string& path, const std::string& text = "int x
 // Opens the tests' archives: in a sandbox, if the environment's HAIR_READER names a reader.
 inline const OpenArchive& opener() {
   static const char* program = std::getenv("HAIR_READER");
-  static const std::unique_ptr<CagedReader> reader =
-      program == nullptr ? nullptr : std::make_unique<CagedReader>(program, isolation_for_tests());
+  static const std::unique_ptr<SandboxedReader> reader =
+      program == nullptr ? nullptr : std::make_unique<SandboxedReader>(program, isolation_for_tests());
   static const OpenArchive open = reader ? reader->opener() : OpenArchive(open_here);
   return open;
 }

@@ -11,7 +11,7 @@ struct Fields<WholeRunJob> {
   static const Rows<WholeRunJob>& rows() {
     using T = WholeRunJob;
     static const Rows<T> all = {field("scene", &T::scene), field("seed", &T::seed),
-                                field("player", &T::player), field("cpu_seconds", &T::cpu_seconds)};
+                                field("runner", &T::runner), field("cpu_seconds", &T::cpu_seconds)};
     return all;
   }
 };

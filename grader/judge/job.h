@@ -18,7 +18,7 @@ namespace grader::inline judge {
 struct WholeRunJob {
   std::filesystem::path scene;
   std::string seed;
-  std::filesystem::path player;  // see grader/judge/run/play.h
+  std::filesystem::path runner;  // see grader/judge/run/play.h
   int cpu_seconds = 10;
 
   bool operator==(const WholeRunJob&) const = default;

@@ -85,7 +85,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     grader::HiddenScene scene = grader::read_hidden_scene(job.whole_run->scene, job.whole_run->seed);
     grader::WorkerSetup worker = setup;
     worker.cpu_seconds = job.whole_run->cpu_seconds;
-    run.emplace(std::move(worker), job.whole_run->player, std::move(scene), job.pictures, student);
+    run.emplace(std::move(worker), job.whole_run->runner, std::move(scene), job.pictures, student);
     of_the_run.push_back(run->category(job.exercise));
   }
   std::optional<grader::MemoryErrors> memory;

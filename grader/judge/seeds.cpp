@@ -52,8 +52,8 @@ class Hash {
   crypto_generichash_state state_;
 };
 
-grader::Student uncaged(const std::string& exercise, const std::string& kit,
-                        const std::vector<std::filesystem::path>& objects) {
+grader::Student without_sandbox(const std::string& exercise, const std::string& kit,
+                                const std::vector<std::filesystem::path>& objects) {
   grader::WorkerSetup setup;
   setup.kit = std::filesystem::absolute(kit);
   setup.exercise = exercise;
@@ -87,7 +87,7 @@ int main(int argc, char* argv[]) {
   for (int seed = first; seed < first + count; ++seed) {
     // A worker has a limit of wall time, and in a build without optimisation sweeps along a hair take seconds
     // for each seed.
-    grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
+    grader::Student student = without_sandbox(exercise, argv[4], {argv + 5, argv + argc});
     for (const grader::Category& category : grader::categories(exercise)) {
       grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
       grader::Recording recording;

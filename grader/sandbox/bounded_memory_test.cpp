@@ -8,13 +8,13 @@
 
 #include <fstream>
 
-#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/launch.h"
 #include "grader/sandbox/processes/own_groups.h"
 #include "grader/sandbox/processes/staging_folder.h"
-#include "grader/sandbox/processes/warden.h"
+#include "grader/sandbox/processes/supervisor.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline sandbox {
@@ -41,16 +41,16 @@ struct Found {
 };
 
 // Runs a process that takes this much in a group of 400 MB. Its own limit is a gigabyte.
-Found run_in_a_small_container(std::size_t takes, const CagedProcess::LeaveOut& leave_out) {
+Found run_in_a_small_container(std::size_t takes, const SandboxedProcess::LeaveOut& leave_out) {
   const StagingFolder folder;
   fs::copy_file(HAIR_PROBE, folder.path() / "probe");
   fs::permissions(folder.path() / "probe", fs::perms(0755));
-  Cage cage;
-  cage.isolation = Isolation::container;
-  cage.roots = folder.path() / "roots";
-  cage.mounts = runtime_library_mounts();
-  cage.mounts.push_back({folder.path() / "probe", "/probe"});
-  cage.limits.memory_bytes = 1024 * kMegabyte;
+  Sandbox sandbox;
+  sandbox.isolation = Isolation::container;
+  sandbox.roots = folder.path() / "roots";
+  sandbox.mounts = runtime_library_mounts();
+  sandbox.mounts.push_back({folder.path() / "probe", "/probe"});
+  sandbox.limits.memory_bytes = 1024 * kMegabyte;
 
   const std::optional<ControlGroup> container = ControlGroup::create(400 * kMegabyte, 1000);
   if (!container || !container->bounds_memory()) return {};
@@ -59,8 +59,8 @@ Found run_in_a_small_container(std::size_t takes, const CagedProcess::LeaveOut& 
   if (child == 0) {
     for (const fs::path& file : container->join_files()) std::ofstream(file) << 0 << std::flush;
     if (!shut_groups()) _exit(1);
-    CagedProcess run(cage, {"/probe", "memory", std::to_string(takes)}, -1, -1, -1, leave_out);
-    const Ending ending = run.wait(cage.limits.wall_seconds);
+    SandboxedProcess run(sandbox, {"/probe", "memory", std::to_string(takes)}, -1, -1, -1, leave_out);
+    const Ending ending = run.wait(sandbox.limits.wall_seconds);
     const Found found{true, ending.out_of_memory, ending.code == 1 && ending.signal == 0, ended_for_memory()};
     _exit(write(told.write_end.get(), &found, sizeof found) == sizeof found ? 0 : 1);
   }
@@ -89,7 +89,7 @@ class BoundedMemory : public testing::Test {
   }
 };
 
-TEST_F(BoundedMemory, TheWardenEndsARunBeforeTheKernelDoes) {
+TEST_F(BoundedMemory, TheSupervisorEndsARunBeforeTheKernelDoes) {
   const Found found = run_in_a_small_container(600 * kMegabyte, [](Launch&, RunLimits&) {});
   ASSERT_TRUE(found.tried);
   EXPECT_TRUE(found.out_of_memory);

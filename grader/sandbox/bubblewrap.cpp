@@ -7,7 +7,7 @@
 
 namespace grader::inline sandbox {
 
-std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
+std::vector<std::string> bubblewrap_command(const Sandbox& sandbox, const std::vector<std::string>& command,
                                             bool filtered) {
   std::vector<std::string> all = {"/usr/bin/bwrap",
                                   "--unshare-user",
@@ -21,15 +21,15 @@ std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<
                                   "--new-session",
                                   "--clearenv",
                                   "--hostname",
-                                  "cage",
+                                  "sandbox",
                                   "--info-fd",
                                   std::to_string(Launch::kInfo)};
   auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
   if (filtered) append({"--seccomp", std::to_string(Launch::kFilter)});
-  if (cage.tmp_bytes > 0)
-    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev-bind", "/dev/null",
+  if (sandbox.tmp_bytes > 0)
+    append({"--size", std::to_string(sandbox.tmp_bytes), "--tmpfs", "/tmp", "--dev-bind", "/dev/null",
             "/dev/null"});
-  for (const Mount& mount : cage.mounts) {
+  for (const Mount& mount : sandbox.mounts) {
     std::error_code error;
     if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)
       append({"--symlink", std::filesystem::read_symlink(mount.source).string(), mount.target});
@@ -38,7 +38,7 @@ std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<
   }
   // A compilation gives the same bytes at any time: __DATE__ and __TIME__ are fixed.
   append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "SOURCE_DATE_EPOCH", "1"});
-  append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
+  append({"--remount-ro", "/", "--chdir", sandbox.folder, "--"});
   all.insert(all.end(), command.begin(), command.end());
   return all;
 }

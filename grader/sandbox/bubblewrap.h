@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline sandbox {
 
 // `filtered` says that a filter of system calls is on descriptor Launch::kFilter.
-std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
+std::vector<std::string> bubblewrap_command(const Sandbox& sandbox, const std::vector<std::string>& command,
                                             bool filtered);
 
 }  // namespace grader::sandbox

@@ -91,18 +91,18 @@ void take_over(const fs::path& path) {
 
 }  // namespace
 
-ContainerRoot::ContainerRoot(const Cage& cage, const Identity& user) : roots_(cage.roots) {
+ContainerRoot::ContainerRoot(const Sandbox& sandbox, const Identity& user) : roots_(sandbox.roots) {
   // The other files beside the roots are the grader's own; links may lead to them.
   const fs::path own = roots_.parent_path();
   std::vector<Mount> lasting;
-  for (const Mount& mount : cage.mounts)
+  for (const Mount& mount : sandbox.mounts)
     if (!is_below(mount.source, own)) lasting.push_back(mount);
   take_root(lasting);
-  for (const Mount& mount : cage.mounts) {
+  for (const Mount& mount : sandbox.mounts) {
     if (!is_below(mount.source, own)) continue;
     mount.writable ? lend(mount, user) : add(mount.source, mount.target, false);
   }
-  if (cage.tmp_bytes > 0) {
+  if (sandbox.tmp_bytes > 0) {
     const fs::path tmp = path_ / "tmp";
     add_folder(tmp, false);
     if (chown(tmp.c_str(), user.user, user.group) != 0) fail("can't give away", tmp);

@@ -8,16 +8,16 @@
 #include <filesystem>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
 #include "grader/sandbox/processes/descriptor.h"
 #include "grader/sandbox/processes/identity.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline sandbox {
 
 class ContainerRoot {
  public:
   // Prepares a run as `user`, who gets writable folders and /tmp. Throws std::filesystem::filesystem_error.
-  ContainerRoot(const Cage& cage, const Identity& user);
+  ContainerRoot(const Sandbox& sandbox, const Identity& user);
   ContainerRoot(const ContainerRoot&) = delete;
   ContainerRoot& operator=(const ContainerRoot&) = delete;
   // Takes back everything but the system files. No process may run there any more.

@@ -22,12 +22,12 @@ struct Tried {
   std::string said;
 };
 
-Tried tries(const Cage& cage, const std::vector<std::string>& arguments,
-            const CagedProcess::LeaveOut& leave_out) {
+Tried tries(const Sandbox& sandbox, const std::vector<std::string>& arguments,
+            const SandboxedProcess::LeaveOut& leave_out) {
   std::vector<std::string> command = {"/probe"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   Pipe output = make_pipe();
-  CagedProcess process(cage, command, -1, -1, output.write_end.get(), leave_out);
+  SandboxedProcess process(sandbox, command, -1, -1, output.write_end.get(), leave_out);
   output.write_end.close();
   std::string said = read_all(output.read_end, 1000, kMostSeconds);
   return {process.wait(kMostSeconds), said};
@@ -42,41 +42,41 @@ bool lives(const std::string& number) {
 
 }  // namespace
 
-std::string open_fence(const Cage& cage) {
-  return open_fence(cage, [](Launch&, RunLimits&) {});
+std::string open_fence(const Sandbox& sandbox) {
+  return open_fence(sandbox, [](Launch&, RunLimits&) {});
 }
 
-std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out) {
+std::string open_fence(const Sandbox& sandbox, const SandboxedProcess::LeaveOut& leave_out) {
   // The probe exits with 0 if its attempt is stopped; otherwise it prints the attempt.
-  const Tried starts = tries(cage, {"start"}, leave_out);
+  const Tried starts = tries(sandbox, {"start"}, leave_out);
   if (!starts.ending.well())
     return "no program starts in it: " + (starts.said.empty() ? "no reason is given\n" : starts.said);
 
   const StagingFolder staff;
   const std::vector<std::string> attempts[] = {
       {"processes", std::to_string(getpid())}, {"files", staff.path()}, {"rights"}};
-  Cage open = cage;
+  Sandbox open = sandbox;
   open.syscalls.reset();  // tests each layer alone
   for (const auto& arguments : attempts)
     if (const Tried tried = tries(open, arguments, leave_out); !tried.ending.well())
       return "student code " + tried.said;
 
-  Cage filtered = cage;
+  Sandbox filtered = sandbox;
   filtered.syscalls = Syscalls::toolchain;
   if (const Tried tried = tries(filtered, {"network"}, leave_out); !tried.ending.well())
     return "student code " + tried.said;
 
-  if (cage.isolation == Isolation::namespaces) {  // containers have the filter alone
+  if (sandbox.isolation == Isolation::namespaces) {  // containers have the filter alone
     const Listener listener;
     if (const Tried tried = tries(open, {"reach", std::to_string(listener.port())}, leave_out);
         !tried.ending.well())
       return "student code " + tried.said;
   }
 
-  if (cage.isolation == Isolation::container) {  // only here a process has the same number inside
+  if (sandbox.isolation == Isolation::container) {  // only here a process has the same number inside
     if (const Tried tried = tries(open, {"stay"}, leave_out); lives(tried.said))
       return "a process of student code outlives its run";
-    Cage small = open;
+    Sandbox small = open;
     small.limits.memory_bytes = std::size_t{64} << 20;
     if (!tries(small, {"memory", std::to_string(std::size_t{512} << 20)}, leave_out).ending.out_of_memory)
       return "student code can take more memory than it may";

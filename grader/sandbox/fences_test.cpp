@@ -14,7 +14,7 @@
 #include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/processes/launch.h"
 #include "grader/sandbox/processes/staging_folder.h"
-#include "grader/sandbox/processes/warden.h"
+#include "grader/sandbox/processes/supervisor.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline sandbox {
@@ -49,7 +49,7 @@ void leave_out_root(Launch& launch, RunLimits& /*limits*/) {
 struct LeftOut {
   const char* name;
   Isolation kind;
-  CagedProcess::LeaveOut leave_out;
+  SandboxedProcess::LeaveOut leave_out;
   std::string named;
 };
 
@@ -109,14 +109,14 @@ class Fences : public testing::TestWithParam<LeftOut> {
   Fences() {
     fs::copy_file(HAIR_PROBE, folder_.path() / "probe");
     fs::permissions(folder_.path() / "probe", fs::perms(0755));
-    cage_.isolation = GetParam().kind;
-    cage_.roots = folder_.path() / "roots";
-    cage_.mounts = runtime_library_mounts();
-    cage_.mounts.push_back({folder_.path() / "probe", "/probe"});
+    sandbox_.isolation = GetParam().kind;
+    sandbox_.roots = folder_.path() / "roots";
+    sandbox_.mounts = runtime_library_mounts();
+    sandbox_.mounts.push_back({folder_.path() / "probe", "/probe"});
   }
 
   StagingFolder folder_;
-  Cage cage_;
+  Sandbox sandbox_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, Fences, testing::ValuesIn(kFences), [](const auto& fence) {
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Fences, testing::ValuesIn(kFences), [](const auto
 });
 
 TEST_P(Fences, AreNamedWhereTheyAreMissing) {
-  EXPECT_EQ(open_fence(cage_, GetParam().leave_out), GetParam().named);
+  EXPECT_EQ(open_fence(sandbox_, GetParam().leave_out), GetParam().named);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/sandbox.h"
 #include "hair/io/files/finish_output.h"
 
 namespace grader::inline sandbox {

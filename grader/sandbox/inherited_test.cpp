@@ -76,7 +76,7 @@ TEST_F(Inherited, HasTheUsualPersonality) {
     EXPECT_EQ(after("exec setarch " + string(option) + " \"$0\" \"$@\""), usual) << option;
 }
 
-TEST_F(Inherited, KeepsAFolderForTemporaryFilesIfCagesCanUseIt) {
+TEST_F(Inherited, KeepsAFolderForTemporaryFilesIfASandboxCanUseIt) {
   const auto folder_after = [&](const string& script) {
     const string state = after(script);
     const std::size_t at = state.find("TMPDIR=");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline sandbox {
 

@@ -18,7 +18,7 @@ constexpr double kWindow = 0.25, kWindowAtTheEnd = 0.05;
 constexpr double kWakeUp = 50e-6;
 
 // True if a thread has waited for a processor all the time: the kernel counts a wait only at its end.
-bool waits(const CagedProcess::Activity::Busy& since, const CagedProcess::Activity& now) {
+bool waits(const SandboxedProcess::Activity::Busy& since, const SandboxedProcess::Activity& now) {
   const bool runnable =
       std::ranges::any_of(now.busy, [](const auto& thread) { return thread.second.runnable; });
   return runnable && since.computed <= 0 && since.queued <= 0;
@@ -34,9 +34,9 @@ double own_delay_seconds() {
 
 }  // namespace
 
-CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
-                                          const CagedProcess::Activity& now) {
-  CagedProcess::Activity::Busy sum;
+SandboxedProcess::Activity::Busy busy_between(const SandboxedProcess::Activity& last,
+                                              const SandboxedProcess::Activity& now) {
+  SandboxedProcess::Activity::Busy sum;
   for (const auto& [thread, busy] : now.busy) {
     const auto before = last.busy.find(thread);
     sum.computed += busy.computed - (before == last.busy.end() ? 0 : before->second.computed);
@@ -46,7 +46,7 @@ CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
   return sum;
 }
 
-Watchdog::Watchdog(const CagedProcess& process, Patience patience)
+Watchdog::Watchdog(const SandboxedProcess& process, Patience patience)
     : process_(process), patience_(patience), own_delay_(own_delay_seconds()) {}
 
 // A message shows that the worker's own code runs.
@@ -56,10 +56,10 @@ void Watchdog::greets() {
 }
 
 void Watchdog::look() {
-  CagedProcess::Activity now = process_.activity();
+  SandboxedProcess::Activity now = process_.activity();
   // A started worker that is no longer found has ended; the process found in its place made its sandbox.
   if (!now.alive || (started_ && !now.started)) return;
-  const CagedProcess::Activity::Busy busy = busy_between(last_, now);
+  const SandboxedProcess::Activity::Busy busy = busy_between(last_, now);
   if (waits(busy, now)) {
     postponed_ = waited_;
     return;

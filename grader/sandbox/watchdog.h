@@ -13,14 +13,14 @@
 
 #include <chrono>
 
-#include "grader/sandbox/caged_process.h"
+#include "grader/sandbox/sandboxed_process.h"
 
 namespace grader::inline sandbox {
 
 // Sums the computing of all threads between two looks, and takes the longest wait for a processor. The
 // process's own clock includes threads that have ended.
-CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
-                                          const CagedProcess::Activity& now);
+SandboxedProcess::Activity::Busy busy_between(const SandboxedProcess::Activity& last,
+                                              const SandboxedProcess::Activity& now);
 
 class Watchdog {
  public:
@@ -32,7 +32,7 @@ class Watchdog {
     double wall_seconds = 300;
   };
 
-  Watchdog(const CagedProcess& process, Patience patience);
+  Watchdog(const SandboxedProcess& process, Patience patience);
 
   // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT). False: the patience is used up.
   bool wait_for(int descriptor, short events);
@@ -62,9 +62,9 @@ class Watchdog {
   void greets();
   bool wait(int descriptor, short events, double window, double most_seconds);
 
-  const CagedProcess& process_;
+  const SandboxedProcess& process_;
   Patience patience_;
-  CagedProcess::Activity last_ = {};
+  SandboxedProcess::Activity last_ = {};
   bool started_ = false, asked_ = false;
   double all_waited_ = 0;
   double waited_ = 0;     // counts from the last look

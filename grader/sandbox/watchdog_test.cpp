@@ -23,7 +23,7 @@ class Waiting {
  public:
   explicit Waiting(const std::vector<std::string>& command, Watchdog::Patience patience,
                    Isolation isolation = isolation_for_tests())
-      : process_(cage(isolation), command, -1, -1, -1), watchdog_(process_, patience) {}
+      : process_(sandbox(isolation), command, -1, -1, -1), watchdog_(process_, patience) {}
 
   // Waits until the patience is used up.
   const Watchdog& wait() {
@@ -32,18 +32,18 @@ class Waiting {
   }
 
  private:
-  static Cage cage(Isolation isolation) {
-    Cage cage;
+  static Sandbox sandbox(Isolation isolation) {
+    Sandbox sandbox;
     static const StagingFolder folder;
     static const std::vector<Mount> programs = program_mounts({"/usr/bin/bash", "/usr/bin/sleep"});
-    cage.mounts = programs;
-    cage.isolation = isolation;
-    cage.roots = folder.path() / "roots";
-    return cage;
+    sandbox.mounts = programs;
+    sandbox.isolation = isolation;
+    sandbox.roots = folder.path() / "roots";
+    return sandbox;
   }
 
   Pipe silence_ = make_pipe();
-  CagedProcess process_;
+  SandboxedProcess process_;
   Watchdog watchdog_;
 };
 
@@ -104,12 +104,12 @@ TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
 // The time until we get a processor to read its answer is not idling either.
 TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   const BusyMachine busy;
-  Cage cage;
-  cage.mounts = toolchain_mounts();
-  cage.isolation = Isolation::none;
+  Sandbox sandbox;
+  sandbox.mounts = toolchain_mounts();
+  sandbox.isolation = Isolation::none;
   Pipe to = make_pipe(), from = make_pipe();
-  CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
-                    from.write_end.get(), -1);
+  SandboxedProcess echo(sandbox, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
+                        from.write_end.get(), -1);
   Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
   for (int i = 0; i < 100; ++i) {
     // The scheduler makes a process wait for new work after it has computed a lot.
@@ -129,12 +129,12 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
 // answers 50,000 times.
 TEST(Watchdog, TakesNoWakingUpForIdling) {
   constexpr int kAnswers = 20000;
-  Cage cage;
-  cage.mounts = toolchain_mounts();
-  cage.isolation = Isolation::none;
+  Sandbox sandbox;
+  sandbox.mounts = toolchain_mounts();
+  sandbox.isolation = Isolation::none;
   Pipe to = make_pipe(), from = make_pipe();
-  CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
-                    from.write_end.get(), -1);
+  SandboxedProcess echo(sandbox, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
+                        from.write_end.get(), -1);
   Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
   for (int i = 0; i < kAnswers; ++i) {
     char letter = 'a';
@@ -149,10 +149,10 @@ TEST(Watchdog, TakesNoWakingUpForIdling) {
 
 // The process writes unasked messages, with a nap of 50 us before each.
 TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
-  Cage cage;
-  cage.isolation = Isolation::none;
+  Sandbox sandbox;
+  sandbox.isolation = Isolation::none;
   Pipe from = make_pipe();
-  CagedProcess chatters(cage, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
+  SandboxedProcess chatters(sandbox, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
   Watchdog watchdog(chatters, {.idle_seconds = 0.2, .cpu_seconds = 10, .wall_seconds = 200});
   char letter;
   while (watchdog.wait_for(from.read_end.get(), POLLIN)) ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
@@ -161,10 +161,10 @@ TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
 }
 
 TEST(Watchdog, ForgivesWakingUpWithinABound) {
-  Cage cage;
-  cage.isolation = Isolation::none;
+  Sandbox sandbox;
+  sandbox.isolation = Isolation::none;
   Pipe from = make_pipe();
-  CagedProcess chatters(cage, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
+  SandboxedProcess chatters(sandbox, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
   Watchdog watchdog(chatters,
                     {.idle_seconds = 0.2, .cpu_seconds = 10, .wakeup_seconds = 0.1, .wall_seconds = 200});
   char letter;
@@ -177,22 +177,22 @@ TEST(Watchdog, ForgivesWakingUpWithinABound) {
 // Thirty threads that wake up together queue behind each other: the sum of these waits is many times the time
 // that passes.
 TEST(Watchdog, CountsWaitsOfThirtyThreadsOnce) {
-  CagedProcess::Activity before{.alive = true, .started = true}, after = before;
+  SandboxedProcess::Activity before{.alive = true, .started = true}, after = before;
   for (int thread = 1; thread <= 30; ++thread) {
     before.busy[thread] = {.computed = 1, .queued = 2};
     after.busy[thread] = {.computed = 1.001, .queued = 2 + 0.01 * thread};
   }
   after.busy[31] = {.computed = 0.002, .queued = 0.1};  // this wait began in between
-  const CagedProcess::Activity::Busy busy = busy_between(before, after);
+  const SandboxedProcess::Activity::Busy busy = busy_between(before, after);
   EXPECT_NEAR(busy.computed, 0.032, 1e-12) << "on several processors at once";
   EXPECT_NEAR(busy.queued, 0.3, 1e-12);
 }
 
 TEST(Watchdog, CountsWhatIdlesBeforeItsEnd) {
-  Cage cage;
-  cage.mounts = toolchain_mounts();
-  cage.isolation = Isolation::none;
-  CagedProcess leaving(cage, {"/usr/bin/sleep", "0.7"}, -1, -1, -1);
+  Sandbox sandbox;
+  sandbox.mounts = toolchain_mounts();
+  sandbox.isolation = Isolation::none;
+  SandboxedProcess leaving(sandbox, {"/usr/bin/sleep", "0.7"}, -1, -1, -1);
   Watchdog watchdog(leaving, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 200});
   watchdog.wait_for_end(1);
   EXPECT_GT(watchdog.idle_seconds(), 0.5);

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "grader/course/input.h"
-#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/processes/descriptor.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 #include "hair/io/files/write_file.h"
 
@@ -53,14 +53,14 @@ Sim::Sim(Isolation isolation) {
     throw BadInput(std::string(kProgram) +
                    " is missing; install Debian's package similarity-tester, which grader/setup.sh does");
   fs::create_directory(folder_.path() / "in");
-  cage_.isolation = isolation;
-  cage_.roots = folder_.path() / "roots";
-  cage_.mounts = library_mounts(isolation, {kProgram});
-  cage_.mounts.push_back({kProgram, "/sim"});
-  cage_.mounts.push_back({folder_.path() / "in", "/in"});
-  cage_.folder = "/in";
-  cage_.syscalls = Syscalls::toolchain;
-  cage_.limits.wall_seconds = 3600;
+  sandbox_.isolation = isolation;
+  sandbox_.roots = folder_.path() / "roots";
+  sandbox_.mounts = library_mounts(isolation, {kProgram});
+  sandbox_.mounts.push_back({kProgram, "/sim"});
+  sandbox_.mounts.push_back({folder_.path() / "in", "/in"});
+  sandbox_.folder = "/in";
+  sandbox_.syscalls = Syscalls::toolchain;
+  sandbox_.limits.wall_seconds = 3600;
 }
 
 std::string Sim::output_of(const std::vector<std::string>& options, std::size_t texts, std::size_t given,
@@ -70,13 +70,13 @@ std::string Sim::output_of(const std::vector<std::string>& options, std::size_t 
   for (std::size_t i = 0; i < texts; ++i) command.push_back(std::to_string(i));
   if (given > 0) command.emplace_back("/");
   for (std::size_t i = texts; i < texts + given; ++i) command.push_back(std::to_string(i));
-  Cage cage = cage_;
-  cage.limits.cpu_seconds = cpu_seconds;
-  cage.limits.cpu_seconds_of_all = cpu_seconds;
+  Sandbox sandbox = sandbox_;
+  sandbox.limits.cpu_seconds = cpu_seconds;
+  sandbox.limits.cpu_seconds_of_all = cpu_seconds;
   Pipe output = make_pipe();
-  CagedProcess process(cage, command, -1, -1, output.write_end.get());
+  SandboxedProcess process(sandbox, command, -1, -1, output.write_end.get());
   output.write_end.close();
-  std::string text = read_all(output.read_end, kMostOutput, cage_.limits.wall_seconds);
+  std::string text = read_all(output.read_end, kMostOutput, sandbox_.limits.wall_seconds);
   well = process.wait(1).well() && text.size() < kMostOutput;
   return text;
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "grader/course/isolation.h"
-#include "grader/sandbox/cage.h"
 #include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline similar {
 
@@ -44,7 +44,7 @@ class Sim {
                         int cpu_seconds, bool& well) const;
 
   StagingFolder folder_;
-  Cage cage_;
+  Sandbox sandbox_;
 };
 
 }  // namespace grader::similar

@@ -43,9 +43,9 @@ void draw(XmlWriter& xml, const Room& room) {
                      {"width", kWidth},
                      {"height", kHeight},
                      {"rx", 6.0},
-                     {"fill", room.caged ? "#fff1dc" : "#eef4fb"},
+                     {"fill", room.sandboxed ? "#fff1dc" : "#eef4fb"},
                      {"stroke", hair::plot::kText},
-                     {"stroke-dasharray", room.caged ? "6 3" : "none"}});
+                     {"stroke-dasharray", room.sandboxed ? "6 3" : "none"}});
   say(xml, x + kWidth / 2, y + 20, room.folder + "/", "middle", "bold");
   for (std::size_t i = 0; i < room.lines.size(); ++i)
     say(xml, x + kWidth / 2, y + 20 + kLine * static_cast<double>(i + 1), room.lines[i], "middle");

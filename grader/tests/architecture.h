@@ -10,7 +10,7 @@ struct Room {
   std::string folder;              // starts at the project's root
   std::vector<std::string> lines;  // describe its work
   int column, row;
-  bool caged = false;  // runs strangers' bytes or code in a sandbox
+  bool sandboxed = false;  // runs strangers' bytes or code in a sandbox
 };
 
 // Data goes from one to the other. Both stand side by side, or one above the other.

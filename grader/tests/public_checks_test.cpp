@@ -21,8 +21,8 @@
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
-#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 #include "grader/tests/mutants_found.h"
 #include "grader/tests/run_program.h"
@@ -104,32 +104,32 @@ class PublicChecks : public testing::Test {
     const Exercise& exercise = *course_.find(id_);
     const Compiled compiled = compiler.compile(exercise, source, job, 600, build);
     if (compiled.object.empty()) return {false, false, compiled.log};
-    Cage cage;
-    cage.isolation = isolation_for_tests();
-    cage.roots = kit_.roots();
-    cage.mounts = library_mounts(cage.isolation, {});
-    cage.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
-    cage.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});
-    cage.mounts.push_back({checks_ / "golden", HAIR_GOLDEN_DIR});
-    cage.mounts.push_back({compiled.object, "/objects/" + id_ + ".so"});
+    Sandbox sandbox;
+    sandbox.isolation = isolation_for_tests();
+    sandbox.roots = kit_.roots();
+    sandbox.mounts = library_mounts(sandbox.isolation, {});
+    sandbox.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
+    sandbox.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});
+    sandbox.mounts.push_back({checks_ / "golden", HAIR_GOLDEN_DIR});
+    sandbox.mounts.push_back({compiled.object, "/objects/" + id_ + ".so"});
     for (const std::string& prerequisite : exercise.prerequisites)
-      cage.mounts.push_back(
+      sandbox.mounts.push_back(
           {kit_.folder() / "lib" / (prerequisite + ".so"), "/objects/" + prerequisite + ".so"});
-    cage.syscalls = Syscalls::toolchain;  // prlimit starts it
-    cage.limits.cpu_seconds = 40;         // right programs take one or two
-    cage.limits.wall_seconds = 3600;
-    Limits inner = cage.limits;
+    sandbox.syscalls = Syscalls::toolchain;  // prlimit starts it
+    sandbox.limits.cpu_seconds = 40;         // right programs take one or two
+    sandbox.limits.wall_seconds = 3600;
+    Limits inner = sandbox.limits;
     if (build == Build::sanitised) {
       for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
-        cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-      cage.limits.memory_of_group = true;
-      cage.limits.memory_bytes *= 2;
+        sandbox.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
+      sandbox.limits.memory_of_group = true;
+      sandbox.limits.memory_bytes *= 2;
       inner.memory_bytes = std::size_t{1} << 46;  // is for addresses
     }
     const fs::path log = job / "log";
     const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
-    CagedProcess process(cage, with_inner_limits(inner, {"/check"}), -1, -1, output.get());
-    const Ending ending = process.wait(cage.limits.wall_seconds);
+    SandboxedProcess process(sandbox, with_inner_limits(inner, {"/check"}), -1, -1, output.get());
+    const Ending ending = process.wait(sandbox.limits.wall_seconds);
     const std::string told = ending.well() ? "" : hair::bytes_of(log).substr(0, 4000);
     if (const std::string folder = environment("HAIR_TOLD", ""); !folder.empty() && !ending.well())
       std::ofstream(fs::path(folder) / (id_ + "-" + name + ".txt")) << told;

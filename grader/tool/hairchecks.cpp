@@ -10,7 +10,7 @@
 
 #include "grader/course/input.h"
 #include "grader/grading/isolation_here.h"
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/read_submissions.h"
 #include "grader/sandbox/inherited.h"
 #include "grader/tool/gradescope_hand_in.h"
@@ -33,7 +33,7 @@ void check(const Options& options) {
   try {
     const StagedKit kit(HAIR_KIT_DIR, course);
     const Isolation isolation = isolation_here(kit, {});
-    const CagedReader reader(HAIR_READER, isolation);
+    const SandboxedReader reader(HAIR_READER, isolation);
     const Intake intake = read_hand_in(options.folder / "submission", "hand-in", course, reader.opener());
     for (const std::string& notice : intake.notices) std::cerr << "hairchecks: " << notice << "\n";
     const Compiler compiler(kit, options.cache, isolation);

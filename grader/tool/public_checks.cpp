@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "grader/grading/exercise_grading.h"
-#include "grader/sandbox/caged_process.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 #include "hair/io/files/read_file.h"
 
@@ -91,36 +91,36 @@ PublicChecks::PublicChecks(const Compiler& compiler, const fs::path& programs, c
 
 PublicChecks::Ran PublicChecks::run(const Exercise& exercise, Build build, const fs::path& job) const {
   const fs::path program = staged_ / "programs" / folder_of(build) / exercise.id;
-  Cage cage;
-  cage.isolation = isolation_;
-  cage.roots = kit_.roots();
-  cage.mounts = library_mounts(isolation_, {program, kPrlimit});
-  cage.mounts.push_back({kPrlimit, kPrlimit});
-  cage.mounts.push_back({program, "/check"});
-  cage.mounts.push_back({staged_ / "golden", golden_inside_});
-  cage.mounts.push_back(
+  Sandbox sandbox;
+  sandbox.isolation = isolation_;
+  sandbox.roots = kit_.roots();
+  sandbox.mounts = library_mounts(isolation_, {program, kPrlimit});
+  sandbox.mounts.push_back({kPrlimit, kPrlimit});
+  sandbox.mounts.push_back({program, "/check"});
+  sandbox.mounts.push_back({staged_ / "golden", golden_inside_});
+  sandbox.mounts.push_back(
       {job / exercise.id / folder_of(build) / (exercise.id + ".so"), "/objects/" + exercise.id + ".so"});
   for (const std::string& id : exercise.prerequisites) {
     const fs::path own = job / id / folder_of(Build::ordinary) / (id + ".so");
-    cage.mounts.push_back(
+    sandbox.mounts.push_back(
         {fs::exists(own) ? own : kit_.folder() / "stub" / (id + ".so"), "/objects/" + id + ".so"});
   }
-  cage.syscalls = Syscalls::toolchain;  // prlimit starts it
-  cage.limits.cpu_seconds = kCpuSeconds;
-  cage.limits.wall_seconds = 10 * kCpuSeconds;
-  Limits inner = cage.limits;
+  sandbox.syscalls = Syscalls::toolchain;  // prlimit starts it
+  sandbox.limits.cpu_seconds = kCpuSeconds;
+  sandbox.limits.wall_seconds = 10 * kCpuSeconds;
+  Limits inner = sandbox.limits;
   if (build == Build::sanitised) {
     for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
-      cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-    cage.limits.memory_of_group = true;
+      sandbox.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
+    sandbox.limits.memory_of_group = true;
     inner.memory_bytes = std::size_t{1} << 46;  // is for addresses
   }
   Pipe output = make_pipe();
-  CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_color=no"}), -1, -1,
-                       output.write_end.get());
+  SandboxedProcess process(sandbox, with_inner_limits(inner, {"/check", "--gtest_color=no"}), -1, -1,
+                           output.write_end.get());
   output.write_end.close();
   Ran ran;
-  ran.output = read_both_ends(output.read_end, kMostSaid, cage.limits.wall_seconds);
+  ran.output = read_both_ends(output.read_end, kMostSaid, sandbox.limits.wall_seconds);
   const Ending ending = process.wait(1);
   ran.well = ending.well();
   if (ending.timed_out) ran.output += "\nIt takes more than " + std::to_string(kCpuSeconds) + " seconds.\n";

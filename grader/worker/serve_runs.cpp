@@ -7,7 +7,7 @@
 
 #include "grader/judge/run/dense_strands.h"
 #include "grader/worker/session.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace {
 
@@ -20,22 +20,23 @@ struct Frame {
 // Runs until the scene ends or breaks.
 std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work,
                  std::vector<std::uint32_t>& coordinates) {
-  hair::Playback playback(scene);
-  grader::DenseStrands dense(scene, playback.strands());
-  coordinates = playback.coordinates();
+  hair::SceneRun scene_run(scene);
+  grader::DenseStrands dense(scene, scene_run.strands());
+  coordinates = scene_run.coordinates();
   frames.clear();
   const auto keep = [&] {
-    const particles::State state = playback.state();
-    frames.push_back({playback.time(), state, {}});
-    if (!scene.dense.empty()) frames.back().dense = dense.at(playback.centre_lines(state).x, playback.time());
+    const particles::State state = scene_run.state();
+    frames.push_back({scene_run.time(), state, {}});
+    if (!scene.dense.empty())
+      frames.back().dense = dense.at(scene_run.centre_lines(state).x, scene_run.time());
   };
   keep();
   std::string trouble;
   for (int k = 0; k < scene.frames && trouble.empty(); ++k) {
-    trouble = playback.advance().value_or("");
+    trouble = scene_run.advance().value_or("");
     if (trouble.empty()) keep();
   }
-  work = playback.work();
+  work = scene_run.work();
   return trouble;
 }
 

@@ -1,4 +1,4 @@
-// The process that runs a scene (player.h), as its parent sees it. It may crash, or hang.
+// The process that runs a scene (runner.h), as its parent sees it. It may crash, or hang.
 #pragma once
 
 #include <sys/types.h>

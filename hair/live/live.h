@@ -1,4 +1,4 @@
-// `hairlab live`: a server for a page, and a process that runs a scene for it (player.h). If that process
+// `hairlab live`: a server for a page, and a process that runs a scene for it (runner.h). If that process
 // fails in any way, page and server stay.
 #pragma once
 

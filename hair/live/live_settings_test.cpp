@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hair/io/files/bad_input.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace hair {
 namespace {
@@ -68,7 +68,7 @@ TEST(LiveSettings, OfferNoMethodThatCanNotBeAssembled) {
     for (const MethodRow* row : methods_for(scene(name), course())) {
       Scene one = scene(name);
       change(one, read_settings(std::string("1 1 ") + row->id), course());
-      EXPECT_NO_THROW(Playback{one}) << name << ", " << row->id;
+      EXPECT_NO_THROW(SceneRun{one}) << name << ", " << row->id;
     }
 }
 

@@ -7,7 +7,7 @@
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/live/live.h"
-#include "hair/live/player.h"
+#include "hair/live/runner.h"
 
 namespace {
 

@@ -6,22 +6,22 @@
 // sin b / (h Omega) of the momentum remains.
 #include <gtest/gtest.h>
 
-#include "hair/scene/playback.h"
 #include "hair/scene/scene.h"
+#include "hair/scene/scene_run.h"
 
 namespace reference_tests {
 namespace {
 
-using hair::GeometricTerm, hair::Method, hair::Playback, hair::Scene;
+using hair::GeometricTerm, hair::Method, hair::SceneRun, hair::Scene;
 
 double left_after_a_revolution(Method method, std::optional<GeometricTerm> term = {}) {
   Scene scene = hair::read_scene(HAIR_SCENES "/angular-momentum.json");
   scene.hair.method = method;
   scene.hair.geometric_term = term;
-  Playback playback(scene);
-  const double before = playback.measure(playback.state()).angular_momentum[1];
-  for (int frame = 0; frame < scene.frames; ++frame) playback.advance();
-  return playback.measure(playback.state()).angular_momentum[1] / before;
+  SceneRun scene_run(scene);
+  const double before = scene_run.measure(scene_run.state()).angular_momentum[1];
+  for (int frame = 0; frame < scene.frames; ++frame) scene_run.advance();
+  return scene_run.measure(scene_run.state()).angular_momentum[1] / before;
 }
 
 TEST(AngularMomentum, IsLeftAfterARevolution) {
@@ -46,7 +46,7 @@ double lost(double stretch_factor, std::optional<GeometricTerm> term, int second
     scene.hair.geometric_term = term;
     return scene;
   };
-  Playback hanging(scene_of("[0, 0, -1]")), swinging(scene_of("[0.0998334166, 0, -0.9950041653]"));
+  SceneRun hanging(scene_of("[0, 0, -1]")), swinging(scene_of("[0.0998334166, 0, -0.9950041653]"));
   const double rest = hanging.measure(hanging.state()).energy(),
                before = swinging.measure(swinging.state()).energy() - rest;
   for (int frame = 0; frame < 30 * seconds; ++frame) swinging.advance();

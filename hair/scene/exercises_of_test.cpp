@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/scene_drawing/scene_drawing.h"
 #include "solver/not_implemented.h"
 
@@ -23,14 +23,14 @@ std::string stub_of(hair::Scene scene) {
   for (hair::DenseHair& dense : scene.dense)
     if (dense.description.children.size() > 20) dense.description.children.resize(20);
   try {
-    hair::Playback playback(scene);
-    playback.advance();
-    playback.measure(playback.state());
+    hair::SceneRun scene_run(scene);
+    scene_run.advance();
+    scene_run.measure(scene_run.state());
     if (scene.dense.empty()) return "";
     hair::Scene drawn = scene;
     drawn.hair.obstacles.clear();  // they call no exercise, and take long to draw
-    hair::SceneDrawing(drawn, playback.strands())
-        .at(playback.centre_lines(playback.state()), {}, playback.time());
+    hair::SceneDrawing(drawn, scene_run.strands())
+        .at(scene_run.centre_lines(scene_run.state()), {}, scene_run.time());
   } catch (const NotImplemented& stub) {
     const std::string said = stub.what();
     return said.substr(0, said.find(' '));

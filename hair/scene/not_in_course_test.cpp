@@ -6,7 +6,7 @@
 #include <set>
 
 #include "hair/course/course.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "solver/normal_equations.h"
 #include "solver/not_in_course.h"
 
@@ -20,8 +20,8 @@ TEST(NotInCourse, IsWhatAScenesFirstStepSays) {
     const Scene scene = read_scene(entry.path());
     const std::vector<std::string> called = exercises_of(scene);
     try {
-      Playback playback(scene);
-      playback.advance();
+      SceneRun scene_run(scene);
+      scene_run.advance();
       ADD_FAILURE() << scene.name << " moves";
     } catch (const NotInCourse& error) {
       const std::string what = error.what(), id = what.substr(0, what.find(' '));

@@ -9,7 +9,7 @@
 #include "hair/groom/hair_file.h"
 #include "hair/groom/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/simulation/models.h"
 
 namespace reference_tests {
@@ -76,12 +76,12 @@ TEST(GroomScene, IsOfRigidLinksIfItSaysSo) {
       folder.scene(R"("file": "a.hair", "scale": 0.05, "move": [1, 0, 0])", R"(, "model": "rigid_links")"));
   EXPECT_TRUE(scene.hair.strands.empty());
   ASSERT_EQ(scene.hair.modelled.size(), 1U);
-  hair::Playback playback(scene);
-  EXPECT_LE((playback.centre_lines(playback.state()).x -
+  hair::SceneRun scene_run(scene);
+  EXPECT_LE((scene_run.centre_lines(scene_run.state()).x -
              (Eigen::VectorXd(9) << 1, 0, 0, 1, 0, 0.1, 1, 0.1, 0.1).finished())
                 .norm(),
             1e-15);
-  const auto trouble = playback.advance();
+  const auto trouble = scene_run.advance();
   EXPECT_FALSE(trouble) << *trouble;
 }
 
@@ -202,11 +202,11 @@ TEST(GroomScene, HairThatGrowsOnABustStaysWhereItIsButForItsWeight) {
   for (const hair::StrandStart& start : scene.hair.strands)
     for (Eigen::Index k = 3; k < start.state.x.size(); k += 3)
       EXPECT_GT(hair::surface_at(scene.hair.obstacles[0], start.state.x.segment<3>(k)).distance, 0);
-  hair::Playback playback(scene);
-  const particles::State before = playback.state();
-  EXPECT_FALSE(playback.advance());
+  hair::SceneRun scene_run(scene);
+  const particles::State before = scene_run.state();
+  EXPECT_FALSE(scene_run.advance());
   // Rounding of a metre, over a step squared and a mass: far below a micrometre.
-  EXPECT_LT((playback.state().x - before.x).cwiseAbs().maxCoeff(), 1e-7);
+  EXPECT_LT((scene_run.state().x - before.x).cwiseAbs().maxCoeff(), 1e-7);
 }
 
 TEST(GroomScene, AStyleThatNeedsMorePointsSaysSo) {
@@ -223,12 +223,12 @@ TEST(GroomScene, ARealGroomMovesLikeHair) {
       "\"file\": \"" + std::string(grooms) + R"(/straight.hair", "scale": 0.0045, "every": 100)"));
   ASSERT_EQ(scene.hair.strands.size(), 100U);
   EXPECT_EQ(hair::exercises_of(scene), (std::vector<std::string>{"S1", "H1", "H4"}));
-  hair::Playback playback(scene);
-  const auto trouble = playback.advance();
+  hair::SceneRun scene_run(scene);
+  const auto trouble = scene_run.advance();
   EXPECT_FALSE(trouble) << *trouble;
   // In a thirtieth of a second nothing falls by more than g t^2 / 2 = 5.5 mm and some stretch.
-  EXPECT_LT((playback.state().x - hair::Playback(scene).state().x).cwiseAbs().maxCoeff(), 0.01);
-  EXPECT_LT(playback.measure(playback.state()).stretch, 0.05);
+  EXPECT_LT((scene_run.state().x - hair::SceneRun(scene).state().x).cwiseAbs().maxCoeff(), 0.01);
+  EXPECT_LT(scene_run.measure(scene_run.state()).stretch, 0.05);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/fuzz/fuzz.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/scene/test_reading.h"
 
 namespace {
@@ -96,8 +96,8 @@ void check(const Scene& scene, const hair::JsonDocument& document) {
       "a scene's numbers are finite");
   fuzz::expect(numbers_of(read(hair::parse_document(document->dump(), "b.json"))) == numbers,
                "a scene that is written is read as it was");
-  const hair::Playback playback(scene);
-  fuzz::expect(playback.state().x.allFinite(), "a scene begins somewhere");
+  const hair::SceneRun scene_run(scene);
+  fuzz::expect(scene_run.state().x.allFinite(), "a scene begins somewhere");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace reference_tests {
 namespace {
@@ -57,20 +57,20 @@ TEST(ShippedScenes, PlayAndMove) {
       for (hair::Rider& rider : scene.riders)
         std::erase_if(rider.strands, [](int strand) { return strand >= kMostStrands; });
     }
-    hair::Playback playback(scene);
-    const particles::State start = playback.state();
+    hair::SceneRun scene_run(scene);
+    const particles::State start = scene_run.state();
     // Scenes with more particles run fewer frames.
     const int frames = std::clamp(static_cast<int>(3000 / start.x.size()), 1, 4);
     for (int k = 0; k < frames; ++k) {
-      const auto trouble = playback.advance();
+      const auto trouble = scene_run.advance();
       ASSERT_FALSE(trouble) << scene.name << ": " << *trouble;
     }
-    const particles::State end = playback.state();
+    const particles::State end = scene_run.state();
     EXPECT_TRUE(end.x.allFinite() && end.v.allFinite()) << scene.name;
-    const hair::FrameMeasures measures = playback.measure(end);
+    const hair::FrameMeasures measures = scene_run.measure(end);
     EXPECT_TRUE(std::isfinite(measures.energy()) && std::isfinite(measures.stretch)) << scene.name;
     EXPECT_GT((end.x - start.x).cwiseAbs().maxCoeff(), 1e-5) << scene.name;
-    EXPECT_EQ(playback.frame(), frames);
+    EXPECT_EQ(scene_run.frame(), frames);
     EXPECT_TRUE(scene.look) << scene.name;
     EXPECT_GE(scene.frames, 30) << scene.name;
   }

@@ -10,7 +10,7 @@ endfunction()
 scene_test(read_scene_test SANITISED SOURCES read_scene_test.cpp read_bad_scene_test.cpp read_groom_test.cpp
            test_reading.cpp scene_keys_test.cpp
            LIBRARIES hair_scene hair_simulation ${exercises})
-scene_test(playback_test SANITISED SOURCES angular_momentum_test.cpp playback_test.cpp
+scene_test(scene_run_test SANITISED SOURCES angular_momentum_test.cpp scene_run_test.cpp
            LIBRARIES hair_allocations hair_scene hair_simulation ${exercises})
 scene_test(shipped_scenes_test SLOW Watch.NoOtherShippedSceneWarns
            SOURCES shipped_scenes_test.cpp watch_test.cpp LIBRARIES hair_scene hair_simulation ${exercises})

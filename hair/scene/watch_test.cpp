@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace reference_tests {
 namespace {
@@ -33,13 +33,13 @@ void thin_out(Scene& scene) {
 }
 
 Watch play(const Scene& scene) {
-  hair::Playback playback(scene);
+  hair::SceneRun scene_run(scene);
   for (int k = 0; k < scene.frames; ++k)
-    if (const auto trouble = playback.advance()) {
+    if (const auto trouble = scene_run.advance()) {
       ADD_FAILURE() << scene.name << ": " << *trouble;
       break;
     }
-  return playback.watch();
+  return scene_run.watch();
 }
 
 // Scenes that must warn, as their rows in hair/scenes/README.md say.
@@ -57,10 +57,10 @@ TEST(Watch, NoOtherShippedSceneWarns) {
     Scene scene = hair::read_scene(file.path());
     ++watched;
     thin_out(scene);
-    hair::Playback playback(scene);
-    for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(playback.advance()) << scene.name;
+    hair::SceneRun scene_run(scene);
+    for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(scene_run.advance()) << scene.name;
     bool any = false;
-    for (const hair::Warning& one : playback.warnings()) {
+    for (const hair::Warning& one : scene_run.warnings()) {
       EXPECT_TRUE(shall_warn(scene.name, one.concern->concern))
           << scene.name << ": " << one.concern->id << " " << one.size;
       any = true;
@@ -211,9 +211,9 @@ TEST(Watch, WarnsOfToys) {
     "particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true}, {"position": [0.5, 0, 0], "mass": 1}],
     "rods": [{"between": [0, 1]}]}]})",
                         "scene");
-  hair::Playback playback(scene);
-  for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(playback.advance());
-  const std::vector<hair::Warning> warnings = playback.warnings();
+  hair::SceneRun scene_run(scene);
+  for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(scene_run.advance());
+  const std::vector<hair::Warning> warnings = scene_run.warnings();
   ASSERT_FALSE(warnings.empty());
   EXPECT_EQ(warnings[0].body, "toy");
 }
@@ -223,14 +223,14 @@ TEST(Watch, WarnsOfSolvesThatDoNotEnd) {
   const Scene scene = level_hair(
       R"("frames": 40, "steps_per_frame": 1, "method": "implicit_euler", "preconditioner": "none", "tolerance": 1e-15)");
   expect_warns(scene, {Concern::solves});
-  hair::Playback playback(scene);
+  hair::SceneRun scene_run(scene);
   long first = 0;
   for (int k = 1; k <= scene.frames; ++k) {
-    ASSERT_FALSE(playback.advance());
-    if (first == 0 && playback.work().unconverged > 0) first = k;
+    ASSERT_FALSE(scene_run.advance());
+    if (first == 0 && scene_run.work().unconverged > 0) first = k;
   }
-  EXPECT_EQ(playback.work().solves, scene.frames);
-  for (const hair::Warning& one : playback.warnings()) {
+  EXPECT_EQ(scene_run.work().solves, scene.frames);
+  for (const hair::Warning& one : scene_run.warnings()) {
     if (one.concern->concern != Concern::solves) continue;
     EXPECT_EQ(one.step, first);
     EXPECT_EQ(one.solver, "H4");
@@ -247,11 +247,11 @@ TEST(Watch, RedundantRodsRest) {
         "feedback": {"stiffness": 400, "damping": 40}, "method": )";
   for (const char* method : {"\"forward_euler\"", "\"midpoint\"", "\"runge_kutta_4\""}) {
     const Scene scene = hair::parse_scene(square + method + "}]}", "scene");
-    hair::Playback playback(scene);
-    const Eigen::VectorXd start = playback.state().x;
-    for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(playback.advance());
-    EXPECT_TRUE(playback.warnings().empty());
-    EXPECT_LE((playback.state().x - start).norm(), 1e-12) << method;  // rounding, in 480 steps
+    hair::SceneRun scene_run(scene);
+    const Eigen::VectorXd start = scene_run.state().x;
+    for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(scene_run.advance());
+    EXPECT_TRUE(scene_run.warnings().empty());
+    EXPECT_LE((scene_run.state().x - start).norm(), 1e-12) << method;  // rounding, in 480 steps
   }
 }
 
@@ -260,9 +260,9 @@ TEST(Watch, FastHairMeetsASphereInItsWay) {
   Scene scene = level_hair(R"("frames": 5, "method": "implicit_euler",
     "obstacles": [{"sphere": {"centre": [0.06, 0.6, 0], "radius": 0.05}}])",
                            R"("clamped": false, "root_velocity": [0, 100, 0], )");
-  hair::Playback playback(scene);
-  for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(playback.advance());
-  EXPECT_GT(playback.work().contacts, 0);
+  hair::SceneRun scene_run(scene);
+  for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(scene_run.advance());
+  EXPECT_GT(scene_run.work().contacts, 0);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/scene_drawing/idle_guides.h"
 #include "hair/scene_drawing/scene_drawing.h"
 
@@ -117,10 +117,10 @@ double deepest_in_ball(const char* hair, bool moved) {
     "render": {"hair": ")" + std::string(hair) +
                                       R"("}})",
                                   "ball.json");
-  const Playback playback(scene);
-  const SceneDrawing drawing(scene, playback.strands());
+  const SceneRun scene_run(scene);
+  const SceneDrawing drawing(scene, scene_run.strands());
   const StrandsDrawing strands =
-      drawing.at(playback.centre_lines(playback.state()), playback.obstacles(), 0).strands;
+      drawing.at(scene_run.centre_lines(scene_run.state()), scene_run.obstacles(), 0).strands;
   EXPECT_EQ(drawing.moved_out() > 0, moved);
   double deepest = 0;
   for (const Vector3d& point : strands.points) deepest = std::max(deepest, 0.1 - point.norm());
@@ -141,9 +141,9 @@ TEST(DenseDrawing, StillHairGoesWithItsHead) {
     "still_hair": [{"groom": {"style": "ponytail", "strands": 20, "points": 9, "head": "ellipsoid"}, "moves_with": "walk"}],
     "render": {"hair": "fine"}})",
                                   "tail.json");
-  const Playback playback(scene);
-  const SceneDrawing drawing(scene, playback.strands());
-  const particles::State state = playback.centre_lines(playback.state());
+  const SceneRun scene_run(scene);
+  const SceneDrawing drawing(scene, scene_run.strands());
+  const particles::State state = scene_run.centre_lines(scene_run.state());
   const StrandsDrawing before = drawing.at(state, {}, 0).strands, after = drawing.at(state, {}, 1).strands;
   ASSERT_EQ(before.sizes.size(), 21U);
   EXPECT_EQ(before.ids, after.ids);
@@ -174,7 +174,7 @@ Scene wide_tuft(const std::string& hair = "", const std::string& more = "", int 
 }
 
 void expect_no_picture_shows_idle_guides(const Scene& scene) {
-  Playback all(scene), some(scene);
+  SceneRun all(scene), some(scene);
   const SceneDrawing drawing(scene, all.strands()), other(scene, some.strands());
   const std::vector<int> idle = idle_guides(scene, drawing);
   const std::size_t guides = scene.hair.strands.size();
@@ -182,8 +182,9 @@ void expect_no_picture_shows_idle_guides(const Scene& scene) {
   EXPECT_LT(idle.size(), guides * 9 / 10);
   some.leave_out(idle);
   for (int k = 0; k <= scene.frames; ++k) {
-    const auto drawn = [](const SceneDrawing& by, const Playback& playback) {
-      return by.at(playback.centre_lines(playback.state()), playback.obstacles(), playback.time()).strands;
+    const auto drawn = [](const SceneDrawing& by, const SceneRun& scene_run) {
+      return by.at(scene_run.centre_lines(scene_run.state()), scene_run.obstacles(), scene_run.time())
+          .strands;
     };
     const StrandsDrawing one = drawn(drawing, all), two = drawn(other, some);
     ASSERT_EQ(one.sizes, two.sizes) << "frame " << k;
@@ -217,9 +218,9 @@ TEST(IdleGuides, AreNotThoseWhoseStrandsGatherOrFlyIntoThePicture) {
 TEST(IdleGuides, AreNoneThatMoveOthersNorHairThatIsDrawnAsItIs) {
   const Scene linked = wide_tuft("", R"(, "links": {"stiffness": 1e-4})");
   EXPECT_TRUE(idle_guides(linked, SceneDrawing(linked, {})).empty());
-  Playback playback(linked);
-  playback.leave_out({});
-  EXPECT_THROW(playback.leave_out(std::vector<int>{0}), std::invalid_argument);
+  SceneRun scene_run(linked);
+  scene_run.leave_out({});
+  EXPECT_THROW(scene_run.leave_out(std::vector<int>{0}), std::invalid_argument);
   Scene plain = wide_tuft();
   plain.dense.clear();
   EXPECT_TRUE(idle_guides(plain, SceneDrawing(plain, {})).empty());
@@ -248,9 +249,9 @@ Scene linked_guides(const std::string& last_row, const std::string& look) {
 }
 
 Drawing draw_start(const Scene& scene, const MeshRecord* mesh) {
-  const Playback playback(scene);
-  return SceneDrawing(scene, playback.strands())
-      .at(playback.centre_lines(playback.state()), playback.obstacles(), 0, mesh);
+  const SceneRun scene_run(scene);
+  return SceneDrawing(scene, scene_run.strands())
+      .at(scene_run.centre_lines(scene_run.state()), scene_run.obstacles(), 0, mesh);
 }
 
 TEST(LinkDrawing, LinksThatHoldAreTubesIfTheLookAsksForThem) {

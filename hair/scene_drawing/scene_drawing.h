@@ -22,7 +22,7 @@ inline constexpr int kCellsOfPicture = 220, kCellsOfPage = 48;
 // A scene without a look gets the default one. Calls H10 if the scene has dense hair.
 class SceneDrawing {
  public:
-  // strands: the number of points of each strand's centre line (Playback::strands). cache: a folder where
+  // strands: the number of points of each strand's centre line (SceneRun::strands). cache: a folder where
   // surface nets of heads are kept. Keeps a reference to the scene, which must outlive it.
   SceneDrawing(const Scene& scene, std::vector<int> strands,
                const std::optional<std::filesystem::path>& cache = {}, int cells = kCellsOfPicture);

@@ -42,7 +42,7 @@ class Archive : public Container {
 };
 
 // Opens an archive. `open_here` reads it in this process, with all its rights, whatever its bytes do to the
-// library; caged_archive.h reads it in a sandbox.
+// library; sandboxed_archive.h reads it in a sandbox.
 using OpenArchive =
     std::function<std::unique_ptr<Container>(ArchiveSource, const std::string& shown, ArchiveLimits)>;
 std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits);

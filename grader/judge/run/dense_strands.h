@@ -1,5 +1,5 @@
 // STAFF ONLY. The strands that a scene draws in the place of its guides (H10): all strands, seen or not. In a
-// player the student's functions make them, in the suite the reference's.
+// runner the student's functions make them, in the suite the reference's.
 #pragma once
 
 #include <memory>

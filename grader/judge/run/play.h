@@ -3,7 +3,7 @@
 //
 // Exercise libraries are interchangeable file by file. So for each exercise X there is a proxy, generated
 // from exercise/X/calls.h, which defines X's functions: each sends the student's worker the same requests as
-// the suite's cases. A player, players/X.so, holds the code that runs scenes, the reference's other exercises
+// the suite's cases. A runner, runners/X.so, holds the code that runs scenes, the reference's other exercises
 // and the proxy. The suite loads this trusted library, since it links the reference's X itself for its
 // checks.
 //
@@ -50,8 +50,8 @@ struct PlayResult {
   std::string note;  // for staff, unless the run is finished
 };
 
-// Declares the function of a player. Exceptions of `ask` go through it.
+// Declares the function of a runner. Exceptions of `ask` go through it.
 using PlayFunction = void (*)(const hair::Scene& scene, const Ask& ask, PlayResult& play);
-inline constexpr const char* kPlayerName = "play";
+inline constexpr const char* kRunnerName = "play";
 
 }  // namespace grader::judge

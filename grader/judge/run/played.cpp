@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "grader/judge/run/dense_strands.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
 
@@ -15,7 +15,7 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
     throw MalformedMessage("a product that nobody asked for");
   });
 
-  const hair::Playback ours(scene);
+  const hair::SceneRun ours(scene);
   const std::vector<int> dense = DenseStrands(scene, ours.strands()).sizes();
   const std::size_t dense_size =
       scene.dense.empty() ? 0 : 3 * std::reduce(dense.begin(), dense.end(), std::size_t{});

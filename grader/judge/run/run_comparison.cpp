@@ -82,7 +82,7 @@ hair::Drawing with_dense(hair::Drawing drawing, const std::vector<int>& sizes, c
 
 RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs) {
   RunComparison result;
-  hair::Playback ours(scene);
+  hair::SceneRun ours(scene);
   const std::vector<bool> held = held_points(scene, ours.strands());
   const hair::SceneDrawing drawing(scene, ours.strands());
   const bool with_dense_hair = !theirs.dense.empty();

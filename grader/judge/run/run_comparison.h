@@ -6,7 +6,7 @@
 
 #include "grader/judge/run/played.h"
 #include "grader/judge/run/run_pictures.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
 

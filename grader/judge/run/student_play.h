@@ -9,12 +9,12 @@
 
 namespace grader::inline judge {
 
-// Returns the function of a player, which stays loaded: a suite runs one exercise. Throws std::runtime_error
+// Returns the function of a runner, which stays loaded: a suite runs one exercise. Throws std::runtime_error
 // if the file has no such function.
-PlayFunction load_player(const std::filesystem::path& player);
+PlayFunction load_runner(const std::filesystem::path& runner);
 
-// `player` is the library for the exercise of the trial's student. Throws CaseFailed, or MalformedMessage if
+// `runner` is the library for the exercise of the trial's student. Throws CaseFailed, or MalformedMessage if
 // an answer has another format.
-Played play_with_student(Trial& trial, const std::filesystem::path& player, const hair::Scene& scene);
+Played play_with_student(Trial& trial, const std::filesystem::path& runner, const hair::Scene& scene);
 
 }  // namespace grader::judge

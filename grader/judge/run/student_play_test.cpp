@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kKit = HAIR_KIT_DIR, kPlayers = HAIR_PLAYERS, kHiddenScenes = HAIR_HIDDEN_SCENES;
+const fs::path kKit = HAIR_KIT_DIR, kRunners = HAIR_RUNNERS, kHiddenScenes = HAIR_HIDDEN_SCENES;
 
 std::vector<Exercise> exercises() {
   return read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises;
@@ -61,7 +61,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
   ~StudentPlay() override { fs::remove_all(folder_); }
 
   const std::string& id() const { return GetParam(); }
-  fs::path player() const { return kPlayers / (id() + ".so"); }
+  fs::path runner() const { return kRunners / (id() + ".so"); }
   fs::path object() const { return folder_ / (id() + ".so"); }
 
   // Runs, and lets `reply` change each reply before the scene's code sees it.
@@ -70,7 +70,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
     Trial trial(student, Random("", ""));
     int calls = 0;
     PlayResult result;
-    load_player(player())(
+    load_runner(runner())(
         hidden_scene(id()).scene,
         [&](const MessageWriter& request, const Products& products) {
           return reply(calls++, trial.ask(request, products));
@@ -109,7 +109,7 @@ TEST_P(StudentPlay, IsTheMotionOfAllObjectsInOneProcessToTheLastBit) {
     Student all(together), student(setup_);
     Trial in_one_process(all, Random("", "")), asked(student, Random("", ""));
     const Played expected = play_elsewhere(in_one_process, hidden.text, hidden.scene);
-    const Played played = play_with_student(asked, player(), hidden.scene);
+    const Played played = play_with_student(asked, runner(), hidden.scene);
     EXPECT_EQ(played.trouble, "");
     EXPECT_EQ(played.solver_steps, expected.solver_steps);
     EXPECT_EQ(played.correction_steps, expected.correction_steps);
@@ -135,8 +135,8 @@ pid_t parent_of(const fs::path& process) {
 std::set<std::string> mapped_by_runs() {
   std::set<std::string> files;
   for (const fs::directory_entry& process : fs::directory_iterator("/proc")) {
-    const pid_t warden = parent_of(process.path());
-    if (warden <= 1 || parent_of("/proc/" + std::to_string(warden)) != getpid()) continue;
+    const pid_t supervisor = parent_of(process.path());
+    if (supervisor <= 1 || parent_of("/proc/" + std::to_string(supervisor)) != getpid()) continue;
     std::ifstream maps(process.path() / "maps");
     for (std::string line; std::getline(maps, line);)
       if (const std::size_t path = line.find('/'); path != std::string::npos) {

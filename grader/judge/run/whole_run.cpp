@@ -32,10 +32,10 @@ std::string where_it_breaks_off(const RunComparison& run, const std::string& tro
 
 }  // namespace
 
-WholeRun::WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
+WholeRun::WholeRun(WorkerSetup worker, std::filesystem::path runner, HiddenScene scene,
                    std::optional<std::filesystem::path> kept_pictures, Student& cases)
     : student_(std::move(worker)),
-      player_(std::move(player)),
+      runner_(std::move(runner)),
       hidden_(std::move(scene)),
       kept_pictures_(std::move(kept_pictures)),
       cases_(cases) {}
@@ -47,7 +47,7 @@ Category WholeRun::category(const std::string& exercise) {
 Played WholeRun::play(Trial& trial) {
   const double before = student_.spent().messages;
   try {
-    return play_with_student(trial, player_, hidden_.scene);
+    return play_with_student(trial, runner_, hidden_.scene);
   } catch (CaseFailed& failure) {
     if (failure.status == Status::timed_out && student_.spent().messages - before > kManyMessages)
       failure = {Status::wrong, "the run takes many times the calls and products of ours", failure.detail};

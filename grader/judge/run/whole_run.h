@@ -49,11 +49,11 @@ inline constexpr double kManyMessages = 100'000;
 
 class WholeRun {
  public:
-  // `worker` answers for the exercise as in its cases, and `player` runs the scene with it
+  // `worker` answers for the exercise as in its cases, and `runner` runs the scene with it
   // (grader/judge/run/play.h). The reference's pictures are stored in `kept_pictures`; without it no pictures
   // are drawn. `cases` is the worker of the exercise's other cases: it ends first, and if the suite gave up
   // on it, there is no whole run.
-  WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
+  WholeRun(WorkerSetup worker, std::filesystem::path runner, HiddenScene scene,
            std::optional<std::filesystem::path> kept_pictures, Student& cases);
 
   Category category(const std::string& exercise);
@@ -71,7 +71,7 @@ class WholeRun {
   void judge_pictures(Trial& trial) const;
 
   Student student_;
-  std::filesystem::path player_;
+  std::filesystem::path runner_;
   HiddenScene hidden_;
   std::optional<std::filesystem::path> kept_pictures_;
   Student& cases_;

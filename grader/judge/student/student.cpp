@@ -45,24 +45,24 @@ std::vector<std::filesystem::path> all_objects(const WorkerSetup& setup) {
   return all;
 }
 
-Cage worker_cage(const WorkerSetup& setup) {
-  Cage cage;
-  cage.mounts = runtime_library_mounts();
-  cage.mounts.push_back({setup.kit / (setup.sanitised ? "sanitised/worker" : "worker"), "/worker"});
+Sandbox worker_sandbox(const WorkerSetup& setup) {
+  Sandbox sandbox;
+  sandbox.mounts = runtime_library_mounts();
+  sandbox.mounts.push_back({setup.kit / (setup.sanitised ? "sanitised/worker" : "worker"), "/worker"});
   if (setup.sanitised) {
     for (const auto& library : std::filesystem::directory_iterator(setup.kit / "sanitised/lib"))
-      cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-    cage.limits.memory_of_group = true;
-    cage.limits.memory_bytes *= 2;  // the runtime takes its share
+      sandbox.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
+    sandbox.limits.memory_of_group = true;
+    sandbox.limits.memory_bytes *= 2;  // the runtime takes its share
   }
-  cage.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
+  sandbox.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
   for (const auto& object : all_objects(setup))
-    cage.mounts.push_back({object, "/objects/" + object.filename().string()});
-  cage.isolation = setup.isolation;
-  cage.roots = setup.kit.parent_path() / "roots";
-  cage.limits.cpu_seconds = static_cast<int>(
+    sandbox.mounts.push_back({object, "/objects/" + object.filename().string()});
+  sandbox.isolation = setup.isolation;
+  sandbox.roots = setup.kit.parent_path() / "roots";
+  sandbox.limits.cpu_seconds = static_cast<int>(
       std::ceil(std::clamp(setup.allowance->cpu_seconds_left(), 1.0, 1.0 * setup.cpu_seconds)));
-  return cage;
+  return sandbox;
 }
 
 Watchdog::Patience patience(const WorkerSetup& setup) {
@@ -92,15 +92,15 @@ struct Student::Worker {
   Pipe requests = make_pipe(), replies = make_pipe();
   Descriptor log;
   int cpu_seconds;
-  CagedProcess process;
+  SandboxedProcess process;
   Watchdog watchdog;
   Channel channel;
 
-  Worker(const WorkerSetup& setup, const Cage& cage)
+  Worker(const WorkerSetup& setup, const Sandbox& sandbox)
       : log(open(setup.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)),
-        cpu_seconds(cage.limits.cpu_seconds),
-        process(cage, worker_command(setup, cage.limits), requests.read_end.get(), replies.write_end.get(),
-                log.get()),
+        cpu_seconds(sandbox.limits.cpu_seconds),
+        process(sandbox, worker_command(setup, sandbox.limits), requests.read_end.get(),
+                replies.write_end.get(), log.get()),
         watchdog(process, patience(setup)),
         channel(replies.read_end.get(), requests.write_end.get(),
                 [this](int descriptor, short events) { return watchdog.wait_for(descriptor, events); }) {
@@ -154,7 +154,7 @@ std::optional<Answer> Student::start() {
   if (starts_ > 0 && !std::exchange(forgiven_, false)) setup_.allowance->spent.restarts += 1;
   if (give_up_if_used_up()) return gave_up_;
   ++starts_;
-  worker_ = std::make_shared<Worker>(setup_, worker_cage(setup_));
+  worker_ = std::make_shared<Worker>(setup_, worker_sandbox(setup_));
   try {
     const std::optional<Message> message = receive();
     if (!message) return ended(kLoading);

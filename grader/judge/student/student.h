@@ -13,7 +13,7 @@
 #include "grader/judge/student/allowance.h"
 #include "grader/judge/student/outcome.h"
 #include "grader/judge/student/provided.h"
-#include "grader/sandbox/cage.h"
+#include "grader/sandbox/sandbox.h"
 #include "grader/sandbox/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"

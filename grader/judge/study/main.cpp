@@ -34,7 +34,7 @@ std::string why_not_run(const std::vector<std::string>& exercises,
 // lacks scenes that need an exercise that the course leaves out.
 SubmissionStudy study_submission(Student& student, Student& reference, const SuiteJob& job,
                                  const StudySettings& settings) {
-  WorkerPlayer their_worker(student), ours(reference);
+  WorkerRunner their_worker(student), ours(reference);
   UntilItGivesUp theirs(their_worker, settings.most_wall_seconds);
   SubmissionStudy study;
   for (const SceneText& text : studied_scenes()) {

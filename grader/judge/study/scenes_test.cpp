@@ -7,7 +7,7 @@
 
 #include "grader/judge/study/truth.h"
 #include "hair/io/files/temporary_folder.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
 namespace {
@@ -17,12 +17,12 @@ TEST(StudiedScenes, EachEndsSoundAndTogetherTheyNeedAllExercisesThatScenesCall) 
   for (const SceneText& text : studied_scenes()) {
     const hair::Scene scene = hair::parse_scene(text.json, text.name);
     for (const std::string& id : exercises_of(scene)) all.insert(id);
-    hair::Playback playback(scene);
-    const particles::State start = playback.state();
-    while (playback.frame() < scene.frames) ASSERT_FALSE(playback.advance()) << text.name;
-    EXPECT_TRUE(playback.state().x.allFinite() && playback.state().v.allFinite()) << text.name;
+    hair::SceneRun scene_run(scene);
+    const particles::State start = scene_run.state();
+    while (scene_run.frame() < scene.frames) ASSERT_FALSE(scene_run.advance()) << text.name;
+    EXPECT_TRUE(scene_run.state().x.allFinite() && scene_run.state().v.allFinite()) << text.name;
     // Something must move by at least a tenth of a millimetre.
-    EXPECT_GT((playback.state().x - start.x).norm(), 1e-4) << text.name;
+    EXPECT_GT((scene_run.state().x - start.x).norm(), 1e-4) << text.name;
   }
   EXPECT_EQ(all, (std::set<std::string>{"S1", "P1", "P2", "H1", "H2", "H3", "H4", "H5", "H6"}));
 }

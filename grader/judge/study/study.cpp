@@ -20,7 +20,7 @@ struct Side {
     StudyPoint point;
     double seconds = 0;  // is the time of one run, and determines the repetitions
   };
-  Player& player;
+  Runner& runner;
   bool is_student;
   std::vector<Run> runs = {};
   double seconds = 0;  // is the sum so far
@@ -88,7 +88,7 @@ class PartStudied {
   PartStudied(const StudiedPart& part, const Truth& truth, const StudySettings& settings, const Asked& asked)
       : part_(part), truth_(truth), settings_(settings), asked_(asked) {}
 
-  PartStudy study(Player& student, Player& reference) {
+  PartStudy study(Runner& student, Runner& reference) {
     Side theirs{student, true}, ours{reference, false};
     const Division own{part_.scene.frames, part_.scene.steps_per_frame};
     for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // warms up
@@ -122,7 +122,7 @@ class PartStudied {
     const SceneText text = divided(part_, division);
     std::string why;
     try {
-      const Play play = side.player.play(text, hair::parse_scene(text.json, text.name), times);
+      const Play play = side.runner.play(text, hair::parse_scene(text.json, text.name), times);
       StudyPoint point = judged(division, play.played, truth_);
       const double taken = play.seconds.value_or(0);
       if (seconds != nullptr) *seconds = taken / times;
@@ -248,7 +248,7 @@ class PartStudied {
 
 }  // namespace
 
-PartStudy study_part(const StudiedPart& part, const Truth& truth, Player& student, Player& reference,
+PartStudy study_part(const StudiedPart& part, const Truth& truth, Runner& student, Runner& reference,
                      const StudySettings& settings, const Asked& asked) {
   return PartStudied(part, truth, settings, asked).study(student, reference);
 }

@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "grader/judge/study/player.h"
+#include "grader/judge/study/runner.h"
 #include "grader/judge/study/truth.h"
 #include "grader/result/study.h"
 
@@ -27,7 +27,7 @@ struct StudySettings {
 // Reports each run in its order: true for the student's, and its number of steps.
 using Asked = std::function<void(bool student, int steps)>;
 
-PartStudy study_part(const StudiedPart& part, const Truth& truth, Player& student, Player& reference,
+PartStudy study_part(const StudiedPart& part, const Truth& truth, Runner& student, Runner& reference,
                      const StudySettings& settings, const Asked& asked = {});
 
 }  // namespace grader::judge

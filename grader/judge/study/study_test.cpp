@@ -1,4 +1,4 @@
-// STAFF ONLY. Tests studies with players of known speed and accuracy in place of workers.
+// STAFF ONLY. Tests studies with runners of known speed and accuracy in place of workers.
 #include "grader/judge/study/study.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 #include "grader/report/pages/pages.h"
 #include "hair/io/plot/test_parsed.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
 namespace {
@@ -31,7 +31,7 @@ Truth truth_of(const StudiedPart& part) {
 }
 
 // Runs the reference in this process, by a clock of its own: `seconds_per_step` for each step.
-struct Fake : Player {
+struct Fake : Runner {
   double seconds_per_step = 1e-5;
   std::function<void(hair::Scene&)> change = [](hair::Scene&) {};
   std::function<void(Played&, int steps)> poison = [](Played&, int) {};
@@ -41,12 +41,12 @@ struct Fake : Player {
     ++plays;
     hair::Scene mine = scene;
     change(mine);
-    hair::Playback playback(mine);
+    hair::SceneRun scene_run(mine);
     Play play;
-    play.played.frames.push_back(playback.state());
-    while (play.played.trouble.empty() && playback.frame() < scene.frames) {
-      play.played.trouble = playback.advance().value_or("");
-      if (play.played.trouble.empty()) play.played.frames.push_back(playback.state());
+    play.played.frames.push_back(scene_run.state());
+    while (play.played.trouble.empty() && scene_run.frame() < scene.frames) {
+      play.played.trouble = scene_run.advance().value_or("");
+      if (play.played.trouble.empty()) play.played.frames.push_back(scene_run.state());
     }
     const int steps = scene.frames * scene.steps_per_frame;
     poison(play.played, steps);
@@ -283,8 +283,8 @@ TEST(UntilItGivesUp, EndsWhatDozes) {
   const StudiedPart part = pendulum("midpoint");
   Fake dozes;
   dozes.poison = [](Played&, int) { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
-  UntilItGivesUp player(dozes, 0.01);
-  const auto play = [&] { player.play(divided(part, {part.scene.frames, 1}), part.scene, 1); };
+  UntilItGivesUp runner(dozes, 0.01);
+  const auto play = [&] { runner.play(divided(part, {part.scene.frames, 1}), part.scene, 1); };
   EXPECT_NO_THROW(play());
   for (int i = 0; i < 2; ++i) EXPECT_THROW(play(), CaseFailed);
   EXPECT_EQ(dozes.plays, 1);
@@ -294,9 +294,9 @@ TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
   const StudiedPart part = pendulum("midpoint");
   Fake crashes;
   crashes.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
-  UntilItGivesUp player(crashes, 100);
+  UntilItGivesUp runner(crashes, 100);
   for (int i = 0; i < 2 * UntilItGivesUp::kMostCrashes; ++i)
-    EXPECT_THROW(player.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
+    EXPECT_THROW(runner.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
   EXPECT_EQ(crashes.plays, UntilItGivesUp::kMostCrashes);
 }
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "grader/compile/hash.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/truth/motion_cache.h"
 #include "hair/truth/trajectory.h"
 
@@ -19,12 +19,12 @@ constexpr int kTimesFinest = 32;
 std::vector<particles::State> played(const StudiedPart& part, const Division& division) {
   const SceneText text = divided(part, division);
   const hair::Scene scene = hair::parse_scene(text.json, text.name);
-  hair::Playback playback(scene);
-  std::vector<particles::State> frames = {playback.state()};
+  hair::SceneRun scene_run(scene);
+  std::vector<particles::State> frames = {scene_run.state()};
   for (int k = 0; k < scene.frames; ++k) {
-    if (const auto trouble = playback.advance())
+    if (const auto trouble = scene_run.advance())
       throw std::runtime_error("the reference breaks in " + part.name + ": " + *trouble);
-    frames.push_back(playback.state());
+    frames.push_back(scene_run.state());
   }
   return frames;
 }

@@ -63,7 +63,7 @@ Identity identity_of_a_run() {
     const auto number = static_cast<uid_t>(
         std::uniform_int_distribution<std::uint64_t>(wanted.first, wanted.end - 1)(device) &
         ~std::uint64_t{1});
-    // The user with the next number ends this one's processes: see warden.cpp.
+    // The user with the next number ends this one's processes: see supervisor.cpp.
     if (has_number("/proc/self/uid_map", number) && has_number("/proc/self/uid_map", number + 1) &&
         has_number("/proc/self/gid_map", number))
       return {number, number, true};

@@ -445,12 +445,12 @@ TEST(ToolchainFilter, RefusesWhatACompilerNeverNeeds) {
   for (const Call& call : trapping()) {
     SCOPED_TRACE(call.name);
     if (call.number() < 0) continue;
-    const Tried caged = attempt(call, Syscalls::toolchain), free = attempt(call, {});
+    const Tried sandboxed = attempt(call, Syscalls::toolchain), free = attempt(call, {});
     if (kept.count(call.name)) {
-      EXPECT_EQ(caged, free);
+      EXPECT_EQ(sandboxed, free);
       continue;
     }
-    EXPECT_EQ(caged, failed(EPERM));
+    EXPECT_EQ(sandboxed, failed(EPERM));
     ++tried;
   }
   EXPECT_GE(tried, 45);

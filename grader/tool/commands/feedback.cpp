@@ -8,7 +8,7 @@
 #include "grader/gradebook/feedback.h"
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/grading/isolation_here.h"
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/record/record.h"
 #include "grader/report/student_text.h"
@@ -37,7 +37,7 @@ std::vector<std::string> files_in(const fs::path& download) {
     throw BadInput(printable(download.string(), 4096) + ": is not there; give the download that was graded");
   const IntakeLimits limits;
   const StagedKit kit(HAIR_KIT_DIR, read_course(HAIR_EXERCISES_JSON));
-  const CagedReader reader(HAIR_READER, isolation_here(kit, {}));
+  const SandboxedReader reader(HAIR_READER, isolation_here(kit, {}));
   try {
     const auto archive =
         reader.open(download, download.filename().string(),

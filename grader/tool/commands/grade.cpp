@@ -14,7 +14,7 @@
 #include "grader/course/input.h"
 #include "grader/grading/grading.h"
 #include "grader/grading/secret.h"
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/names/names.h"
 #include "grader/intake/read_submissions.h"
@@ -99,7 +99,7 @@ int grade(GradeOptions options) {
                                 .rules;
   options.settings.of_hand_in = rules.exercises;
   GradingSettings settings = settings_of(options.settings);
-  std::optional<CagedReader> reader;
+  std::optional<SandboxedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
   std::optional<Roster> roster = options.batch.roster;
   if (!roster && Record::is_in(options.batch.out))

@@ -49,7 +49,7 @@ GradingSettings settings_of(const GradeSettings& options) {
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
   settings.study_program = HAIR_STUDY;
-  settings.players = HAIR_PLAYERS;
+  settings.runners = HAIR_RUNNERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.reference = fs::path(HAIR_SOURCE_DIR) / "reference";
   settings.images = !options.no_images;

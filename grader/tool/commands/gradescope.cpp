@@ -5,7 +5,7 @@
 
 #include "grader/course/input.h"
 #include "grader/grading/grading.h"
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/report/report.h"
@@ -35,7 +35,7 @@ int grade_on_gradescope(GradescopeOptions options) {
     const Metadata metadata = read_metadata(options.folder / "submission_metadata.json");
     results.belong_to(metadata);
     GradingSettings settings = settings_of(options.settings);
-    const CagedReader reader(HAIR_READER, settings.isolation);
+    const SandboxedReader reader(HAIR_READER, settings.isolation);
     const Intake intake =
         read_hand_in(options.folder / "submission", metadata.student, course, reader.opener());
     for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";

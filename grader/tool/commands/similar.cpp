@@ -8,7 +8,7 @@
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/grading/isolation_here.h"
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
@@ -36,7 +36,7 @@ int similar(const SimilarOptions& options) {
   if (!options.hand_in.empty())
     course.of_hand_in = read_hand_in(course, options.course, options.hand_in).rules.exercises;
   const Isolation isolation = isolation_here(StagedKit(HAIR_KIT_DIR, course), {});
-  const CagedReader reader(HAIR_READER, isolation);
+  const SandboxedReader reader(HAIR_READER, isolation);
   Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.choices);
   NamesForPeople people = names_for_people({}, hand_ins_of(intake.submissions));
   std::optional<HiddenNames> hidden;

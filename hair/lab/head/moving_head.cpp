@@ -55,16 +55,16 @@ Motion turn_of_head() {
 
 MovingHead::MovingHead(const GrownHead& head, std::span<const std::size_t> which,
                        const MovingHeadSettings& settings)
-    : playback_(scene_of(head, which, settings)) {}
+    : scene_run_(scene_of(head, which, settings)) {}
 
 double MovingHead::advance() {
   const double begin = timing::process_cpu_seconds();
-  if (const auto broke = playback_.advance()) throw std::runtime_error("the hair broke: " + *broke);
+  if (const auto broke = scene_run_.advance()) throw std::runtime_error("the hair broke: " + *broke);
   return timing::process_cpu_seconds() - begin;
 }
 
 std::span<const double> MovingHead::points() {
-  state_ = playback_.state();
+  state_ = scene_run_.state();
   return {state_.x.data(), static_cast<std::size_t>(state_.x.size())};
 }
 

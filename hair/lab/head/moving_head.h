@@ -10,7 +10,7 @@
 
 #include "hair/lab/head/head_hair.h"
 #include "hair/scene/motion.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 namespace hair::head_study {
 
@@ -43,7 +43,7 @@ class MovingHead {
   std::span<const double> points();
 
  private:
-  Playback playback_;
+  SceneRun scene_run_;
   particles::State state_;
 };
 

@@ -51,7 +51,7 @@ std::optional<std::string> make_film(const fs::path& folder, double frames_per_s
   const auto program = find_ffmpeg();
   if (!program) return "ffmpeg is not on PATH (package ffmpeg brings it)";
   const fs::path film = folder / "film.mp4", errors = folder / kErrors;
-  // One thread and no dates: the same pictures give the same bytes. Most video players need an even number of
+  // One thread and no dates: the same pictures give the same bytes. Most video runners need an even number of
   // rows and columns, and colours at half their resolution.
   const std::vector<std::string> words = {program->string(),
                                           "-nostdin",

@@ -14,7 +14,7 @@
 #include "hair/lab/run/states_file.h"
 #include "hair/lab/run/strip_pushes.h"
 #include "hair/render/opengl/renderer.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/scene_drawing/idle_guides.h"
 #include "hair/scene_drawing/scene_drawing.h"
 #include "solver/timing.h"
@@ -23,9 +23,9 @@ namespace hair {
 
 namespace {
 
-std::unique_ptr<Playback> assemble(const Scene& scene) {
+std::unique_ptr<SceneRun> assemble(const Scene& scene) {
   try {
-    return std::make_unique<Playback>(scene);
+    return std::make_unique<SceneRun>(scene);
   } catch (const std::invalid_argument& error) {
     throw BadInput(scene.name + ": " + error.what());
   }
@@ -65,33 +65,33 @@ Scene without_dense_hair(Scene scene) {
 // Writes the frames of a run.
 class FrameWriter {
  public:
-  FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback,
+  FrameWriter(const Scene& scene, const OutputFolder& folder, const SceneRun& scene_run,
               const SceneDrawing& drawing, Renderer* renderer, std::size_t most_points, RunRecord& record,
               timing::Laps& laps)
       : scene_(scene),
         folder_(folder),
-        playback_(playback),
+        scene_run_(scene_run),
         drawing_(drawing),
         renderer_(renderer),
         record_(record),
         laps_(laps),
         dense_(!scene.dense.empty()),
-        binary_(folder.now("states.bin"), folder.then("states.bin"), playback.sizes(),
-                static_cast<int>(playback.state().x.size() / 3), playback.coordinates().front()),
+        binary_(folder.now("states.bin"), folder.then("states.bin"), scene_run.sizes(),
+                static_cast<int>(scene_run.state().x.size() / 3), scene_run.coordinates().front()),
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands),
         motion_(record.frames_asked + 1, most_points) {}
 
   // Adds the present frame.
   void add() {
     Seconds& seconds = record_.seconds;
-    const particles::State state = playback_.state(), lines = playback_.centre_lines(state);
+    const particles::State state = scene_run_.state(), lines = scene_run_.centre_lines(state);
     const int frame = static_cast<int>(record_.frames.size());
-    record_.frames.push_back({playback_.time(), playback_.measure(state), playback_.work()});
+    record_.frames.push_back({scene_run_.time(), scene_run_.measure(state), scene_run_.work()});
     laps_.book(seconds.measure);
-    binary_.add(playback_.time(), state);
-    csv_.add(playback_.time(), lines);
+    binary_.add(scene_run_.time(), state);
+    csv_.add(scene_run_.time(), lines);
     laps_.book(seconds.write);
-    last_ = drawing_.at(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
+    last_ = drawing_.at(lines, scene_run_.obstacles(), scene_run_.time(), scene_run_.mesh_record());
     motion_.add(last_);
     laps_.book(seconds.lay_out);
     if (!renderer_) return;
@@ -143,7 +143,7 @@ class FrameWriter {
  private:
   const Scene& scene_;
   const OutputFolder& folder_;
-  const Playback& playback_;
+  const SceneRun& scene_run_;
   const SceneDrawing& drawing_;
   Renderer* renderer_;
   RunRecord& record_;
@@ -155,7 +155,7 @@ class FrameWriter {
   Drawing last_;
 };
 
-void play(Playback& playback, FrameWriter& frames, RunRecord& record, timing::Laps& laps,
+void play(SceneRun& scene_run, FrameWriter& frames, RunRecord& record, timing::Laps& laps,
           const std::atomic<bool>& interrupted, std::ostream* progress) {
   for (int k = 1; k <= record.frames_asked; ++k) {
     if (interrupted) {
@@ -163,7 +163,7 @@ void play(Playback& playback, FrameWriter& frames, RunRecord& record, timing::La
       return;
     }
     if (progress) *progress << "\rframe " << k << " of " << record.frames_asked << std::flush;
-    const std::optional<std::string> trouble = playback.advance();
+    const std::optional<std::string> trouble = scene_run.advance();
     laps.book(record.seconds.simulate);
     if (trouble) {
       record.ending = Ending::blow_up;
@@ -185,9 +185,9 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   Seconds& seconds = record.seconds;
   seconds.read = settings.read_seconds;
 
-  const std::unique_ptr<Playback> playback = assemble(scene);
-  record.strands = playback->strands();
-  record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
+  const std::unique_ptr<SceneRun> scene_run = assemble(scene);
+  record.strands = scene_run->strands();
+  record.particles = static_cast<int>(scene_run->centre_lines(scene_run->state()).x.size() / 3);
   if (const auto slow = too_thick_strips(scene)) notes << scene.name << ": " << *slow << std::endl;
   laps.book(seconds.assemble);
   const bool draws = settings.draws || (settings.render && scene.look);
@@ -199,25 +199,25 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   if ((renderer || settings.only_shown) && !scene.dense.empty()) {
     const std::vector<int> idle = idle_guides(scene, drawing);
     record.guides_left_out = idle.size();
-    playback->leave_out(idle);
+    scene_run->leave_out(idle);
   }
-  FrameWriter frames(scene, folder, *playback, drawing, renderer.get(), settings.most_points, record, laps);
+  FrameWriter frames(scene, folder, *scene_run, drawing, renderer.get(), settings.most_points, record, laps);
   laps.book(seconds.prepare);
   frames.add();
   std::vector<int> unseen;
   if (settings.only_shown && scene.dense.empty() && !scene.hair.mesh) unseen = frames.unseen();
-  playback->leave_out(unseen);
+  scene_run->leave_out(unseen);
   if (const auto [shown, all] = frames.shown_of_all(); shown < all)
     notes << scene.name << ": the page shows " << shown << " of " << all << " strands"
           << (unseen.empty() ? "" : ", and only these are computed") << std::endl;
-  play(*playback, frames, record, laps, interrupted, progress);
+  play(*scene_run, frames, record, laps, interrupted, progress);
   if (record.ending == Ending::blow_up) frames.show_broken(strand_of(record.blow_up));
-  if (const MeshRecord* mesh = playback->mesh_record()) {
+  if (const MeshRecord* mesh = scene_run->mesh_record()) {
     record.links = LinksFile{{}, mesh->broken};
     for (const StaticLink& link : scene.hair.mesh->links) record.links->particles.push_back({link.a, link.b});
     record.worn_off = mesh->worn_off;
   }
-  record.warnings = playback->warnings();
+  record.warnings = scene_run->warnings();
   frames.close(unseen.empty());
   if (renderer) {
     const RenderTimes& times = renderer->times();

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hair/lab/run/states_file.h"
-#include "hair/scene/playback.h"
 #include "hair/scene/scene.h"
+#include "hair/scene/scene_run.h"
 
 namespace hair {
 

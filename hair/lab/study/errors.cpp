@@ -89,10 +89,10 @@ Errors floors(const Problem& problem, double least) {
 ErrorTally::ErrorTally(const Problem& problem, const Trajectory& accurate)
     : accurate_(accurate), lengths_(rest_lengths(problem)) {}
 
-double ErrorTally::add(const Playback& playback) {
-  const particles::State state = playback.state();
+double ErrorTally::add(const SceneRun& scene_run) {
+  const particles::State state = scene_run.state();
   const particles::State& truth = accurate_.at(moments_);
-  const FrameMeasures measures = playback.measure(state), true_measures = playback.measure(truth);
+  const FrameMeasures measures = scene_run.measure(state), true_measures = scene_run.measure(truth);
   const Eigen::VectorXd &x = state.x, &true_x = truth.x;
   const double largest = largest_distance(x, true_x);
   if (moments_ == 0) potential_ = true_measures.potential;

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/truth/problem.h"
 #include "hair/truth/trajectory.h"
 
@@ -77,7 +77,7 @@ class ErrorTally {
   ErrorTally(const Problem& problem, const Trajectory& accurate);
 
   // Call it at each moment in order, including the start. Returns the largest distance of a particle, m.
-  double add(const Playback& playback);
+  double add(const SceneRun& scene_run);
 
   Errors errors() const;  // valid after all moments were added
 

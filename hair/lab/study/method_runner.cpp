@@ -34,28 +34,28 @@ MethodRunner::MethodRunner(const Problem& problem, const StudyMethod& method, co
       method_(method),
       accurate_(accurate),
       floors_(floors),
-      playback_(std::make_unique<Playback>(with_method(problem, method, 1))) {}
+      scene_run_(std::make_unique<SceneRun>(with_method(problem, method, 1))) {}
 
 bool MethodRunner::compare(const Scene& scene, const std::atomic<bool>& interrupted, MethodRun& run) {
   const double useless = size_of(problem_);
   ErrorTally tally(problem_, accurate_);
-  playback_->restart(scene);
-  tally.add(*playback_);
+  scene_run_->restart(scene);
+  tally.add(*scene_run_);
   run.seconds = {0};
-  while (playback_->frame() < scene.frames) {
+  while (scene_run_->frame() < scene.frames) {
     if (interrupted) return false;
     const double start = timing::cpu_seconds();
-    const std::optional<std::string> trouble = playback_->advance();
+    const std::optional<std::string> trouble = scene_run_->advance();
     run.seconds[0] += timing::cpu_seconds() - start;
     if (trouble) {
       run.ending = RunEnding::broke;
       run.trouble = *trouble;
       return true;
     }
-    const double off = tally.add(*playback_);
+    const double off = tally.add(*scene_run_);
     if (!(off <= useless)) {
       run.ending = RunEnding::useless;
-      run.trouble = to_text(off) + " m off after " + to_text(playback_->time()) + " s";
+      run.trouble = to_text(off) + " m off after " + to_text(scene_run_->time()) + " s";
       return true;
     }
   }
@@ -71,10 +71,10 @@ std::optional<double> MethodRunner::play(const Scene& scene, int times, int adva
                                          const std::atomic<bool>& interrupted) {
   const double start = timing::cpu_seconds();
   for (int i = 0; i < times; ++i) {
-    playback_->restart(scene);
+    scene_run_->restart(scene);
     for (int k = 0; k < advances; ++k) {
       if (interrupted) return {};
-      playback_->advance();
+      scene_run_->advance();
     }
   }
   return timing::cpu_seconds() - start;
@@ -83,7 +83,7 @@ std::optional<double> MethodRunner::play(const Scene& scene, int times, int adva
 bool MethodRunner::repeat(const Scene& scene, const Repeats& repeats, const std::atomic<bool>& interrupted,
                           MethodRun& run) {
   // A run that broke or became useless did so on the way to its next moment, or at it.
-  const int advances = playback_->frame() + (run.ending == RunEnding::broke ? 1 : 0);
+  const int advances = scene_run_->frame() + (run.ending == RunEnding::broke ? 1 : 0);
   const double once = run.seconds[0];
   const int times = std::clamp(static_cast<int>(repeats.clock / std::max(once, 1e-9)), 1, kMostTimes);
   std::vector<double> seconds;
@@ -112,7 +112,7 @@ std::optional<MethodRun> MethodRunner::run(int steps_per_moment, const Repeats& 
     throw;
   } catch (const std::exception& error) {
     run.ending = RunEnding::broke;
-    run.trouble = "step " + std::to_string(playback_->steps()) + ": threw " + printable(error.what());
+    run.trouble = "step " + std::to_string(scene_run_->steps()) + ": threw " + printable(error.what());
     run.errors = {};
     count(run);
   }
@@ -120,9 +120,9 @@ std::optional<MethodRun> MethodRunner::run(int steps_per_moment, const Repeats& 
 }
 
 void MethodRunner::count(MethodRun& run) const {
-  const Work work = playback_->work();
+  const Work work = scene_run_->work();
   Counts& counts = run.counts;
-  counts.steps = playback_->steps();
+  counts.steps = scene_run_->steps();
   counts.iterations = work.solver_steps;
   counts.corrections = work.correction_steps;
   counts.evaluations = counts.steps * row_of(method_.method).evaluations;

@@ -49,7 +49,7 @@ class MethodRunner {
   StudyMethod method_;
   const Trajectory& accurate_;
   Errors floors_;
-  std::unique_ptr<Playback> playback_;
+  std::unique_ptr<SceneRun> scene_run_;
 };
 
 }  // namespace hair

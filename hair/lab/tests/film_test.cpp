@@ -15,7 +15,7 @@ class Film : public testing::Test {
  protected:
   Film() : path_(std::getenv("PATH")) {
     for (int k = 0; k < 3; ++k) {
-      Image image{17, 19, {}};  // odd, which most video players can't show
+      Image image{17, 19, {}};  // odd, which most video runners can't show
       image.pixels.assign(3 * 17 * 19, static_cast<std::uint8_t>(80 * k));
       write_png(folder_ / ("frame-000" + std::to_string(k) + ".png"), image);
     }

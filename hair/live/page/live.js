@@ -1,4 +1,4 @@
-// The live page: it shows the results of a running process (hair/live/player.h), and controls it.
+// The live page: it shows the results of a running process (hair/live/runner.h), and controls it.
 
 const WORDS_WAIT = 1000; // ms between words that follow the motion
 const NAMES_OF_ENDS = { finished: "It is over", blow_up: "It blew up" };

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/strand/make_strand.h"
 #include "hair/truth/cvode.h"
 #include "hair/truth/space_error.h"
@@ -47,12 +47,12 @@ TEST(AccurateMotion, OfADampedSpringIsTheClosedForm) {
 
 TEST(AccurateMotion, KeepsTheEnergyWithoutDrag) {
   const Problem problem = level_strand();
-  const hair::Playback playback(problem.scene);
+  const hair::SceneRun scene_run(problem.scene);
   const AccurateMotion motion = motion_of(problem);
-  const double start = playback.measure(motion.states.front()).energy();
-  const double kinetic = playback.measure(motion.states.back()).kinetic;
+  const double start = scene_run.measure(motion.states.front()).energy();
+  const double kinetic = scene_run.measure(motion.states.back()).kinetic;
   ASSERT_GT(kinetic, 0);
-  EXPECT_LE(std::abs(playback.measure(motion.states.back()).energy() - start), 1e-8 * kinetic)
+  EXPECT_LE(std::abs(scene_run.measure(motion.states.back()).energy() - start), 1e-8 * kinetic)
       << "with a kinetic energy of " << kinetic << " J";
 }
 

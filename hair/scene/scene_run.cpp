@@ -1,4 +1,4 @@
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 #include <algorithm>
 #include <string>
@@ -30,7 +30,7 @@ void check_times(const Scene& scene) {
 
 }  // namespace
 
-class Playback::Parts {
+class SceneRun::Parts {
  public:
   explicit Parts(const Scene& scene)
       : h_(scene.hair.step),
@@ -234,58 +234,58 @@ class Playback::Parts {
   std::optional<std::string> trouble_;
 };
 
-Playback::Playback(const Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
-Playback::~Playback() = default;
+SceneRun::SceneRun(const Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
+SceneRun::~SceneRun() = default;
 
-void Playback::restart(const Scene& scene) {
+void SceneRun::restart(const Scene& scene) {
   parts_->restart(scene);
 }
-void Playback::leave_out(std::span<const int> strands) {
+void SceneRun::leave_out(std::span<const int> strands) {
   parts_->leave_out(strands);
 }
-std::optional<std::string> Playback::advance() {
+std::optional<std::string> SceneRun::advance() {
   return parts_->advance();
 }
-double Playback::time() const {
+double SceneRun::time() const {
   return parts_->time();
 }
-int Playback::frame() const {
+int SceneRun::frame() const {
   return parts_->frame();
 }
-long Playback::steps() const {
+long SceneRun::steps() const {
   return parts_->steps();
 }
-particles::State Playback::state() const {
+particles::State SceneRun::state() const {
   return parts_->state();
 }
-std::vector<std::uint32_t> Playback::coordinates() const {
+std::vector<std::uint32_t> SceneRun::coordinates() const {
   return parts_->coordinates();
 }
-particles::State Playback::centre_lines(const particles::State& state) const {
+particles::State SceneRun::centre_lines(const particles::State& state) const {
   return parts_->centre_lines(state);
 }
-const std::vector<int>& Playback::strands() const {
+const std::vector<int>& SceneRun::strands() const {
   return parts_->strands();
 }
-std::vector<int> Playback::sizes() const {
+std::vector<int> SceneRun::sizes() const {
   return parts_->sizes();
 }
-const std::vector<Obstacle>& Playback::obstacles() const {
+const std::vector<Obstacle>& SceneRun::obstacles() const {
   return parts_->obstacles();
 }
-const Watch& Playback::watch() const {
+const Watch& SceneRun::watch() const {
   return parts_->watch();
 }
-std::vector<Warning> Playback::warnings() const {
+std::vector<Warning> SceneRun::warnings() const {
   return parts_->warnings();
 }
-Work Playback::work() const {
+Work SceneRun::work() const {
   return parts_->work();
 }
-const MeshRecord* Playback::mesh_record() const {
+const MeshRecord* SceneRun::mesh_record() const {
   return parts_->mesh_record();
 }
-FrameMeasures Playback::measure(const particles::State& state) const {
+FrameMeasures SceneRun::measure(const particles::State& state) const {
   return parts_->measure(state);
 }
 

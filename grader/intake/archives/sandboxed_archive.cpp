@@ -1,5 +1,5 @@
 // STAFF ONLY. Starts an archive's reader in a sandbox and asks it for entries.
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -73,14 +73,15 @@ Pipe make_conversation() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-class CagedArchive : public Container {
+class SandboxedArchive : public Container {
  public:
-  CagedArchive(const Cage& cage, const ArchiveSource& source, std::string shown, ArchiveLimits limits)
+  SandboxedArchive(const Sandbox& sandbox, const ArchiveSource& source, std::string shown,
+                   ArchiveLimits limits)
       : shown_(std::move(shown)),
         limits_(limits),
         archive_(opened(source, shown_)),
         conversation_(make_conversation()),
-        process_(cage, command(), archive_.get(), conversation_.write_end.get(), said_.write_end.get()),
+        process_(sandbox, command(), archive_.get(), conversation_.write_end.get(), said_.write_end.get()),
         watchdog_(process_, patience(limits, archive_.get())),
         channel_(conversation_.read_end.get(), conversation_.read_end.get(),
                  [this](int descriptor, short events) { return watchdog_.wait_for(descriptor, events); }) {
@@ -179,7 +180,7 @@ class CagedArchive : public Container {
   ArchiveLimits limits_;
   Descriptor archive_;
   Pipe conversation_, said_ = make_pipe();
-  CagedProcess process_;
+  SandboxedProcess process_;
   Watchdog watchdog_;
   Channel channel_;
   std::optional<std::string> broken_;  // is the student's reason why nothing more can be read
@@ -187,30 +188,30 @@ class CagedArchive : public Container {
 
 }  // namespace
 
-Cage reader_cage(const fs::path& program, Isolation isolation) {
-  Cage cage;
-  cage.isolation = isolation;
-  cage.roots = program.parent_path() / "roots";
-  cage.mounts = library_mounts(isolation, {program});
-  cage.mounts.push_back({program, std::string("/") + kProgram});
-  cage.limits.memory_bytes = kMemory;
-  cage.limits.processes = 4;
-  return cage;
+Sandbox reader_sandbox(const fs::path& program, Isolation isolation) {
+  Sandbox sandbox;
+  sandbox.isolation = isolation;
+  sandbox.roots = program.parent_path() / "roots";
+  sandbox.mounts = library_mounts(isolation, {program});
+  sandbox.mounts.push_back({program, std::string("/") + kProgram});
+  sandbox.limits.memory_bytes = kMemory;
+  sandbox.limits.processes = 4;
+  return sandbox;
 }
 
-CagedReader::CagedReader(const fs::path& program, Isolation isolation) {
+SandboxedReader::SandboxedReader(const fs::path& program, Isolation isolation) {
   if (!fs::exists(program)) throw BadInput(program.string() + " is missing; build the target grading");
   fs::copy_file(program, folder_.path() / kProgram);
   fs::permissions(folder_.path() / kProgram, fs::perms(0755));
-  cage_ = reader_cage(folder_.path() / kProgram, isolation);
+  sandbox_ = reader_sandbox(folder_.path() / kProgram, isolation);
 }
 
-std::unique_ptr<Container> CagedReader::open(const ArchiveSource& source, const std::string& shown,
-                                             ArchiveLimits limits) const {
-  return std::make_unique<CagedArchive>(cage_, source, shown, limits);
+std::unique_ptr<Container> SandboxedReader::open(const ArchiveSource& source, const std::string& shown,
+                                                 ArchiveLimits limits) const {
+  return std::make_unique<SandboxedArchive>(sandbox_, source, shown, limits);
 }
 
-OpenArchive CagedReader::opener() const {
+OpenArchive SandboxedReader::opener() const {
   return [this](const ArchiveSource& source, const std::string& shown, ArchiveLimits limits) {
     return open(source, shown, limits);
   };

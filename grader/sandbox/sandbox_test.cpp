@@ -1,5 +1,5 @@
 // STAFF ONLY. Tries from inside, with a shell, that a sandbox keeps the process in.
-#include "grader/sandbox/caged_process.h"
+#include "grader/sandbox/sandboxed_process.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 #include <fstream>
 #include <functional>
 
-#include "grader/sandbox/caged_for_tests.h"
 #include "grader/sandbox/listener.h"
 #include "grader/sandbox/processes/launch.h"
-#include "grader/sandbox/processes/warden.h"
+#include "grader/sandbox/processes/supervisor.h"
+#include "grader/sandbox/sandboxed_for_tests.h"
 #include "hair/io/files/bad_input.h"
 #include "solver/timing.h"
 
@@ -24,18 +24,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-INSTANTIATE_TEST_SUITE_P(Kinds, CageTest, testing::Values(Isolation::namespaces, Isolation::container),
+INSTANTIATE_TEST_SUITE_P(Kinds, SandboxTest, testing::Values(Isolation::namespaces, Isolation::container),
                          [](const auto& kind) { return to_string(kind.param); });
 
-class NamespacesTest : public Caged, public testing::Test {
+class NamespacesTest : public Sandboxed, public testing::Test {
  protected:
-  NamespacesTest() : Caged(Isolation::namespaces) {}
+  NamespacesTest() : Sandboxed(Isolation::namespaces) {}
   void SetUp() override {
     if (const std::string why = why_not(Isolation::namespaces); !why.empty()) GTEST_SKIP() << why;
   }
 };
 
-TEST_P(CageTest, RunsAProgramAndSaysHowItEnded) {
+TEST_P(SandboxTest, RunsAProgramAndSaysHowItEnded) {
   const Said well = shell("echo hello");
   EXPECT_TRUE(well.ending.well());
   EXPECT_EQ(well.output, "hello\n");
@@ -67,7 +67,7 @@ TEST_F(ContainerTest, GivesEachRunAUserOfItsOwn) {
   EXPECT_GT(std::atoi(one.c_str()), 60'000);
 }
 
-TEST_P(CageTest, HasNoEnvironmentOfOurs) {
+TEST_P(SandboxTest, HasNoEnvironmentOfOurs) {
   setenv("STAFF_SECRET", "do not look", 1);
   const std::string environment = shell("export -p; pwd").output;
   unsetenv("STAFF_SECRET");
@@ -75,23 +75,24 @@ TEST_P(CageTest, HasNoEnvironmentOfOurs) {
   EXPECT_EQ(environment.find("HOME"), std::string::npos) << environment;
 }
 
-TEST_P(CageTest, IsNeverRoot) {
+TEST_P(SandboxTest, IsNeverRoot) {
   EXPECT_NE(shell("id -u").output, "0\n");
 }
 
-TEST_P(CageTest, IsAloneAmongProcesses) {
+TEST_P(SandboxTest, IsAloneAmongProcesses) {
   // This is our own process, by its number outside.
   const Said run = shell("kill -0 " + std::to_string(getpid()) + " && echo reached");
   EXPECT_EQ(run.output.find("reached"), std::string::npos) << run.output;
 }
 
-TEST_P(CageTest, WritesNowhereButInItsOwnTmp) {
+TEST_P(SandboxTest, WritesNowhereButInItsOwnTmp) {
   for (const char* place : {"/x", "/usr/x", "/usr/bin/x", "/etc/x", "/etc/alternatives/x", "/dev/x"})
     EXPECT_EQ(shell(std::string("echo x 2>/dev/null > ") + place + " && echo written").output.find("written"),
               std::string::npos)
         << place;
-  EXPECT_NE(shell("echo x > /tmp/from-the-cage && echo written").output.find("written"), std::string::npos);
-  EXPECT_FALSE(fs::exists("/tmp/from-the-cage"));
+  EXPECT_NE(shell("echo x > /tmp/from-the-sandbox && echo written").output.find("written"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists("/tmp/from-the-sandbox"));
 }
 
 TEST_F(NamespacesTest, ItsTmpHasASize) {
@@ -104,7 +105,7 @@ std::string connecting_to(const Listener& listener) {
 }
 
 // Two layers keep the network away. Each is tried without the other.
-TEST_P(CageTest, ItsCallFilterAllowsNoSockets) {
+TEST_P(SandboxTest, ItsCallFilterAllowsNoSockets) {
   const Said run = shell(connecting_to(Listener()));
   EXPECT_EQ(run.output.find("connected"), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("Operation not permitted"), std::string::npos) << run.output;
@@ -112,16 +113,16 @@ TEST_P(CageTest, ItsCallFilterAllowsNoSockets) {
 
 TEST_F(NamespacesTest, ItsNetworkIsNotOurs) {
   const Listener listener;
-  cage_.syscalls.reset();
+  sandbox_.syscalls.reset();
   EXPECT_EQ(shell(connecting_to(listener)).output.find("connected"), std::string::npos);
-  cage_.isolation = Isolation::none;
+  sandbox_.isolation = Isolation::none;
   EXPECT_EQ(shell(connecting_to(listener)).output, "connected\n") << "the server does not answer at all";
 }
 
 TEST_F(NamespacesTest, SharesNoNamespaceWithUs) {
   Pipe output = make_pipe();
-  CagedProcess process(cage_, {"/usr/bin/bash", "-c", "echo inside; sleep 1000"}, -1, -1,
-                       output.write_end.get());
+  SandboxedProcess process(sandbox_, {"/usr/bin/bash", "-c", "echo inside; sleep 1000"}, -1, -1,
+                           output.write_end.get());
   char letter;
   ASSERT_EQ(read(output.read_end.get(), &letter, 1), 1);  // it runs inside now
   const fs::path theirs = "/proc/" + std::to_string(descendants(getpid()).back()) + "/ns";
@@ -132,33 +133,33 @@ TEST_F(NamespacesTest, SharesNoNamespaceWithUs) {
   }
 }
 
-TEST_P(CageTest, InheritsNoDescriptors) {
+TEST_P(SandboxTest, InheritsNoDescriptors) {
   const Descriptor secret(open("/dev/null", O_RDONLY));  // has no close-on-exec
   const Said run =
       shell("for i in $(seq 3 9) $(seq 11 250); do { true <&$i; } 2>/dev/null && echo $i; done; true");
   EXPECT_EQ(run.output, "");  // bash itself uses 10
 }
 
-TEST_P(CageTest, SeesSleepAndWorkFromOutside) {
+TEST_P(SandboxTest, SeesSleepAndWorkFromOutside) {
   // A slow and busy machine needs more looks.
   const auto is_seen = [](const std::function<bool()>& look) {
     for (int i = 0; i < 200; ++i)
       if (look()) return true;
     return false;
   };
-  const auto busy = [](const CagedProcess& process) {
+  const auto busy = [](const SandboxedProcess& process) {
     double sum = 0;
     for (const auto& [thread, times] : process.activity().busy) sum += times.computed + times.queued;
     return sum;
   };
-  CagedProcess sleeper(cage_, {"/usr/bin/sleep", "infinity"}, -1, -1, -1);
+  SandboxedProcess sleeper(sandbox_, {"/usr/bin/sleep", "infinity"}, -1, -1, -1);
   EXPECT_TRUE(is_seen([&] {
     const double before = busy(sleeper);
     usleep(300000);
     return sleeper.activity().started && busy(sleeper) < before + 0.01;
   })) << "it sleeps";
   EXPECT_TRUE(sleeper.activity().alive);
-  CagedProcess worker(cage_, {"/usr/bin/bash", "-c", "while :; do :; done"}, -1, -1, -1);
+  SandboxedProcess worker(sandbox_, {"/usr/bin/bash", "-c", "while :; do :; done"}, -1, -1, -1);
   EXPECT_TRUE(is_seen([&] {
     usleep(100000);
     return worker.activity().cpu_seconds > 0.05;
@@ -174,52 +175,52 @@ TEST_P(CageTest, SeesSleepAndWorkFromOutside) {
       << " s of " << since.seconds();
 }
 
-TEST_P(CageTest, LimitsMemory) {
+TEST_P(SandboxTest, LimitsMemory) {
   const std::string takes = "printf -v x '%*s' 104857600 ''; echo ${#x}";
-  cage_.limits.memory_bytes = std::size_t{1} << 30;
+  sandbox_.limits.memory_bytes = std::size_t{1} << 30;
   EXPECT_EQ(shell(takes).output, "104857600\n");
-  cage_.limits.memory_bytes = std::size_t{64} << 20;
+  sandbox_.limits.memory_bytes = std::size_t{64} << 20;
   EXPECT_EQ(shell(takes).output.find("104857600"), std::string::npos);
 }
 
 // Two layers bound processes: a limit and a control group. Each is tried without the other, and then neither.
-TEST_P(CageTest, LimitsProcesses) {
+TEST_P(SandboxTest, LimitsProcesses) {
   fs::copy_file(HAIR_PROBE, folder_ / "probe");
   fs::permissions(folder_ / "probe", fs::perms(0755));
-  cage_.mounts.push_back({folder_ / "probe", "/probe"});
-  cage_.limits.processes = 16;
+  sandbox_.mounts.push_back({folder_ / "probe", "/probe"});
+  sandbox_.limits.processes = 16;
   const std::vector<std::string> starts = {"/probe", "fork", "40"};
   const std::string succeeds = "can start 40 processes\n";
   const auto said = [&](const std::vector<std::string>& command, bool in_group) {
     Pipe output = make_pipe();
-    CagedProcess process(cage_, command, -1, -1, output.write_end.get(),
-                         [in_group](Launch& launch, RunLimits&) {
-                           if (!in_group) launch.joins.clear();
-                         });
+    SandboxedProcess process(sandbox_, command, -1, -1, output.write_end.get(),
+                             [in_group](Launch& launch, RunLimits&) {
+                               if (!in_group) launch.joins.clear();
+                             });
     output.write_end.close();
-    const std::string text = read_all(output.read_end, 1000, cage_.limits.wall_seconds);
+    const std::string text = read_all(output.read_end, 1000, sandbox_.limits.wall_seconds);
     process.kill();
-    process.wait(cage_.limits.wall_seconds);
+    process.wait(sandbox_.limits.wall_seconds);
     return text;
   };
   EXPECT_EQ(said(starts, false), succeeds);
-  EXPECT_EQ(said(with_inner_limits(cage_.limits, starts), false), "");
+  EXPECT_EQ(said(with_inner_limits(sandbox_.limits, starts), false), "");
   const std::string in_group = said(starts, true);
-  if (ControlGroup::create(cage_.limits.memory_bytes, cage_.limits.processes)) {
+  if (ControlGroup::create(sandbox_.limits.memory_bytes, sandbox_.limits.processes)) {
     EXPECT_EQ(in_group, "");
   }
 }
 
-TEST_P(CageTest, LimitsTheSizeOfFiles) {
+TEST_P(SandboxTest, LimitsTheSizeOfFiles) {
   fs::create_directory(folder_ / "out");
   share_with_sandbox(folder_ / "out", true);
-  cage_.mounts.push_back({folder_ / "out", "/out", true});
-  cage_.limits.file_bytes = 1 << 16;
+  sandbox_.mounts.push_back({folder_ / "out", "/out", true});
+  sandbox_.limits.file_bytes = 1 << 16;
   shell("printf '%*s' 1000000 '' > /out/large");
-  EXPECT_EQ(fs::file_size(folder_ / "out" / "large"), cage_.limits.file_bytes);
+  EXPECT_EQ(fs::file_size(folder_ / "out" / "large"), sandbox_.limits.file_bytes);
 }
 
-TEST_P(CageTest, MakesNoNamespacesInside) {
+TEST_P(SandboxTest, MakesNoNamespacesInside) {
   const Said run = shell("unshare -Ur true && echo made");
   EXPECT_EQ(run.output.find("made"), std::string::npos) << run.output;
 }

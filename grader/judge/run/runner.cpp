@@ -1,4 +1,4 @@
-// STAFF ONLY. Defines the one function that a player exports.
+// STAFF ONLY. Defines the one function that a runner exports.
 #include <exception>
 
 #include "grader/judge/run/play.h"
@@ -13,7 +13,7 @@ namespace {
 // before the limits of time.
 constexpr int kMostQuestions = 400'000;
 
-// The exercises' functions have no argument for `Ask`. A player runs one scene at a time.
+// The exercises' functions have no argument for `Ask`. A runner runs one scene at a time.
 const Ask* asked = nullptr;
 int questions = 0;
 

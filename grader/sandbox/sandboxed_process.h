@@ -10,31 +10,31 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/cage.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/descriptor.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline sandbox {
 
 class ContainerRoot;
 struct Launch;
 struct RunLimits;
-class Warden;
+class Supervisor;
 
-class CagedProcess {
+class SandboxedProcess {
  public:
   // Starts a command, given by its path inside the sandbox. `requests` becomes descriptor 3 and `replies`
   // descriptor 4 (both optional: -1), and `output` descriptors 1 and 2. Throws std::system_error if it can't
   // be started.
-  CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
-               int output);
+  SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command, int requests, int replies,
+                   int output);
   // Tests remove a layer with `leave_out` before the start, to show its purpose.
   using LeaveOut = std::function<void(Launch&, RunLimits&)>;
-  CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
-               int output, const LeaveOut& leave_out);
-  CagedProcess(CagedProcess&&) noexcept;
-  CagedProcess& operator=(CagedProcess&&) = delete;
-  ~CagedProcess();  // kills it
+  SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command, int requests, int replies,
+                   int output, const LeaveOut& leave_out);
+  SandboxedProcess(SandboxedProcess&&) noexcept;
+  SandboxedProcess& operator=(SandboxedProcess&&) = delete;
+  ~SandboxedProcess();  // kills it
 
   int handle() const;  // a descriptor, readable once it has ended
   void kill();
@@ -66,7 +66,7 @@ class CagedProcess {
   std::optional<ControlGroup> group_;
   std::optional<long> ended_for_memory_before_;  // set if no group of its own bounds memory
   std::unique_ptr<ContainerRoot> root_;
-  std::unique_ptr<Warden> run_;
+  std::unique_ptr<Supervisor> run_;
   std::optional<Ending> ending_;
 };
 

@@ -36,7 +36,7 @@ struct Limits {
   double wall_seconds = 120;                       // bounds the sandbox
 };
 
-struct Cage {
+struct Sandbox {
   std::vector<Mount> mounts;
   std::string folder = "/";               // is the current folder inside the sandbox
   std::size_t tmp_bytes = 0;              // is the size of a writable /tmp; 0: no /tmp

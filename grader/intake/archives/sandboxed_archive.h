@@ -11,16 +11,16 @@
 #include <string>
 
 #include "grader/intake/archives/archive.h"
-#include "grader/sandbox/cage.h"
 #include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace grader::inline intake {
 
-class CagedReader {
+class SandboxedReader {
  public:
   // `program` is hairintake. It is copied to a folder that the sandbox's user can read. A process with a
-  // CagedReader must ignore SIGPIPE: a reader may end at any time.
-  explicit CagedReader(const std::filesystem::path& program, Isolation isolation = Isolation::namespaces);
+  // SandboxedReader must ignore SIGPIPE: a reader may end at any time.
+  explicit SandboxedReader(const std::filesystem::path& program, Isolation isolation = Isolation::namespaces);
 
   // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. The
   // container must not outlive this object, and may be visited once. Its list and visit throw Unreadable if a
@@ -32,10 +32,10 @@ class CagedReader {
 
  private:
   StagingFolder folder_;
-  Cage cage_;
+  Sandbox sandbox_;
 };
 
 // Returns the sandbox of a reader, whose program is the file `program`.
-Cage reader_cage(const std::filesystem::path& program, Isolation isolation);
+Sandbox reader_sandbox(const std::filesystem::path& program, Isolation isolation);
 
 }  // namespace grader::intake

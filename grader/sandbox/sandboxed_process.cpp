@@ -1,5 +1,5 @@
 // STAFF ONLY. Starts a command in a sandbox of either kind, and reads from the kernel what the command does.
-#include "grader/sandbox/caged_process.h"
+#include "grader/sandbox/sandboxed_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -21,17 +21,17 @@
 #include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/processes/launch.h"
 #include "grader/sandbox/processes/own_groups.h"
-#include "grader/sandbox/processes/warden.h"
+#include "grader/sandbox/processes/supervisor.h"
 
 namespace grader::inline sandbox {
 namespace {
 
 // Replaces a path inside the sandbox, in a word of a command, by the path outside. If several mounts match,
 // the longest path counts.
-std::string outside(const Cage& cage, const std::string& word) {
+std::string outside(const Sandbox& sandbox, const std::string& word) {
   const Mount* found = nullptr;
   std::size_t place = std::string::npos;
-  for (const Mount& mount : cage.mounts) {
+  for (const Mount& mount : sandbox.mounts) {
     const std::size_t at = word.find(mount.target);
     const std::size_t end = at + mount.target.size();
     if (at == std::string::npos || (end != word.size() && word[end] != '/')) continue;
@@ -52,7 +52,7 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
 
 // Adds the time that each thread of a process has computed and waited for a processor: the first two
 // numbers of its `schedstat`, in nanoseconds.
-void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy) {
+void add_busy(pid_t process, std::map<pid_t, SandboxedProcess::Activity::Busy>& busy) {
   std::error_code error;
   const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
   for (std::filesystem::directory_iterator task(tasks, error), end; !error && task != end;
@@ -85,21 +85,22 @@ std::string program_of(pid_t process) {
 
 }  // namespace
 
-CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
-                           int replies, int output)
-    : CagedProcess(cage, command, requests, replies, output, [](Launch&, RunLimits&) {}) {}
+SandboxedProcess::SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command,
+                                   int requests, int replies, int output)
+    : SandboxedProcess(sandbox, command, requests, replies, output, [](Launch&, RunLimits&) {}) {}
 
-CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
-                           int replies, int output, const LeaveOut& leave_out)
-    : isolation_(cage.isolation),
-      group_(ControlGroup::create(cage.limits.memory_bytes, cage.limits.processes + 4 /* bwrap's own */)) {
+SandboxedProcess::SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command,
+                                   int requests, int replies, int output, const LeaveOut& leave_out)
+    : isolation_(sandbox.isolation),
+      group_(
+          ControlGroup::create(sandbox.limits.memory_bytes, sandbox.limits.processes + 4 /* bwrap's own */)) {
   const bool bounded = group_ && group_->bounds_memory();
-  if (cage.limits.memory_of_group && !bounded && isolation_ != Isolation::container)
+  if (sandbox.limits.memory_of_group && !bounded && isolation_ != Isolation::container)
     throw std::runtime_error("no control group bounds the memory of a program with sanitizers");
   std::vector<std::string> words = command,
                            environment = {"PATH=/usr/bin", "LC_ALL=C", "SOURCE_DATE_EPOCH=1"};
-  std::string folder = cage.folder;
-  RunLimits limits{.cpu_seconds = cage.limits.cpu_seconds_of_all};
+  std::string folder = sandbox.folder;
+  RunLimits limits{.cpu_seconds = sandbox.limits.cpu_seconds_of_all};
   Descriptor filter;
   Pipe info = make_pipe();
   Launch launch;
@@ -108,29 +109,29 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
   launch.output = output;
   switch (isolation_) {
     case Isolation::namespaces:
-      if (cage.syscalls) filter = Descriptor(syscall_filter_descriptor(*cage.syscalls));
+      if (sandbox.syscalls) filter = Descriptor(syscall_filter_descriptor(*sandbox.syscalls));
       launch.filter_file = filter.get();
       launch.info = info.write_end.get();
-      words = bubblewrap_command(cage, command, cage.syscalls.has_value());
+      words = bubblewrap_command(sandbox, command, sandbox.syscalls.has_value());
       environment.clear();
       folder.clear();
       launch.identity = sandbox_identity();
       break;
     case Isolation::container:
       launch.identity = identity_of_a_run();
-      root_ = std::make_unique<ContainerRoot>(cage, launch.identity);
+      root_ = std::make_unique<ContainerRoot>(sandbox, launch.identity);
       launch.root = root_->path().c_str();
-      if (cage.syscalls) launch.filter = syscall_filter(*cage.syscalls);
+      if (sandbox.syscalls) launch.filter = syscall_filter(*sandbox.syscalls);
       launch.own_session = true;
       limits.user = launch.identity.user;
       if (!bounded) {
-        limits.resident_bytes = std::min(cage.limits.memory_bytes, most_memory_of_a_run());
+        limits.resident_bytes = std::min(sandbox.limits.memory_bytes, most_memory_of_a_run());
         ended_for_memory_before_ = ended_for_memory();
       }
       break;
     case Isolation::none:
-      for (std::string& word : words) word = outside(cage, word);
-      folder = outside(cage, folder);
+      for (std::string& word : words) word = outside(sandbox, word);
+      folder = outside(sandbox, folder);
       launch.identity = sandbox_identity();
       break;
   }
@@ -144,25 +145,25 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
       if (joins.back()) launch.joins.push_back(joins.back().get());
     }
   leave_out(launch, limits);
-  run_ = std::make_unique<Warden>(launch, limits);
+  run_ = std::make_unique<Supervisor>(launch, limits);
   info_ = std::move(info.read_end);
 }
 
-CagedProcess::CagedProcess(CagedProcess&&) noexcept = default;
+SandboxedProcess::SandboxedProcess(SandboxedProcess&&) noexcept = default;
 
-CagedProcess::~CagedProcess() {
+SandboxedProcess::~SandboxedProcess() {
   if (run_) wait(0);
 }
 
-void CagedProcess::kill() {
+void SandboxedProcess::kill() {
   if (run_) run_->end();
 }
 
-int CagedProcess::handle() const {
+int SandboxedProcess::handle() const {
   return run_->ended().get();
 }
 
-Ending CagedProcess::wait(double seconds) {
+Ending SandboxedProcess::wait(double seconds) {
   if (ending_) return *ending_;
   Ending ending;
   pollfd wanted{handle(), POLLIN, 0};
@@ -198,7 +199,7 @@ Ending CagedProcess::wait(double seconds) {
   return ending;
 }
 
-pid_t CagedProcess::inner_process() const {
+pid_t SandboxedProcess::inner_process() const {
   if (isolation_ != Isolation::namespaces) return run_->process();
   if (init_ < 0) {
     std::string text;
@@ -214,7 +215,7 @@ pid_t CagedProcess::inner_process() const {
   return children >> worker ? worker : init_;
 }
 
-bool CagedProcess::has_started(pid_t process) const {
+bool SandboxedProcess::has_started(pid_t process) const {
   switch (isolation_) {
     case Isolation::none:
       return true;
@@ -226,7 +227,7 @@ bool CagedProcess::has_started(pid_t process) const {
   return false;
 }
 
-CagedProcess::Activity CagedProcess::activity() const {
+SandboxedProcess::Activity SandboxedProcess::activity() const {
   const pid_t process = inner_process();
   Activity now;
   clockid_t clock;

@@ -1,5 +1,5 @@
 // STAFF ONLY. Scenes that run, with the reference.
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace reference_tests {
 namespace {
 
 using Eigen::Vector3d;
-using hair::Playback, hair::Scene;
+using hair::SceneRun, hair::Scene;
 
 Scene scene_of(const std::string& parts, const std::string& more = "") {
   return hair::parse_scene(
@@ -37,29 +37,29 @@ const char* const kRiders = R"(
                               {"time": 0.1, "position": [0.2, 0, 0.1], "axis": [0, 0, 1], "degrees": 100}]},
     {"name": "lift", "keys": [{"time": 0}, {"time": 0.1, "position": [0, 0, 1]}]}])";
 
-TEST(Playback, HairMovesAsItsSimulationDoes) {
+TEST(SceneRun, HairMovesAsItsSimulationDoes) {
   const Scene scene = scene_of(kHair);
-  Playback playback(scene);
+  SceneRun scene_run(scene);
   hair::Simulation simulation(scene.hair);
   for (int k = 0; k < 3; ++k) {
-    ASSERT_FALSE(playback.advance());
+    ASSERT_FALSE(scene_run.advance());
     simulation.advance(4);
   }
-  EXPECT_EQ(playback.frame(), 3);
-  EXPECT_EQ(playback.time(), 0.05);
-  EXPECT_EQ(playback.strands(), (std::vector<int>{5, 5}));
-  EXPECT_EQ(playback.state().x.head(15), simulation.state(0).x);
-  EXPECT_EQ(playback.state().v.tail(15), simulation.state(1).v);
-  EXPECT_EQ(playback.work().solver_steps, simulation.work().solver_steps);
+  EXPECT_EQ(scene_run.frame(), 3);
+  EXPECT_EQ(scene_run.time(), 0.05);
+  EXPECT_EQ(scene_run.strands(), (std::vector<int>{5, 5}));
+  EXPECT_EQ(scene_run.state().x.head(15), simulation.state(0).x);
+  EXPECT_EQ(scene_run.state().v.tail(15), simulation.state(1).v);
+  EXPECT_EQ(scene_run.work().solver_steps, simulation.work().solver_steps);
 }
 
 // As in a study with several step sizes: nothing of the previous run remains.
-TEST(Playback, RestartedItMovesAsOneMadeAnew) {
+TEST(SceneRun, RestartedItMovesAsOneMadeAnew) {
   const std::string toy =
       R"("toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true, "velocity": [0, 1, 0]},
     {"position": [0.1, 0, 0], "mass": 1}], "rods": [{"between": [0, 1]}]}])";
   Scene scene = scene_of(std::string(kRiders) + ", " + toy);
-  Playback again(scene);
+  SceneRun again(scene);
   for (int k = 0; k < 7; ++k) ASSERT_FALSE(again.advance());
   for (const int steps : {3, 8}) {
     scene.steps_per_frame = steps;
@@ -68,7 +68,7 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
     EXPECT_EQ(again.frame(), 0);
     EXPECT_EQ(again.work().strand_steps, 0);
     EXPECT_EQ(again.steps(), 0);
-    Playback fresh(scene);
+    SceneRun fresh(scene);
     for (int k = 0; k < 5; ++k) {
       EXPECT_EQ(again.state().x, fresh.state().x) << "frame " << k << " in steps of " << steps;
       EXPECT_EQ(again.state().v, fresh.state().v) << "frame " << k << " in steps of " << steps;
@@ -83,7 +83,7 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
   scene.hair.method = hair::Method::forward_euler;
   scene.hair.step = 0.01;
   scene.steps_per_frame = 1000;
-  Playback broken(scene);
+  SceneRun broken(scene);
   ASSERT_TRUE(broken.advance());
   const long steps = broken.steps();
   EXPECT_EQ(broken.work().strand_steps, steps * static_cast<long>(scene.hair.strands.size()));
@@ -96,20 +96,20 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
   EXPECT_FALSE(broken.advance());
 }
 
-TEST(Playback, AToyFliesAsTheParabolaSays) {
-  Playback playback(scene_of(kBall));
-  for (int k = 0; k < 6; ++k) ASSERT_FALSE(playback.advance());
+TEST(SceneRun, AToyFliesAsTheParabolaSays) {
+  SceneRun scene_run(scene_of(kBall));
+  for (int k = 0; k < 6; ++k) ASSERT_FALSE(scene_run.advance());
   // Runge and Kutta's method is exact for a parabola, except for rounding.
   const double t = 0.1;
-  EXPECT_NEAR((playback.state().x - Vector3d(t, 0, 3 * t - 9.81 / 2 * t * t)).norm(), 0, 1e-14);
-  EXPECT_NEAR(playback.measure(playback.state()).energy(), 10, 1e-13);
+  EXPECT_NEAR((scene_run.state().x - Vector3d(t, 0, 3 * t - 9.81 / 2 * t * t)).norm(), 0, 1e-14);
+  EXPECT_NEAR(scene_run.measure(scene_run.state()).energy(), 10, 1e-13);
 }
 
-TEST(Playback, StrandsComeBeforeToysAndAllAreMeasuredTogether) {
+TEST(SceneRun, StrandsComeBeforeToysAndAllAreMeasuredTogether) {
   const std::string both = std::string(kHair) + ", " + kBall;
-  Playback hair(scene_of(kHair)), ball(scene_of(kBall)), all(scene_of(both));
+  SceneRun hair(scene_of(kHair)), ball(scene_of(kBall)), all(scene_of(both));
   for (int k = 0; k < 2; ++k)
-    for (Playback* playback : {&hair, &ball, &all}) ASSERT_FALSE(playback->advance());
+    for (SceneRun* scene_run : {&hair, &ball, &all}) ASSERT_FALSE(scene_run->advance());
   EXPECT_EQ(all.state().x.head(30), hair.state().x);
   EXPECT_EQ(all.state().x.tail(3), ball.state().x);
   const auto one = hair.measure(hair.state()), two = ball.measure(ball.state()),
@@ -137,16 +137,16 @@ TEST(Playback, StrandsComeBeforeToysAndAllAreMeasuredTogether) {
               1e-14);
 }
 
-TEST(Playback, StretchIsTheLargestOfAnySpringOrRod) {
+TEST(SceneRun, StretchIsTheLargestOfAnySpringOrRod) {
   const Scene scene = scene_of(
       R"("toys": [{"particles": [{"position": [0, 0, 0], "mass": 1}, {"position": [1, 0, 0], "mass": 1},
     {"position": [1, 2, 0], "mass": 1}], "springs": [{"between": [0, 1], "stiffness": 1, "rest_length": 0.8}],
     "rods": [{"between": [1, 2], "length": 1.5}]}])");
-  const Playback playback(scene);
-  particles::State state = playback.state();
-  EXPECT_DOUBLE_EQ(playback.measure(state).stretch, 2 / 1.5 - 1);
+  const SceneRun scene_run(scene);
+  particles::State state = scene_run.state();
+  EXPECT_DOUBLE_EQ(scene_run.measure(state).stretch, 2 / 1.5 - 1);
   state.x[7] = NAN;
-  EXPECT_TRUE(std::isnan(playback.measure(state).stretch));
+  EXPECT_TRUE(std::isnan(scene_run.measure(state).stretch));
 }
 
 TEST(Motion, SpeedsUpAndSlowsDownBetweenKeysAndRestsOutsideOfThem) {
@@ -164,13 +164,13 @@ TEST(Motion, SpeedsUpAndSlowsDownBetweenKeysAndRestsOutsideOfThem) {
 }
 
 // Moving roots continue from the new scene's positions and frames.
-TEST(Playback, RestartsWithRootsElsewhere) {
+TEST(SceneRun, RestartsWithRootsElsewhere) {
   const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
   Scene moved = scene;
   for (hair::StrandStart& start : moved.hair.strands)
     for (Eigen::Index i = 0; i < start.state.x.size(); i += 3)
       start.state.x.segment<3>(i) += Eigen::Vector3d(0.25, -0.5, 0.125);
-  Playback again(scene), fresh(moved);
+  SceneRun again(scene), fresh(moved);
   again.advance();
   again.restart(moved);
   for (int k = 0; k < 3; ++k) {
@@ -180,69 +180,69 @@ TEST(Playback, RestartsWithRootsElsewhere) {
   }
 }
 
-TEST(Playback, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
+TEST(SceneRun, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
   const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
-  Playback playback(scene);
+  SceneRun scene_run(scene);
   for (int k = 1; k <= scene.frames; ++k) {
-    ASSERT_FALSE(playback.advance());
+    ASSERT_FALSE(scene_run.advance());
     const hair::Motion& head = scene.riders[0].motion;
     const hair::Pose now = head.at(k / 60.0), first = head.keys[0].pose;
     const auto way = [&](const Vector3d& x) -> Vector3d {
       return now.rotation * first.rotation.conjugate() * (x - first.position) + now.position;
     };
-    const particles::State state = playback.state();
+    const particles::State state = scene_run.state();
     // A step adds to the root's position: the error is always the rounding of one step.
     EXPECT_NEAR((state.x.segment<3>(0) - way({0.1, 0, 0})).norm(), 0, 1e-15);
     EXPECT_NEAR((state.x.segment<3>(15) - way({0, 0.1, 0})).norm(), 0, 1e-15);
-    EXPECT_NEAR((std::get<hair::Sphere>(playback.obstacles()[0].shape).centre - way({0, 0, 0.3})).norm(), 0,
+    EXPECT_NEAR((std::get<hair::Sphere>(scene_run.obstacles()[0].shape).centre - way({0, 0, 0.3})).norm(), 0,
                 1e-15);
-    EXPECT_NEAR(std::get<hair::Plane>(playback.obstacles()[1].shape).point.z(),
+    EXPECT_NEAR(std::get<hair::Plane>(scene_run.obstacles()[1].shape).point.z(),
                 -5 + scene.riders[1].motion.at(k / 60.0).position.z(), 1e-14);
   }
-  EXPECT_NEAR((playback.state().x.head<3>() - Vector3d(0.2, 0.1, 0)).norm(), 0,
+  EXPECT_NEAR((scene_run.state().x.head<3>() - Vector3d(0.2, 0.1, 0)).norm(), 0,
               1e-15);  // turned by 90 degrees
 }
 
 // A root that moves with a bust stays at its place on it, and the bust has its motion's pose.
-TEST(Playback, ABustMovesAndTurnsWithTheRootsOnIt) {
+TEST(SceneRun, ABustMovesAndTurnsWithTheRootsOnIt) {
   const Scene scene = scene_of(R"("hair": [{"segments": 2, "length": 0.02, "moves_with": "head",
       "roots": {"bust": {"count": 5, "at": [0.1, 0.2, 0.3]}}}],
     "obstacles": [{"bust": {"at": [0.1, 0.2, 0.3]}, "friction": 0.3, "moves_with": "head"}],
     "motions": [{"name": "head", "keys": [{"time": 0, "position": [0, 0, 0.3]},
       {"time": 0.04, "position": [0.2, 0, 0.3], "axis": [1, 1, 0], "degrees": 60}]}])",
                                R"("method": "implicit_euler", )");
-  Playback playback(scene);
+  SceneRun scene_run(scene);
   for (int k = 1; k <= scene.frames; ++k) {
-    ASSERT_FALSE(playback.advance());
-    const hair::Obstacle& bust = playback.obstacles()[0];
+    ASSERT_FALSE(scene_run.advance());
+    const hair::Obstacle& bust = scene_run.obstacles()[0];
     const auto& placed = std::get<hair::PlacedSolid>(bust.shape);
     const hair::Way way = way_at(scene.riders[0].motion, k / 60.0);
     // Each step turns it by its own exponential: rounding of some steps.
     EXPECT_LE((placed.at - way({0.1, 0.2, 0.3})).norm(), 1e-14);
     EXPECT_LE(placed.rotation.angularDistance(way.rotation), 1e-12);
-    const particles::State state = playback.state();
+    const particles::State state = scene_run.state();
     // Near 0 the distance is right to rounding: points on the bust stay on it.
     for (int i = 0; i < 5; ++i)
       EXPECT_NEAR(surface_at(bust, state.x.segment<3>(9 * i)).distance, 0, 1e-12) << i;
   }
 }
 
-TEST(Playback, WhatBreaksIsNamedAndStaysWhereItIs) {
+TEST(SceneRun, WhatBreaksIsNamedAndStaysWhereItIs) {
   // Forward Euler far beyond its limit.
   Scene scene = scene_of(R"("toys": [)" + std::string(kBall).substr(9, std::string(kBall).size() - 10) +
                          R"(, {"method": "forward_euler", "particles": [{"position": [0, 0, 0], "mass": 1e-6},
                            {"position": [1, 0, 0], "mass": 1e-6}],
                            "springs": [{"between": [0, 1], "stiffness": 1e6, "rest_length": 0.5}]}])");
-  Playback playback(scene);
-  const auto trouble = playback.advance();
+  SceneRun scene_run(scene);
+  const auto trouble = scene_run.advance();
   ASSERT_TRUE(trouble);
   EXPECT_EQ(*trouble, "toy 1, step 1: integration");
-  EXPECT_EQ(playback.frame(), 0);
-  EXPECT_EQ(playback.advance(), trouble);
-  EXPECT_EQ(playback.frame(), 0);
+  EXPECT_EQ(scene_run.frame(), 0);
+  EXPECT_EQ(scene_run.advance(), trouble);
+  EXPECT_EQ(scene_run.frame(), 0);
 
   scene = scene_of(kHair, R"("method": "forward_euler", )");
-  Playback strand(scene);
+  SceneRun strand(scene);
   std::optional<std::string> said;
   for (int k = 0; k < 10 && !said; ++k) said = strand.advance();
   ASSERT_TRUE(said);
@@ -250,7 +250,7 @@ TEST(Playback, WhatBreaksIsNamedAndStaysWhereItIs) {
   EXPECT_NE(said->find(": integration"), std::string::npos) << *said;
 }
 
-TEST(Playback, ClothKeepsItsCornersAndSags) {
+TEST(SceneRun, ClothKeepsItsCornersAndSags) {
   const Scene scene = scene_of(
       R"("toys": [{"method": "implicit_euler", "cloth": {"rows": 5, "columns": 6, "corner": [0, 0, 0], "across": [0.5, 0, 0],
          "down": [0, 0.4, 0], "area_density": 0.1, "stretch": 100, "shear": 10, "bend": 1, "damping": 0.01,
@@ -259,21 +259,21 @@ TEST(Playback, ClothKeepsItsCornersAndSags) {
   EXPECT_NEAR(toy.particles.mass.sum(), 0.1 * 0.5 * 0.4, 1e-15);
   // Threads 5 x 5 + 4 x 6, diagonals 2 x 4 x 5, second neighbours 5 x 4 + 3 x 6.
   EXPECT_EQ(toy.springs.size(), 49U + 40U + 38U);
-  Playback playback(scene);
-  const Eigen::VectorXd before = playback.state().x;
-  for (int k = 0; k < 10; ++k) ASSERT_FALSE(playback.advance());
-  const Eigen::VectorXd after = playback.state().x;
+  SceneRun scene_run(scene);
+  const Eigen::VectorXd before = scene_run.state().x;
+  for (int k = 0; k < 10; ++k) ASSERT_FALSE(scene_run.advance());
+  const Eigen::VectorXd after = scene_run.state().x;
   EXPECT_EQ(after.head<3>(), before.head<3>());
   EXPECT_EQ(after.tail<3>(), before.tail<3>());
   EXPECT_LT(after[3 * 5 + 2], -0.01);
 }
 
-TEST(Playback, AStepAllocatesWhatConjGradDoes) {
+TEST(SceneRun, AStepAllocatesWhatConjGradDoes) {
   const auto counted = [](const Scene& scene) {
-    Playback playback(scene);
-    playback.advance();
+    SceneRun scene_run(scene);
+    scene_run.advance();
     const long before = allocations();
-    playback.advance();
+    scene_run.advance();
     return allocations() - before;
   };
   Scene scene = scene_of(kBall);
@@ -285,39 +285,39 @@ TEST(Playback, AStepAllocatesWhatConjGradDoes) {
 
 // The second strand's tip is a centimetre away from the link's position: k d^2 / 2, and the same bends and
 // weights with any k. A toy ball comes after all strands.
-TEST(Playback, MeasuresTheEnergyOfLinks) {
+TEST(SceneRun, MeasuresTheEnergyOfLinks) {
   const auto potential = [](const std::string& stiffness) {
     const Scene scene = scene_of(R"("method": "implicit_euler", "hair": [{"segments": 4, "length": 0.08,
       "roots": {"list": [{"position": [0, 0, 0]}, {"position": [0.02, 0, 0]}]}}],
       "links": {"stiffness": )" + stiffness +
                                  "}, " + kBall);
-    const Playback playback(scene);
-    EXPECT_NE(playback.mesh_record(), nullptr);
-    particles::State state = playback.state();
+    const SceneRun scene_run(scene);
+    EXPECT_NE(scene_run.mesh_record(), nullptr);
+    particles::State state = scene_run.state();
     state.x[3 * 9 + 1] += 0.01;
-    return playback.measure(state).potential;
+    return scene_run.measure(state).potential;
   };
   const double without = potential("0");
   EXPECT_NEAR(potential("2") - without, 2 * 0.01 * 0.01 / 2, 1e-12);
-  EXPECT_EQ(Playback(scene_of(kHair)).mesh_record(), nullptr);
+  EXPECT_EQ(SceneRun(scene_of(kHair)).mesh_record(), nullptr);
 }
 
-TEST(Playback, WhatIsOutOfBoundsThrows) {
+TEST(SceneRun, WhatIsOutOfBoundsThrows) {
   Scene scene = scene_of(kBall);
   scene.toys[0].particles.mass[0] = -1;
-  EXPECT_THROW(Playback{scene}, std::invalid_argument);
+  EXPECT_THROW(SceneRun{scene}, std::invalid_argument);
   scene = scene_of(kBall);
   scene.toys[0].springs.push_back({0, 7, 1, 1, 0});
-  EXPECT_THROW(Playback{scene}, std::invalid_argument);
+  EXPECT_THROW(SceneRun{scene}, std::invalid_argument);
   scene = scene_of(kBall);
   scene.steps_per_frame = 0;
-  EXPECT_THROW(Playback{scene}, std::invalid_argument);
+  EXPECT_THROW(SceneRun{scene}, std::invalid_argument);
   scene = scene_of(kRiders);
   scene.riders[0].strands.push_back(2);
-  EXPECT_THROW(Playback{scene}, std::invalid_argument);
+  EXPECT_THROW(SceneRun{scene}, std::invalid_argument);
   scene = scene_of(kRiders);
   scene.riders[0].motion.keys.clear();
-  EXPECT_THROW(Playback{scene}, std::invalid_argument);
+  EXPECT_THROW(SceneRun{scene}, std::invalid_argument);
 }
 
 }  // namespace

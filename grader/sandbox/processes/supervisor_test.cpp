@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that the supervisor ends the right processes in time and leaves none.
-#include "grader/sandbox/processes/warden.h"
+#include "grader/sandbox/processes/supervisor.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/caged_for_tests.h"
 #include "grader/sandbox/processes/launch.h"
+#include "grader/sandbox/sandboxed_for_tests.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline sandbox {
@@ -21,15 +21,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class WardenTest : public CageTest {};
-INSTANTIATE_TEST_SUITE_P(Kinds, WardenTest, testing::Values(Isolation::namespaces, Isolation::container),
+class SupervisorTest : public SandboxTest {};
+INSTANTIATE_TEST_SUITE_P(Kinds, SupervisorTest, testing::Values(Isolation::namespaces, Isolation::container),
                          [](const auto& kind) { return to_string(kind.param); });
 
-class ContainerWardenTest : public ContainerTest {};
+class ContainerSupervisorTest : public ContainerTest {};
 
 // A child of the run with its own session is ended, too, and no dead process stays.
-TEST_F(ContainerWardenTest, EndsWhatItsRunsLeave) {
-  cage_.syscalls.reset();
+TEST_F(ContainerSupervisorTest, EndsWhatItsRunsLeave) {
+  sandbox_.syscalls.reset();
   const pid_t left = std::atoi(shell("setsid sleep 1000 > /dev/null & echo $!").output.c_str());
   ASSERT_GT(left, 1);
   EXPECT_EQ(kill(left, 0), -1);
@@ -49,26 +49,26 @@ bool dies(pid_t process) {
 }
 
 // Runs without a control group, which would end all processes in it.
-TEST_P(WardenTest, EndsWhatAKilledWardenLeaves) {
+TEST_P(SupervisorTest, EndsWhatAKilledSupervisorLeaves) {
   Pipe output = make_pipe();
-  CagedProcess process(cage_, {"/usr/bin/bash", "-c", "sleep 1000 & echo inside; wait"}, -1, -1,
-                       output.write_end.get(), [](Launch& launch, RunLimits&) { launch.joins.clear(); });
+  SandboxedProcess process(sandbox_, {"/usr/bin/bash", "-c", "sleep 1000 & echo inside; wait"}, -1, -1,
+                           output.write_end.get(), [](Launch& launch, RunLimits&) { launch.joins.clear(); });
   char letter;
   ASSERT_EQ(read(output.read_end.get(), &letter, 1), 1);
   const std::vector<pid_t> all = descendants(getpid());
-  ASSERT_GE(all.size(), 3U) << "the warden, the shell, and what it started";
+  ASSERT_GE(all.size(), 3U) << "the supervisor, the shell, and what it started";
   kill(all.front(), SIGKILL);
-  EXPECT_EQ(process.wait(cage_.limits.wall_seconds).signal, SIGKILL);
+  EXPECT_EQ(process.wait(sandbox_.limits.wall_seconds).signal, SIGKILL);
   for (const pid_t one : all) EXPECT_TRUE(dies(one)) << one;
 }
 
 // A child of the test becomes a grader, and is killed in the middle of a run.
-TEST_P(WardenTest, IsEndedWithAKilledGrader) {
+TEST_P(SupervisorTest, IsEndedWithAKilledGrader) {
   Pipe said = make_pipe();
   const pid_t grader = fork();
   if (grader == 0) {
-    const CagedProcess process(cage_, {"/usr/bin/bash", "-c", "sleep 1000 & echo inside; wait"}, -1, -1,
-                               said.write_end.get());
+    const SandboxedProcess process(sandbox_, {"/usr/bin/bash", "-c", "sleep 1000 & echo inside; wait"}, -1,
+                                   -1, said.write_end.get());
     for (;;) pause();
   }
   char letter;
@@ -80,33 +80,33 @@ TEST_P(WardenTest, IsEndedWithAKilledGrader) {
   for (const pid_t one : all) EXPECT_TRUE(dies(one)) << one;
 }
 
-TEST_F(ContainerWardenTest, BoundsTheMemoryOfAllProcessesTogether) {
-  cage_.limits.memory_bytes = std::size_t{512} << 20;
-  cage_.limits.processes = 16;
-  const Limits each = cage_.limits;
-  cage_.limits.memory_bytes = std::size_t{100} << 20;
+TEST_F(ContainerSupervisorTest, BoundsTheMemoryOfAllProcessesTogether) {
+  sandbox_.limits.memory_bytes = std::size_t{512} << 20;
+  sandbox_.limits.processes = 16;
+  const Limits each = sandbox_.limits;
+  sandbox_.limits.memory_bytes = std::size_t{100} << 20;
   const std::string one = "printf -v x '%*s' 60000000 ''; sleep 1000";
   Pipe silence = make_pipe();
-  CagedProcess process(
-      cage_, with_inner_limits(each, {"/usr/bin/bash", "-c", "(" + one + ") & (" + one + ") & wait"}), -1, -1,
-      silence.write_end.get());
-  EXPECT_TRUE(process.wait(cage_.limits.wall_seconds).out_of_memory);
+  SandboxedProcess process(
+      sandbox_, with_inner_limits(each, {"/usr/bin/bash", "-c", "(" + one + ") & (" + one + ") & wait"}), -1,
+      -1, silence.write_end.get());
+  EXPECT_TRUE(process.wait(sandbox_.limits.wall_seconds).out_of_memory);
 }
 
-TEST_P(WardenTest, EndsAProcessThatSleeps) {
-  CagedProcess process(cage_, {"/usr/bin/sleep", "infinity"}, -1, -1, -1);
+TEST_P(SupervisorTest, EndsAProcessThatSleeps) {
+  SandboxedProcess process(sandbox_, {"/usr/bin/sleep", "infinity"}, -1, -1, -1);
   EXPECT_TRUE(process.wait(0.5).timed_out);
 }
 
-TEST_P(WardenTest, EndsAProcessThatComputesForever) {
-  cage_.limits.cpu_seconds = 1;
+TEST_P(SupervisorTest, EndsAProcessThatComputesForever) {
+  sandbox_.limits.cpu_seconds = 1;
   EXPECT_TRUE(shell("while :; do :; done").ending.timed_out);
 }
 
-TEST_P(WardenTest, ContainsAForkBomb) {
-  cage_.limits.processes = 16;
-  cage_.limits.cpu_seconds = 1;
-  cage_.limits.wall_seconds = 2;
+TEST_P(SupervisorTest, ContainsAForkBomb) {
+  sandbox_.limits.processes = 16;
+  sandbox_.limits.cpu_seconds = 1;
+  sandbox_.limits.wall_seconds = 2;
   const std::string bomb = "bomb_" + std::to_string(getpid());
   const Said run = shell(bomb + "() { " + bomb + " | " + bomb + " & }; " + bomb + "; sleep infinity");
   EXPECT_NE(run.output.find("fork: "), std::string::npos) << run.output;

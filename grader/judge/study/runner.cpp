@@ -1,11 +1,11 @@
 // STAFF ONLY. Runs a scene with a worker, and limits how long a study goes on.
-#include "grader/judge/study/player.h"
+#include "grader/judge/study/runner.h"
 
 #include <chrono>
 
 namespace grader::inline judge {
 
-Play WorkerPlayer::play(const SceneText& text, const hair::Scene& scene, int times) {
+Play WorkerRunner::play(const SceneText& text, const hair::Scene& scene, int times) {
   Trial trial(student_, Random("", text.name));
   trial.describe(text.name);
   Play play;
@@ -28,7 +28,7 @@ Play UntilItGivesUp::play(const SceneText& text, const hair::Scene& scene, int t
     ~Charge() { left -= std::chrono::duration<double>(Clock::now() - start).count(); }
   } charge{wall_left_};
   try {
-    return player_.play(text, scene, times);
+    return runner_.play(text, scene, times);
   } catch (const CaseFailed& failure) {
     crashes_ += failure.status == Status::crashed;
     if (failure.status == Status::timed_out || failure.status == Status::broke_rules ||

@@ -26,13 +26,13 @@ struct RunReport {
   bool over_cpu = false, over_memory = false;
 };
 
-class Warden {
+class Supervisor {
  public:
   // Throws std::system_error if no process can be started.
-  Warden(const Launch& launch, const RunLimits& limits);
-  ~Warden();  // ends the run
-  Warden(const Warden&) = delete;
-  Warden& operator=(const Warden&) = delete;
+  Supervisor(const Launch& launch, const RunLimits& limits);
+  ~Supervisor();  // ends the run
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
 
   pid_t process() const { return process_; }           // is the run's first
   const Descriptor& ended() const { return report_; }  // readable once nothing of the run is left
@@ -42,7 +42,7 @@ class Warden {
 
  private:
   Descriptor control_, report_;
-  pid_t warden_ = -1, process_ = -1;
+  pid_t supervisor_ = -1, process_ = -1;
   uid_t user_;
   std::optional<RunReport> told_;
 };

@@ -24,13 +24,13 @@ struct FrameMeasures {
   double energy() const { return kinetic + potential; }
 };
 
-class Playback {
+class SceneRun {
  public:
   // Throws std::invalid_argument as Simulation does.
-  explicit Playback(const Scene& scene);
-  ~Playback();
-  Playback(const Playback&) = delete;
-  Playback& operator=(const Playback&) = delete;
+  explicit SceneRun(const Scene& scene);
+  ~SceneRun();
+  SceneRun(const SceneRun&) = delete;
+  SceneRun& operator=(const SceneRun&) = delete;
 
   // Restarts from the start of `scene`, with its steps, for repeated runs: nothing is assembled again. Only
   // states, root frames, obstacles and steps may differ from the original scene. Work is counted from 0.

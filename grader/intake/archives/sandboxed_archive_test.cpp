@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that a reader's sandbox holds, and that a reader's failure costs only its archive.
-#include "grader/intake/archives/caged_archive.h"
+#include "grader/intake/archives/sandboxed_archive.h"
 
 #include <signal.h>
 
@@ -10,9 +10,9 @@ namespace grader::inline intake {
 namespace {
 
 // Reads classes by a hostile reader (hostile_reader.cpp).
-class CagedReading : public Submissions {
+class SandboxedReading : public Submissions {
  protected:
-  CagedReading() { limits_.unpacked_bytes = limits_.stream_bytes = 1 << 20; }  // gives it 5 s
+  SandboxedReading() { limits_.unpacked_bytes = limits_.stream_bytes = 1 << 20; }  // gives it 5 s
 
   Intake read_hostile(const fs::path& argument) const {
     return read_submissions({argument}, two_exercises(), hostile_.opener(), limits_);
@@ -23,12 +23,12 @@ class CagedReading : public Submissions {
     return intake_.submissions.at(0);
   }
 
-  CagedReader hostile_{HAIR_HOSTILE_READER, isolation_for_tests()};
+  SandboxedReader hostile_{HAIR_HOSTILE_READER, isolation_for_tests()};
   IntakeLimits limits_;
   Intake intake_;
 };
 
-TEST_F(CagedReading, SeesNothingButLibraries) {
+TEST_F(SandboxedReading, SeesNothingButLibraries) {
   const fs::path secret = write("secret", "secret");
   fs::permissions(dir_, fs::perms::all);
   fs::permissions(secret, fs::perms::all);
@@ -36,7 +36,7 @@ TEST_F(CagedReading, SeesNothingButLibraries) {
 }
 
 // All of these raise SIGSYS.
-TEST_F(CagedReading, OpensNoSocketStartsNoProcessAndWritesNoFile) {
+TEST_F(SandboxedReading, OpensNoSocketStartsNoProcessAndWritesNoFile) {
   for (const char* how : {"evil-socket", "evil-process", "evil-write"}) {
     const Submission alice = attacked(how);
     EXPECT_TRUE(alice.unreadable);
@@ -45,7 +45,7 @@ TEST_F(CagedReading, OpensNoSocketStartsNoProcessAndWritesNoFile) {
   }
 }
 
-TEST_F(CagedReading, BreaksDownForItselfAlone) {
+TEST_F(SandboxedReading, BreaksDownForItselfAlone) {
   const std::map<std::string, std::string> ends = {
       {"crash", "ended by signal 6"},
       {"leave", "ended with code 7"},
@@ -73,7 +73,7 @@ TEST_F(CagedReading, BreaksDownForItselfAlone) {
   }
 }
 
-TEST_F(CagedReading, BreaksDownForItselfAloneInAnArchiveOfAClass) {
+TEST_F(SandboxedReading, BreaksDownForItselfAloneInAnArchiveOfAClass) {
   const std::string bytes = ArchiveBuilder(Packing::zip)
                                 .file("alice.zip", zip("conj_grad.cpp", "a"))
                                 .file("mallory.zip", "evil-crash")
@@ -87,7 +87,7 @@ TEST_F(CagedReading, BreaksDownForItselfAloneInAnArchiveOfAClass) {
 }
 
 // A class that can't be read whole is no reason for a 0.
-TEST_F(CagedReading, MayBreakDownHalfway) {
+TEST_F(SandboxedReading, MayBreakDownHalfway) {
   try {
     read_hostile(write("class.zip", "evil-half"));
     FAIL() << "nothing was said";
@@ -96,7 +96,7 @@ TEST_F(CagedReading, MayBreakDownHalfway) {
   }
 }
 
-TEST_F(CagedReading, SaysNothingThatIsNotAskedForOrPrinted) {
+TEST_F(SandboxedReading, SaysNothingThatIsNotAskedForOrPrinted) {
   limits_.file_bytes = 1000;
   const Submission more = attacked("evil-more");
   EXPECT_TRUE(more.files.empty() || more.files.at("conj_grad.cpp").text.empty());
@@ -106,17 +106,17 @@ TEST_F(CagedReading, SaysNothingThatIsNotAskedForOrPrinted) {
   EXPECT_LE(problem.size(), 1000u);
 }
 
-TEST_F(CagedReading, ReadsWhatOnlyItsCallerMay) {
+TEST_F(SandboxedReading, ReadsWhatOnlyItsCallerMay) {
   const fs::path archive = write("closed/alice.zip", zip("conj_grad.cpp", "a"));
   fs::permissions(archive, fs::perms::owner_read);
   fs::permissions(archive.parent_path(), fs::perms::owner_all);
-  const CagedReader reader(HAIR_READER, isolation_for_tests());
+  const SandboxedReader reader(HAIR_READER, isolation_for_tests());
   const Intake intake = read_submissions({archive}, two_exercises(), reader.opener());
   EXPECT_EQ(intake.submissions.at(0).files.at("conj_grad.cpp").text, "a");
 }
 
-TEST_F(CagedReading, ThatDoesNotStartIsNoStudentsFault) {
-  const CagedReader none(write("no_reader", "#!/no/such/program"), isolation_for_tests());
+TEST_F(SandboxedReading, ThatDoesNotStartIsNoStudentsFault) {
+  const SandboxedReader none(write("no_reader", "#!/no/such/program"), isolation_for_tests());
   EXPECT_THROW(read_submissions({write("alice.zip", zip("conj_grad.cpp"))}, two_exercises(), none.opener()),
                std::runtime_error);
 }

@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/caged_process.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 
 namespace grader::inline sandbox {
 
-class Caged {
+class Sandboxed {
  protected:
-  explicit Caged(Isolation kind) {
+  explicit Sandboxed(Isolation kind) {
     static const StagingFolder all;  // keeps root folders for all tests
     static int number = 0;
     folder_ = all.path() / std::to_string(number++);
@@ -28,24 +28,24 @@ class Caged {
     share_with_sandbox(folder_, false);
     std::filesystem::create_directory(folder_ / "empty");
     chmod((folder_ / "empty").c_str(), 0755);
-    cage_.isolation = kind;
-    cage_.roots = all.path() / "roots";
+    sandbox_.isolation = kind;
+    sandbox_.roots = all.path() / "roots";
     static const std::map<Isolation, std::vector<Mount>> toolchains = {
         {Isolation::namespaces, toolchain_mounts(Isolation::namespaces)},
         {Isolation::container, toolchain_mounts(Isolation::container)}};
-    cage_.mounts = toolchains.at(kind);
-    for (const Mount& mount : header_mounts(kind, folder_ / "empty")) cage_.mounts.push_back(mount);
+    sandbox_.mounts = toolchains.at(kind);
+    for (const Mount& mount : header_mounts(kind, folder_ / "empty")) sandbox_.mounts.push_back(mount);
     if (kind == Isolation::container) {
       static const std::vector<Mount> programs = program_mounts(
           {"/usr/bin/bash", "/usr/bin/cat", "/usr/bin/head", "/usr/bin/id", "/usr/bin/ls", "/usr/bin/seq",
            "/usr/bin/setsid", "/usr/bin/sleep", "/usr/bin/tr", "/usr/bin/true", "/usr/bin/unshare"});
-      cage_.mounts.insert(cage_.mounts.end(), programs.begin(), programs.end());
+      sandbox_.mounts.insert(sandbox_.mounts.end(), programs.begin(), programs.end());
     }
-    cage_.tmp_bytes = 1 << 20;
-    cage_.syscalls = Syscalls::toolchain;
-    cage_.limits.wall_seconds = 200;
-    cage_.limits.cpu_seconds = 5;
-    cage_.limits.memory_bytes = std::size_t{256} << 20;
+    sandbox_.tmp_bytes = 1 << 20;
+    sandbox_.syscalls = Syscalls::toolchain;
+    sandbox_.limits.wall_seconds = 200;
+    sandbox_.limits.cpu_seconds = 5;
+    sandbox_.limits.memory_bytes = std::size_t{256} << 20;
   }
 
   struct Said {
@@ -54,28 +54,28 @@ class Caged {
   };
   Said shell(const std::string& script) {
     Pipe output = make_pipe();
-    CagedProcess process(cage_, with_inner_limits(cage_.limits, {"/usr/bin/bash", "-c", script}), -1, -1,
-                         output.write_end.get());
+    SandboxedProcess process(sandbox_, with_inner_limits(sandbox_.limits, {"/usr/bin/bash", "-c", script}),
+                             -1, -1, output.write_end.get());
     output.write_end.close();
-    std::string text = read_all(output.read_end, 1 << 16, cage_.limits.wall_seconds);
-    return {process.wait(cage_.limits.wall_seconds), text};
+    std::string text = read_all(output.read_end, 1 << 16, sandbox_.limits.wall_seconds);
+    return {process.wait(sandbox_.limits.wall_seconds), text};
   }
 
   std::filesystem::path folder_;
-  Cage cage_;
+  Sandbox sandbox_;
 };
 
-class CageTest : public Caged, public testing::TestWithParam<Isolation> {
+class SandboxTest : public Sandboxed, public testing::TestWithParam<Isolation> {
  protected:
-  CageTest() : Caged(GetParam()) {}
+  SandboxTest() : Sandboxed(GetParam()) {}
   void SetUp() override {
     if (const std::string why = why_not(GetParam()); !why.empty()) GTEST_SKIP() << why;
   }
 };
 
-class ContainerTest : public Caged, public testing::Test {
+class ContainerTest : public Sandboxed, public testing::Test {
  protected:
-  ContainerTest() : Caged(Isolation::container) {}
+  ContainerTest() : Sandboxed(Isolation::container) {}
 };
 
 // Lists all processes below one, without itself, parents first.

@@ -20,16 +20,16 @@ struct Play {
   std::optional<double> seconds;  // CPU time of all repetitions together; nothing: the worker was restarted
 };
 
-class Player {
+class Runner {
  public:
-  virtual ~Player() = default;
+  virtual ~Runner() = default;
   // `scene` is the parsed text. Throws CaseFailed or MalformedMessage.
   virtual Play play(const SceneText& text, const hair::Scene& scene, int times) = 0;
 };
 
-class WorkerPlayer : public Player {
+class WorkerRunner : public Runner {
  public:
-  explicit WorkerPlayer(Student& student) : student_(student) {}
+  explicit WorkerRunner(Student& student) : student_(student) {}
   Play play(const SceneText& text, const hair::Scene& scene, int times) override;
 
  private:
@@ -38,17 +38,17 @@ class WorkerPlayer : public Player {
   double clock_ = 0;
 };
 
-// Forwards to another player, until that one times out, breaks the rules, crashes for the third time, or has
+// Forwards to another runner, until that one times out, breaks the rules, crashes for the third time, or has
 // used up its wall time. After that each run fails at once.
-class UntilItGivesUp : public Player {
+class UntilItGivesUp : public Runner {
  public:
   static constexpr int kMostCrashes = 3;
 
-  UntilItGivesUp(Player& player, double most_wall_seconds) : player_(player), wall_left_(most_wall_seconds) {}
+  UntilItGivesUp(Runner& runner, double most_wall_seconds) : runner_(runner), wall_left_(most_wall_seconds) {}
   Play play(const SceneText& text, const hair::Scene& scene, int times) override;
 
  private:
-  Player& player_;
+  Runner& runner_;
   double wall_left_;
   int crashes_ = 0;
   std::optional<CaseFailed> end_;

@@ -1,4 +1,4 @@
-#include "hair/live/player.h"
+#include "hair/live/runner.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -22,7 +22,7 @@
 #include "hair/live/commands_in.h"
 #include "hair/live/live_settings.h"
 #include "hair/live/whereabouts.h"
-#include "hair/scene/playback.h"
+#include "hair/scene/scene_run.h"
 #include "hair/scene_drawing/scene_drawing.h"
 #include "solver/not_in_course.h"
 
@@ -69,14 +69,14 @@ std::vector<MotionSeries> series_of(const FrameMeasures& measures, const Work& s
           {"solver steps", "", {static_cast<double>(since.solver_steps)}}};
 }
 
-class Player {
+class Runner {
  public:
-  Player(Scene scene, const Scene& as_it_is, const Course& course, Lines& lines)
+  Runner(Scene scene, const Scene& as_it_is, const Course& course, Lines& lines)
       : scene_(std::move(scene)),
         frame_seconds_(1 / as_it_is.frames_per_second),
         whole_(as_it_is.frames * frame_seconds_),
-        playback_(scene_),
-        drawing_(scene_, playback_.strands(), cache_folder()),
+        scene_run_(scene_),
+        drawing_(scene_, scene_run_.strands(), cache_folder()),
         motion_(1, kMostLivePoints),
         lines_(lines) {
     add_drawing();
@@ -87,7 +87,7 @@ class Player {
     const Look look = scene_.look.value_or(Look());
     story.aspect = static_cast<double>(look.image_width) / look.image_height;
     story.times = {0.0};
-    story.series = series_of(playback_.measure(playback_.state()), {});
+    story.series = series_of(scene_run_.measure(scene_run_.state()), {});
     std::string methods;
     for (const MethodRow* row : methods_for(as_it_is, course))
       methods += (methods.empty() ? "" : ",") +
@@ -113,17 +113,17 @@ class Player {
         obey(*line);
         continue;
       }
-      lines_.heartbeat(playback_.steps());
+      lines_.heartbeat(scene_run_.steps());
       if (over_ || !going_ || Clock::now() < due_) continue;
-      const long frame = static_cast<long>((playback_.time() + scene_.hair.step / 2) / frame_seconds_) + 1;
-      const double before = playback_.time();
-      while (!over_ && playback_.time() + scene_.hair.step / 2 < static_cast<double>(frame) * frame_seconds_)
+      const long frame = static_cast<long>((scene_run_.time() + scene_.hair.step / 2) / frame_seconds_) + 1;
+      const double before = scene_run_.time();
+      while (!over_ && scene_run_.time() + scene_.hair.step / 2 < static_cast<double>(frame) * frame_seconds_)
         step();
       if (!blown_up()) say_frame();
       if (over_) say_state();
       // A step may be longer than a frame.
       due_ += std::chrono::duration_cast<Clock::duration>(
-          std::chrono::duration<double>((playback_.time() - before) / rate_));
+          std::chrono::duration<double>((scene_run_.time() - before) / rate_));
       if (due_ + std::chrono::milliseconds(200) < Clock::now()) start_again();  // it is slow
     }
   }
@@ -138,9 +138,9 @@ class Player {
   void start_again() { due_ = Clock::now(); }
 
   void step() {
-    if (const auto trouble = playback_.advance()) trouble_ = *trouble;
-    over_ = blown_up() || playback_.time() + scene_.hair.step / 2 > whole_;
-    lines_.heartbeat(playback_.steps());
+    if (const auto trouble = scene_run_.advance()) trouble_ = *trouble;
+    over_ = blown_up() || scene_run_.time() + scene_.hair.step / 2 > whole_;
+    lines_.heartbeat(scene_run_.steps());
   }
 
   void obey(const std::string& line) {
@@ -158,23 +158,23 @@ class Player {
   }
 
   void add_drawing() {
-    const particles::State lines = playback_.centre_lines(playback_.state());
-    motion_.add(drawing_.at(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record()));
+    const particles::State lines = scene_run_.centre_lines(scene_run_.state());
+    motion_.add(drawing_.at(lines, scene_run_.obstacles(), scene_run_.time(), scene_run_.mesh_record()));
     motion_.keep_last();
   }
 
   void say_frame() {
-    if (playback_.steps() > 0) add_drawing();
-    Work since = playback_.work();
+    if (scene_run_.steps() > 0) add_drawing();
+    Work since = scene_run_.work();
     const long solver_steps = since.solver_steps;
     since.solver_steps -= solver_steps_;
     solver_steps_ = solver_steps;
     std::string values;
-    for (const MotionSeries& one : series_of(playback_.measure(playback_.state()), since))
+    for (const MotionSeries& one : series_of(scene_run_.measure(scene_run_.state()), since))
       values += (values.empty() ? "" : ",") + json_text(one.values.front());
     lines_.write(json_object({{"kind", json_text("frame")},
-                              {"time", json_text(playback_.time())},
-                              {"steps", json_text(playback_.steps())},
+                              {"time", json_text(scene_run_.time())},
+                              {"steps", json_text(scene_run_.steps())},
                               {"values", "[" + values + "]"},
                               {"last", motion_.last_json()}}));
   }
@@ -186,13 +186,13 @@ class Player {
     lines_.write(json_object({{"kind", json_text("state")},
                               {"going", going_ && !over_ ? "true" : "false"},
                               {"ended", over_ ? json_text(blown_up() ? "blow_up" : "finished") : "null"},
-                              {"steps", json_text(playback_.steps())},
+                              {"steps", json_text(scene_run_.steps())},
                               {"blow_up", blow_up}}));
   }
 
   Scene scene_;
   double frame_seconds_, whole_;  // s, of the simulation
-  Playback playback_;
+  SceneRun scene_run_;
   SceneDrawing drawing_;
   MotionFrames motion_;
   Lines& lines_;
@@ -209,7 +209,7 @@ int play(const std::string& name, const Course& course, CommandsIn& commands, Li
   const Scene as_it_is = read_course_scene(name, course);
   Scene scene = as_it_is;
   change(scene, read_settings(*settings), course);
-  Player(std::move(scene), as_it_is, course, lines).play(commands);
+  Runner(std::move(scene), as_it_is, course, lines).play(commands);
   return 0;
 } catch (const NotImplemented& stub) {
   lines.trouble("This needs " + missing_part(stub) + ".");

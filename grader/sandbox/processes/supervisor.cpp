@@ -1,6 +1,6 @@
 // STAFF ONLY. Runs in a process that is forked from one with threads: until its end it makes system calls
 // only, and allocates nothing.
-#include "grader/sandbox/processes/warden.h"
+#include "grader/sandbox/processes/supervisor.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -166,11 +166,11 @@ struct Watch {
 
 }  // namespace
 
-Warden::Warden(const Launch& launch, const RunLimits& limits) : user_(limits.user) {
+Supervisor::Supervisor(const Launch& launch, const RunLimits& limits) : user_(limits.user) {
   Pipe control = make_pipe(), report = make_pipe();
-  warden_ = fork();
-  if (warden_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (warden_ == 0) {
+  supervisor_ = fork();
+  if (supervisor_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (supervisor_ == 0) {
     control.write_end.close();
     Watch{control.read_end.get(), report.write_end.get(), limits}.over(launch);
   }
@@ -183,12 +183,12 @@ Warden::Warden(const Launch& launch, const RunLimits& limits) : user_(limits.use
   }
 }
 
-Warden::~Warden() {
+Supervisor::~Supervisor() {
   end();
   wait();
 }
 
-RunReport Warden::wait() {
+RunReport Supervisor::wait() {
   if (told_) return *told_;
   RunReport& told = told_.emplace();
   ssize_t size;
@@ -198,7 +198,7 @@ RunReport Warden::wait() {
     told.status = SIGKILL;
     if (user_ != 0) end_all_of(user_);
   }
-  while (waitpid(warden_, nullptr, 0) < 0 && errno == EINTR) {
+  while (waitpid(supervisor_, nullptr, 0) < 0 && errno == EINTR) {
   }
   return told;
 }
