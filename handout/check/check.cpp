@@ -105,7 +105,7 @@ testing::AssertionResult is_near(const char* words, const char* expected_words, 
 
 testing::AssertionResult counts(const char* words, const char* expected_words, long actual, long expected) {
   if (actual == expected) return testing::AssertionSuccess();
-  note(actual == expected + 1 ? "one too many" : actual == expected - 1 ? "one too few" : "");
+  note_hint(actual == expected + 1 ? "one too many" : actual == expected - 1 ? "one too few" : "");
   return testing::AssertionFailure() << words << "\nexpected = " << expected << " = " << expected_words
                                      << "\nactual   = " << actual;
 }
