@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "particles/explicit_integrators.h"
 #include "particles/system.h"
@@ -61,37 +60,6 @@ void step(ConstrainedMotion& motion, double h) {
   particles::State state = motion.state;
   particles::runge_kutta_4(motion, h, state.x, state.v, scratch);
   motion.state = state;
-}
-
-// Gauss's formula: T = 2 pi sqrt(L / g) / agm(1, cos(angle / 2)).
-double period(double length, double angle) {
-  double a = 1, b = std::cos(angle / 2);
-  for (int i = 0; i < 10; ++i) {
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  return 2 * std::numbers::pi * std::sqrt(length / kGravity) / a;
-}
-
-TEST(PendulumAndBead, ComeBackAfterTheirPeriod) {
-  for (double angle : {0.1, 1.5, 3.0}) {
-    const double T = period(0.8, angle);
-    for (const ConstrainedMotion& start : {pendulum(0.8, 2.5, angle), bead(0.8, 0.3, angle)}) {
-      const auto error = [&](int steps) {
-        ConstrainedMotion motion = start;
-        for (int i = 0; i < steps; ++i) step(motion, T / steps);
-        return (motion.state.x - start.state.x).norm();
-      };
-      const double coarse = error(1000), fine = error(2000);
-      std::printf("%s, angle %.1f, period %.6f s: off by %.1e m after 2000 steps\n",
-                  start.particles.count() == 2 ? "pendulum" : "bead", angle, T, fine);
-      // The error falls by RK4's order, down to the rounding of 2000 steps. An error made near the top, at
-      // 3.0, grows while the pendulum falls.
-      EXPECT_LE(fine, std::max(coarse / 14, 2000 * 0x1p-53)) << angle;
-      EXPECT_LE(fine, 1e-6) << angle;
-    }
-  }
 }
 
 TEST(Energy, IsKeptToTheIntegratorsOrder) {
