@@ -1,5 +1,5 @@
-// STAFF ONLY. Angular momentum and energy that methods lose. The public checks of H4 and H6 ask their own rows
-// of the texts' table.
+// STAFF ONLY. Angular momentum and energy that methods lose. The public checks of H4 and H6 ask their own
+// rows of the texts' table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 
 using hair::GeometricTerm, hair::SceneRun, hair::Scene;
 
-// H4's text has this row for converged backward Euler, which no program here computes. On a circle a step turns
-// by b after a step by a, with tan b = sin a / (2 - cos a), from tan b = h Omega at the start, and the part
-// sin b / (h Omega) of the momentum remains.
+// H4's text has this row for converged backward Euler, which no program here computes. On a circle a step
+// turns by b after a step by a, with tan b = sin a / (2 - cos a), from tan b = h Omega at the start, and the
+// part sin b / (h Omega) of the momentum remains.
 TEST(AngularMomentum, BackwardEulerLosesAThirdInARevolution) {
   const double first = 2 * std::numbers::pi / 60;
   double turned = std::atan(first);
