@@ -77,27 +77,6 @@ TEST(TreeSteps, ASphericalJointGoesThroughFullTurns) {
   }
 }
 
-// A chain that is flung over its root again and again keeps its energy.
-TEST(TreeSteps, AChainGoesOverTheTopAndKeepsItsEnergy) {
-  const LinkTree tree = rod_chain(3, 0.3, 0.1, 0.05);
-  TreeSteps steps(tree, weight());
-  MovingTree start{tree.rest(), VectorXd::Zero(9)};
-  start.rates.head<3>() = Vector3d(14, 3, 1);
-  const double first = energy(steps, start), scale = steps.system().kinetic_energy();
-  const auto drift = [&](int count) {
-    MovingTree moving = start;
-    double most = 0;
-    for (int part = 0; part < 50; ++part) {
-      moving = after(steps, &TreeSteps::runge_kutta_4, moving, 0.02, count / 50);
-      most = std::max(most, std::abs(energy(steps, moving) - first));
-    }
-    return most / scale;
-  };
-  const double coarse = drift(500), fine = drift(1000);
-  EXPECT_LE(coarse, 1e-8);
-  EXPECT_GE(std::log2(coarse / fine), 3.7);
-}
-
 // Compares Q with -dE/dq along each axis, by central differences with errors of e^2 and 1e-16 / e.
 TEST(TreeSteps, ASpringsTorqueIsItsEnergysDerivative) {
   const LinkTree tree = rod_chain(1, 0.3, 0.1, 0.05);
@@ -149,17 +128,17 @@ TEST(TreeSteps, ATorsionalOscillatorKeepsItsTime) {
   }
 }
 
-// One linearly implicit step of a damped torsion spring solves (J + h^2 k + h c) a = -k theta - (c + h k) w.
+// One linearly implicit step of a torsion spring solves (J + h^2 k) a = -k (theta + h w).
 TEST(TreeSteps, ALinearlyImplicitStepIsItsEquation) {
   const LinkTree tree = rod_chain(1, 0.01, 1e-7, 5e-5);
-  const double k = 3e-6, c = 1e-9, h = 1e-3, J = tree.shapes()[1].moments.z(), theta = 0.7, w = 50;
+  const double k = 3e-6, h = 1e-3, J = tree.shapes()[1].moments.z(), theta = 0.7, w = 50;
   TreeForces forces;
   forces.springs.resize(2);
-  forces.springs[1] = {k * Matrix3d::Identity(), c * Matrix3d::Identity()};
+  forces.springs[1].stiffness = k * Matrix3d::Identity();
   TreeSteps steps(tree, forces);
   VectorXd q = hair::turn_by(Vector3d(0, 0, theta)).coeffs(), rates = Vector3d(0, 0, w);
   steps.linearly_implicit_euler({}, h, {}, q, rates);
-  const double after = w - h * (k * theta + (c + h * k) * w) / (J + h * h * k + h * c);
+  const double after = w - h * k * (theta + h * w) / (J + h * h * k);
   EXPECT_NEAR(rates[2], after, 1e-12 * w);
 }
 
