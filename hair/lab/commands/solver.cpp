@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "hair/lab/commands/study_shell.h"
+#include "hair/lab/run/stub.h"
 #include "hair/lab/solver/solver_record.h"
-#include "hair/lab/stub.h"
 #include "solver/linearSolver.h"
 #include "solver/normal_equations.h"
 
