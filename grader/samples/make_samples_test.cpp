@@ -50,15 +50,6 @@ TEST(MakeSamples, Edits) {
   EXPECT_EQ(hair::bytes_of(project / "class" / "bug" / "a.cpp"), "two\n");
 }
 
-TEST(MakeSamples, PutsAHeaderBesideTheSolutionInItsPlace) {
-  const fs::path project = small_project("before\n#include \"own.h\"\n#include \"other.h\"\none\n");
-  std::ofstream(project / "reference/right/own.h") << "// STAFF ONLY.\nown\ntext\n";
-  const Outcome run = make_samples(project, project / "class");
-  EXPECT_EQ(run.code, 0) << run.output;
-  EXPECT_EQ(hair::bytes_of(project / "class" / "bug" / "a.cpp"),
-            "before\nown\ntext\n#include \"other.h\"\ntwo\n");
-}
-
 TEST(MakeSamples, CopiesWhatIsMarkedToTheShowcase) {
   const fs::path project = small_project("one\n"), out = project / "class", showcase = project / "showcase";
   add_sample(project, "shown", "form folder\nfile plain src/a.cpp\nshowcase\n");

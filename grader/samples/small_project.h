@@ -27,7 +27,7 @@ inline fs::path small_project(const std::string& source) {
   const fs::path samples = project / "grader/samples/groups";
   fs::remove_all(project);
   for (const char* folder : {"grader/samples/groups", "handout/exercises/A", "handout/exercises/B",
-                             "reference/A/right", "reference/B", "reference/right"})
+                             "reference/A/right", "reference/B"})
     fs::create_directories(project / folder);
   std::ofstream(project / "handout" / "exercises.json") << kExercises;
   std::ofstream(project / "handout/exercises/A/categories.json")

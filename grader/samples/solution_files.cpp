@@ -32,20 +32,6 @@ std::string as_on_windows(const std::string& text) {
   return windows;
 }
 
-// A hand-in is one file: #include "NAME" of a header that right solutions share is replaced by the header's
-// text without its first line.
-std::string in_one_file(const fs::path& source, const fs::path& project) {
-  std::string text = read_bytes(source);
-  for (const auto& item : fs::directory_iterator(project / "reference/right")) {
-    const std::string line = "#include \"" + item.path().filename().string() + "\"\n";
-    const std::size_t at = item.path().extension() == ".h" ? text.find(line) : std::string::npos;
-    if (at == std::string::npos) continue;
-    const std::string header = read_bytes(item.path());
-    text.replace(at, line.size(), header.substr(header.find('\n') + 1));
-  }
-  return text;
-}
-
 }  // namespace
 
 std::map<std::string, std::string> solution_files(const Sample& sample, const fs::path& project) {
@@ -62,7 +48,7 @@ std::map<std::string, std::string> solution_files(const Sample& sample, const fs
       throw BadInput("sample \"" + sample.name + "\": " + file.path + ": " + source.string() +
                      " is not there; name \"reference\", \"stub\" or a file of reference/ID/right/");
     }
-    const std::string text = edited(in_one_file(source, project), name, sample.edits);
+    const std::string text = edited(read_bytes(source), name, sample.edits);
     texts[file.path] = sample.windows ? as_on_windows(text) : text;
     names.insert(name);
   }

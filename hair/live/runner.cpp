@@ -18,7 +18,7 @@
 #include "hair/lab/commands/exit_codes.h"
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/motion_of_run.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "hair/live/commands_in.h"
 #include "hair/live/live_settings.h"
 #include "hair/live/whereabouts.h"

@@ -11,7 +11,7 @@ struct TestScene {
   Camera camera;
 };
 
-// Two hundred wavy strands on a head, ground, a limb, tubes, a ball, a ring and a sheet; `scale` metres wide.
+// Two hundred wavy strands on a head, ground, tubes, a ball, a ring and a sheet; `scale` metres wide.
 TestScene test_scene(double aspect, double scale = 1);
 
 }  // namespace hair

@@ -9,17 +9,12 @@
 //
 // These are the constants of the continuum, as for H2: a finer division of a strand changes its shape to the
 // second order in l. The root of a hinged strand has no spring.
-//
-// Damping is that of a fibre that also resists the rate of its bend and twist (Kelvin and Voigt's model): C =
-// relaxation time * K. A joint's limit is a spring kLimitFactor times as stiff as the material's EI/l.
 #pragma once
 
 #include "hair/rigid_links/tree_system.h"
 #include "hair/strand/strand_spec.h"
 
 namespace hair {
-
-inline constexpr double kLimitFactor = 1000;
 
 struct LinkStrand {
   LinkTree tree;

@@ -3,16 +3,11 @@
 //
 // A linearly implicit step of h seconds takes the forces that grow with q and q' at its end:
 //
-//   Q(q + h q' + h^2 q", q' + h q") = Q(q, q') - h K q' - (h^2 K + h C) q"       K = -dQ/dq, C = -dQ/dq'
+//   Q(q + h q' + h^2 q") = Q(q) - h K q' - h^2 K q"       K = -dQ/dq
 //
-// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K + h C adds to s^'I^A s^.
+// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K adds to s^'I^A s^.
 // Forces at links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point
 // adds h^2 S. So the recursion stays as it is, and linear.
-//
-// A joint feels a limit if it is beyond it at the end of the step, which is unknown before: the step is
-// repeated with the limits that it met, and without those that would pull, until this set stays the same.
-// Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section
-// 3, there for particles.
 //
 // Weight and the terms of velocities remain explicit. Their tension T holds a strand laterally: waves of the
 // wave number k have, per metre of hair, the mass rho A and the stiffness T k^2 (explicit) + EI k^4
@@ -65,26 +60,12 @@ class TreeSystem {
   double potential_energy(Input q) const;
 
  private:
-  // A limit that acts: the joint's coordinate along `along` is above or below a bound.
-  struct Limit {
-    bool acts = false;
-    double bound = 0;                   // rad or m
-    Vector3d along = Vector3d::Zero();  // a direction for a spherical joint's theta; else [+-1, 0, 0]
-  };
-
-  void attempt(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
-               Output result);
   void add_springs(Input q, Input rates, double h);
-  void add_limit(int joint, Input rates, double h, const Vector3d& place, const Matrix3d& A);
-  // Checks positions after h seconds with these rates and accelerations. Returns false if no limit changed.
-  bool change_limits(Input q, Input rates, Input accelerations, double h);
-
   void add_drag(double h);
   void add_force(const LinkForce& one, double h);
 
   TreeMotion motion_;
   TreeForces forces_;
-  std::vector<Limit> limits_;  // for each link's joint; empty: no joint has a limit
   Eigen::VectorXd Q_;
 };
 

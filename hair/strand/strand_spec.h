@@ -1,7 +1,6 @@
 // A strand as a scene describes it, before a model divides it into particles, links or elements.
 #pragma once
 
-#include <optional>
 #include <variant>
 
 #include "hair/strand/material.h"
@@ -16,10 +15,6 @@ struct Fibre {
   double bend_factor = 1;     // factor of EI
   double twist_factor = 1;    // factor of GJ
   double skip_factor = 0;     // factor of EA: the rigidity of springs that skip a particle
-  // s, >= 0: the strand also resists the rates of bends and twists, with this times their stiffness.
-  double relaxation_time = 0;
-  // rad, > 0: the largest turn of a joint between two elements from its rest; none: any turn.
-  std::optional<double> joint_limit = {};
 };
 
 // The rest curve.

@@ -45,33 +45,6 @@ TEST(HelixMass, IsSingularForStraightHairAlone) {
   }
 }
 
-TEST(HelixForces, AreSlopesOfTheWeightsEnergy) {
-  for (const double angle : {0.0, 0.5, 5.0, 100.0}) {
-    RandomNumbers numbers(7);
-    HelixMotion motion(hair_strand(4, 0.1));
-    const MaterialFrame root = some_start();
-    const Vector3d gravity(1, -2, -9);
-    const VectorXd q = random_curl(motion.strand(), angle, numbers);
-    motion.place(root, q);
-    hair::add_weight(gravity, motion);
-    VectorXd Q(12);
-    hair::generalised_force(motion.elements, motion.points, Q);
-    const double d = 1e-4 / 0.025;  // 1e-4 of a radian
-    for (int k = 0; k < 12; ++k) {
-      VectorXd ahead = q, behind = q;
-      ahead[k] += d;
-      behind[k] -= d;
-      motion.place(root, ahead);
-      const double up = hair::weight_energy(gravity, motion);
-      motion.place(root, behind);
-      const double down = hair::weight_energy(gravity, motion);
-      // The bound allows 1e-8 of third derivatives, and a rounding of 1e-15 / 1e-4 of an energy of some
-      // 1e-5 J at 4 m from the root.
-      EXPECT_NEAR(Q[k], -(up - down) / (2 * d), 1e-7 * Q.norm()) << angle << ", coordinate " << k;
-    }
-  }
-}
-
 // A strand that moves as a whole in a wind has the drag - drag * length * (velocity - wind), and an implicit
 // step adds to it.
 TEST(HelixForces, DragIsTowardsTheWindsVelocity) {

@@ -3,7 +3,6 @@
 
 namespace reference_tests {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void ConstrainedMotion::acceleration(particles::Input x, particles::Input v, particles::Output a) {
@@ -44,39 +43,6 @@ VectorXd ConstrainedMotion::accelerations() const {
       a.segment<3>(3 * i) /= particles.mass[i];
   }
   return a;
-}
-
-MatrixXd ConstrainedMotion::jacobian() const {
-  MatrixXd J(constraints.rows(), state.x.size());
-  for (int i = 0; i < state.x.size(); ++i) {
-    VectorXd column(constraints.rows());
-    particles::constraint_rates(constraints, state.x, VectorXd::Unit(state.x.size(), i), column);
-    J.col(i) = column;
-  }
-  return J;
-}
-
-MatrixXd ConstrainedMotion::matrix() const {
-  const auto products = particles::constraint_matrix(constraints, particles, state);
-  MatrixXd A(constraints.rows(), constraints.rows());
-  for (int k = 0; k < A.cols(); ++k) {
-    VectorXd unit = VectorXd::Unit(A.cols(), k);
-    products->matVecMult(unit.data(), A.col(k).data());
-  }
-  return A;
-}
-
-VectorXd ConstrainedMotion::curvature() const {
-  ConstrainedMotion moved = *this;
-  moved.state.x += state.v;
-  return moved.rates() - rates();
-}
-
-VectorXd ConstrainedMotion::right_hand_side() const {
-  ConstrainedMotion free = *this;
-  free.lambda = VectorXd::Zero(constraints.rows());
-  return -curvature() - jacobian() * free.accelerations() - constraints.stiffness * values() -
-         constraints.damping * rates();
 }
 
 ConstrainedMotion straight_chain(int n, double length) {

@@ -20,12 +20,6 @@ struct ConstrainedMotion : particles::Dynamics {
   Eigen::VectorXd forces(const Eigen::VectorXd& multipliers) const;  // J^T multipliers
   particles::ConstraintReport solve();                               // for lambda
   Eigen::VectorXd accelerations() const;                             // W (f + J^T lambda)
-
-  // Tables, from the functions above alone: J by the rates of unit vectors, A by products.
-  Eigen::MatrixXd jacobian() const;
-  Eigen::MatrixXd matrix() const;
-  Eigen::VectorXd curvature() const;        // J' v = J(x + v) v - J(x) v: J is linear in x, up to a constant
-  Eigen::VectorXd right_hand_side() const;  // the right-hand side of the equation for lambda
 };
 
 // n particles of masses 1, 2, 1, 2, ... along x, particle 0 pinned, with rods between neighbours.

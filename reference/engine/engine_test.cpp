@@ -148,20 +148,5 @@ TEST_P(Engine, CorrectsTheLengthsOfManyRightAngles) {
   EXPECT_LE(largest_stretch(moving->strand, after.x), 1.01 * tolerance);
 }
 
-// Newton's method gives way to `place` where hair is torn or flung, and lengths are still right.
-TEST_P(Engine, CorrectsTheLengthsOfFlungHair) {
-  FullHeadSettings settings;
-  for (const double h : {1.0 / 960, 1.0 / 60, 1.0 / 24}) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = Vector3d(100 * h, 0, 0);
-    const auto all = starts(0.4, 10);
-    const auto states = after(settings, all, h, pose);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
-      EXPECT_LE(largest_stretch(moving->strand, states[k].x), 1e-11) << "strand " << k << ", h " << h;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace hair::engine

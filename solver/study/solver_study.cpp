@@ -61,7 +61,6 @@ class Study {
     histories();
     needed();
     if (functions_.normal_equations) digits();
-    products();
     study_.cpu_seconds = timing::cpu_seconds() - start;
     return std::move(study_);
   }
@@ -175,15 +174,6 @@ class Study {
     for (const double condition : log_spaced(study_.quick ? 8 : 15, 1, 1e14)) {
       watch_.look();
       study_.digits.push_back(digits_lost(functions_.normal_equations, condition, 3, study_.most_iterations));
-    }
-  }
-
-  void products() {
-    say_("products by a formula and by a table");
-    for (const int particles : {10, 30, 100, 300, 1000}) {
-      watch_.look();
-      if (study_.quick && particles > 300) continue;
-      study_.products.push_back(product_cost(particles, timing_));
     }
   }
 

@@ -11,7 +11,6 @@
 #include "solver/not_implemented.h"
 #include "solver/study/history.h"
 #include "solver/study/normal_digits.h"
-#include "solver/study/product_cost.h"
 
 namespace solver::study {
 
@@ -77,8 +76,7 @@ struct SolverStudy {
   std::vector<Compared> strands;     // a strand, for several time steps
   std::vector<Compared> linked;      // the strand with links, preconditioned by the one without
   std::vector<IterationsNeeded> needed;
-  std::vector<DigitsLost> digits;  // empty without normal equations
-  std::vector<ProductCost> products;
+  std::vector<DigitsLost> digits;             // empty without normal equations
   std::optional<NotImplemented> not_written;  // the normal equations, if they are a stub
   double cpu_seconds = 0;
 };

@@ -1,4 +1,4 @@
-// The study's own parts: properties of its systems, other solvers, counts of products, and a wrong solver.
+// The study's own parts: properties of its systems, other solvers, and a wrong solver.
 #include "solver/study/solver_study.h"
 
 #include <gtest/gtest.h>
@@ -92,35 +92,6 @@ TEST(BandedCholeskyTest, SolvesAStrandAndRefusesWhatIsNotDefinite) {
   EXPECT_THROW(BandedCholesky(tridiagonal(5, 1, -1)), std::invalid_argument)
       << "an eigenvalue is 1 - sqrt(3)";
   EXPECT_THROW(BandedCholesky(SparseMatrix(2, 3, {})), std::invalid_argument);
-}
-
-TEST(ProductCostTest, FormulaAndTableAreTheSameMatrix) {
-  const int particles = 7, n = 3 * particles;
-  const StrandFormula formula = strand_formula(particles, 1e-3);
-  const Table table = table_of(formula, n);
-  SparseMatrix sparse = strand_matrix(particles, 1e-3);
-  const Vector x = scattered(n, 9), expected = product(sparse, x);
-  Vector by_formula(n), by_table(n);
-  formula.multiply(n, x.data(), by_formula.data());
-  table.multiply(n, x.data(), by_table.data());
-  for (int i = 0; i < n; ++i) {
-    // Three terms, rounded once each and added: 4 u of the largest entry's size.
-    const double bound = 4 * kRounding * sparse.norm_bound();
-    EXPECT_NEAR(by_formula[i], expected[i], bound) << i;
-    EXPECT_NEAR(by_table[i], expected[i], bound) << i;
-  }
-}
-
-TEST(ProductCostTest, MultiplicationsAndBytesGrowWithNAndWithItsSquare) {
-  const Timing once = {0, 1};
-  const ProductCost small = product_cost(20, once), large = product_cost(200, once);
-  EXPECT_EQ(small.table.multiplications, 60L * 60);
-  EXPECT_EQ(large.table.multiplications, 600L * 600);
-  EXPECT_EQ(large.table.bytes, 100 * small.table.bytes);
-  EXPECT_EQ(large.formula.bytes, 10 * small.formula.bytes);
-  // Three for each unknown, less one for each of the 6 at the ends.
-  EXPECT_EQ(small.formula.multiplications, 3 * 60 - 6);
-  EXPECT_EQ(large.formula.multiplications, 3 * 600 - 6);
 }
 
 double eigen(int n, implicitMatrix* A, double x[], double b[], double, int* steps) {
@@ -332,7 +303,6 @@ TEST(SolverStudyTest, WithoutNormalEquationsAllFamiliesAreMeasuredAndTimedBeside
   ASSERT_TRUE(study->not_written);
   EXPECT_STREQ(study->not_written->what(), "S2 solve_normal_equations is not implemented yet");
   EXPECT_TRUE(study->digits.empty());
-  EXPECT_FALSE(study->products.empty());
   for (const std::vector<Compared>* family :
        {&study->conditions, &study->clusters, &study->strands, &study->linked}) {
     EXPECT_GE(family->size(), 4);

@@ -4,7 +4,7 @@
 
 #include "hair/io/plot/axes.h"
 #include "hair/io/plot/figure.h"
-#include "hair/io/plot/legend.h"
+#include "hair/io/plot/lettering.h"
 #include "hair/io/plot/look.h"
 #include "hair/io/plot/page.h"
 #include "hair/io/plot/series.h"

@@ -5,7 +5,7 @@
 
 #include "hair/io/plot/figure.h"
 #include "hair/io/plot/test_parsed.h"
-#include "hair/io/plot/test_sample_figures.h"
+#include "hair/io/plot/test_samples.h"
 
 namespace hair::plot {
 namespace {

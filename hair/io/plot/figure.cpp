@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "hair/io/plot/axes.h"
-#include "hair/io/plot/legend.h"
 #include "hair/io/plot/lettering.h"
 #include "hair/io/plot/look.h"
 #include "hair/io/plot/page.h"

@@ -10,9 +10,8 @@
 #include <stdexcept>
 
 #include "hair/io/plot/look.h"
-#include "hair/io/plot/test_hostile.h"
 #include "hair/io/plot/test_parsed.h"
-#include "hair/io/plot/test_sample_figures.h"
+#include "hair/io/plot/test_samples.h"
 
 namespace hair::plot {
 namespace {

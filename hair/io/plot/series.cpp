@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hair/io/plot/legend.h"
+#include "hair/io/plot/lettering.h"
 #include "hair/io/plot/look.h"
 #include "hair/io/plot/page.h"
 

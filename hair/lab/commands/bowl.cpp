@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "hair/lab/commands/study_shell.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "solver/linearSolver.h"
 #include "solver/normal_equations.h"
 

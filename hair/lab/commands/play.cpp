@@ -14,7 +14,7 @@
 #include "hair/lab/run/explain.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/run.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "solver/timing.h"
 
 namespace hair {

@@ -7,7 +7,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/finish_output.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "solver/decimal_point.h"
 #include "solver/not_in_course.h"
 

@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "hair/lab/commands/study_shell.h"
+#include "hair/lab/run/stub.h"
 #include "hair/lab/solver/solver_record.h"
-#include "hair/lab/stub.h"
 #include "solver/linearSolver.h"
 #include "solver/normal_equations.h"
 
@@ -17,10 +17,9 @@ int run(const ShellOptions& options, const Course& course) {
   if (course.has("S1")) studied.conj_grad = ConjGrad;
   if (course.has("S2")) studied.normal_equations = solve_normal_equations;
   if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
-  StudyShell shell(
-      options, "hairlab solver", "solver.json",
-      {"index.html", "convergence.csv", "direct.csv", "iterations.csv", "digits.csv", "products.csv"},
-      WhenInterrupted::loses);
+  StudyShell shell(options, "hairlab solver", "solver.json",
+                   {"index.html", "convergence.csv", "direct.csv", "iterations.csv", "digits.csv"},
+                   WhenInterrupted::loses);
   solver::study::Settings settings;
   settings.quick = options.quick;
   const auto study = solver::study::study_solvers(studied, settings, shell.interrupted(), shell.teller());
@@ -35,7 +34,6 @@ int run(const ShellOptions& options, const Course& course) {
              {{"convergence.csv", convergence_rows(all)},
               {"direct.csv", direct_rows(all)},
               {"iterations.csv", rows_of(study->needed, row_of_needed)},
-              {"products.csv", rows_of(study->products, row_of_cost)},
               {"digits.csv", rows_of(study->digits, row_of_digits)}});
   return shell.end(true, left_out.empty() ? "" : "\nwithout the normal equations: " + left_out);
 }

@@ -3,8 +3,8 @@
 
 #include "hair/lab/commands/study_shell.h"
 #include "hair/lab/run/course_scene.h"
+#include "hair/lab/run/stub.h"
 #include "hair/lab/stability/report.h"
-#include "hair/lab/stub.h"
 
 namespace hair {
 

@@ -5,7 +5,7 @@
 #include "hair/io/files/cache_folder.h"
 #include "hair/lab/commands/study_shell.h"
 #include "hair/lab/run/course_scene.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "hair/lab/study/study_record.h"
 #include "hair/lab/study/sweep.h"
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "hair/lab/commands/study_shell.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "hair/lab/validate/record.h"
 #include "solver/timing.h"
 

@@ -16,7 +16,7 @@
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/motion_of_run.h"
 #include "hair/lab/run/run.h"
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 #include "hair/view/view_page.h"
 
 namespace hair {

@@ -43,7 +43,6 @@ std::unique_ptr<Renderer> prepare_renderer(const Scene& scene, const RunSettings
   } else {
     try {
       auto renderer = std::make_unique<Renderer>(drawing.settings());
-      renderer->measure(true);
       record.opengl = renderer->about();
       return renderer;
     } catch (const NoOpenGl& error) {
@@ -95,20 +94,12 @@ class FrameWriter {
     motion_.add(last_);
     laps_.book(seconds.lay_out);
     if (!renderer_) return;
-    const double rendered = rendering();
     const Image image = renderer_->draw(last_, drawing_.camera());
-    laps_.book(seconds.lay_out);
-    seconds.lay_out -= rendering() - rendered;
+    laps_.book(seconds.draw);
     if (dense_) record_.dense = drawing_.synthesised();
     record_.moved_out = drawing_.moved_out();
     write_whole(folder_, frame_name(frame), encode_png(image));
     laps_.book(seconds.png);
-  }
-
-  // s, for all pictures so far.
-  double rendering() const {
-    const RenderTimes& times = renderer_->times();
-    return times.upload + times.shadow + times.draw + times.read_back;
   }
 
   // Draws the last picture again, with the strand that broke after it in red.
@@ -220,11 +211,6 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   record.warnings = scene_run->warnings();
   frames.close(unseen.empty());
   if (renderer) {
-    const RenderTimes& times = renderer->times();
-    seconds.upload = times.upload;
-    seconds.shadow = times.shadow;
-    seconds.draw = times.draw;
-    seconds.read_back = times.read_back;
     if (progress) *progress << "\rfilm                       " << std::flush;
     record.no_film = make_film(folder.now(""), scene.frames_per_second);
     if (record.no_film) notes << (progress ? "\r" : "") << "no film: " << *record.no_film << "\n";

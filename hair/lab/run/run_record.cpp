@@ -70,10 +70,7 @@ std::string text_of(const Seconds& seconds) {
                       {"measure", json_text(seconds.measure)},
                       {"write", json_text(seconds.write)},
                       {"lay_out", json_text(seconds.lay_out)},
-                      {"upload", json_text(seconds.upload)},
-                      {"shadow", json_text(seconds.shadow)},
                       {"draw", json_text(seconds.draw)},
-                      {"read_back", json_text(seconds.read_back)},
                       {"png", json_text(seconds.png)},
                       {"film", json_text(seconds.film)},
                       {"total", json_text(seconds.total)}});

@@ -26,8 +26,7 @@ struct Seconds {
   double read = 0, assemble = 0, prepare = 0;   // the scene; the moving objects; the drawing
   double simulate = 0, measure = 0, write = 0;  // states
   double lay_out = 0;                           // the content of a picture: dense hair, out of obstacles
-  double upload = 0, shadow = 0, draw = 0, read_back = 0, png = 0;
-  double film = 0;
+  double draw = 0, png = 0, film = 0;
   double total = 0;
 };
 

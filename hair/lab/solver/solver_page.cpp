@@ -110,41 +110,6 @@ Section digits_section(const SolverStudy& study) {
   return section;
 }
 
-Section products_section(const SolverStudy& study) {
-  Figure figure = {"product-cost",
-                   "Why implicitMatrix? A product's time, and the matrix' memory",
-                   "By its formula a product takes time and memory in proportion to n, by the table of "
-                   "entries to n squared.",
-                   {"unknowns n"},
-                   {"nanoseconds; bytes"},
-                   {{"table: bytes", {}, true, true, true},
-                    {"table: ns a product", {}},
-                    {"formula: bytes", {}, true, true, true},
-                    {"formula: ns a product", {}}},
-                   {{1, "slope 1"}, {2, "slope 2"}}};
-  for (const ProductCost& one : study.products) {
-    const auto add = [&](std::size_t series, double y, const std::string& note) {
-      figure.series[series].points.push_back(point(one.n, y, note));
-    };
-    add(0, static_cast<double>(one.table.bytes), "");
-    add(1, 1e9 * one.table.seconds, std::to_string(one.table.multiplications) + " multiplications");
-    add(2, static_cast<double>(one.formula.bytes), "");
-    add(3, 1e9 * one.formula.seconds, std::to_string(one.formula.multiplications) + " multiplications");
-  }
-  const ProductCost& last = study.products.back();
-  return {"Why implicitMatrix?",
-          {"A product with a strand's matrix: by its formula, three numbers for each particle and three "
-           "multiplications for "
-           "each unknown; and by the table of all entries. With " +
-           std::to_string(last.n) + " unknowns the table takes " +
-           to_text(last.table.seconds / last.formula.seconds) + " times as long, and " +
-           to_text(static_cast<double>(last.table.bytes) / static_cast<double>(last.formula.bytes)) +
-           " times the memory, nearly all of it for zeros."},
-          {to_svg(figure)},
-          {table_of(rows_of(study.products, row_of_cost),
-                    "A product with a strand's matrix, by its formula and by the table of its entries")}};
-}
-
 }  // namespace
 
 Page solver_page(const SolverStudy& study, const std::string& left_out) {
@@ -156,7 +121,6 @@ Page solver_page(const SolverStudy& study, const std::string& left_out) {
   page.sections = {conditions_section(study), clusters_section(study), strands_section(study),
                    linked_section(study), needed_section(study)};
   if (!study.digits.empty()) page.sections.push_back(digits_section(study));
-  page.sections.push_back(products_section(study));
   return page;
 }
 

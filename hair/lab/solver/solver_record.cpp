@@ -54,17 +54,6 @@ Row row_of_digits(const DigitsLost& one) {
           {"pivoted_qr", "", one.pivoted_qr, {"QR with pivots"}}};
 }
 
-Row row_of_cost(const ProductCost& one) {
-  return {{"unknowns", "", one.n},
-          {"formula.multiplications", "", one.formula.multiplications, {"formula: multiplications"}},
-          {"formula.bytes", "", one.formula.bytes, {"bytes"}},
-          {"formula.seconds", "", one.formula.seconds, {"CPU time, s"}},
-          {"table.multiplications", "", one.table.multiplications, {"table: multiplications"}},
-          {"table.bytes", "", one.table.bytes, {"bytes of the table"}},
-          {"table.seconds", "", one.table.seconds, {"CPU time of the table, s"}},
-          {"times_as_long", "", one.table.seconds / one.formula.seconds, In::tables}};
-}
-
 std::vector<Row> convergence_rows(const std::vector<Compared>& systems) {
   std::vector<Row> rows;
   for (const Compared& on : systems)
@@ -108,8 +97,7 @@ OrderedJson solver_json(const SolverStudy& study, const std::string& left_out) {
           {"convergence", convergence},
           {"direct", direct},
           {"iterations", json_of(rows_of(study.needed, row_of_needed))},
-          {"digits", json_of(rows_of(study.digits, row_of_digits))},
-          {"products", json_of(rows_of(study.products, row_of_cost))}};
+          {"digits", json_of(rows_of(study.digits, row_of_digits))}};
 }
 
 }  // namespace hair::solver_lab

@@ -2,8 +2,6 @@
 // solver.json:
 //
 //   program, quick, machine, format, seconds, left_out (null, or why there are no normal equations)
-//   paths               places of a path over a bowl: solver, condition, steps, x (two numbers), height above
-//                       the bottom, relative to the right first guess
 //   convergence         histories: family, system, solver, unknowns, condition, and progress: iterations,
 //                       products, error (in the A-norm, relative to the first guess), squared_residual and
 //                       claimed (relative to ||b||^2; null for Eigen's, which does not report it), seconds
@@ -12,7 +10,6 @@
 //                       most_iterations, or a false residual or count), bound
 //   digits              condition, relative errors conj_grad, cholesky, qr, pivoted_qr (null: none),
 //                       iterations, stopped (whether conj_grad used all allowed iterations)
-//   products            unknowns; of formula and table: multiplications, bytes, seconds
 #pragma once
 
 #include <string>
@@ -31,7 +28,6 @@ Row row_of_history(const solver::study::History& history);
 Row row_of_progress(const solver::study::Progress& progress);
 Row row_of_needed(const solver::study::IterationsNeeded& needed);
 Row row_of_digits(const solver::study::DigitsLost& digits);
-Row row_of_cost(const solver::study::ProductCost& cost);
 
 // The rows of all systems have a history's columns, then those of its progress; and the direct solves.
 std::vector<Row> convergence_rows(const std::vector<solver::study::Compared>& systems);

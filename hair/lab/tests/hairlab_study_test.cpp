@@ -46,19 +46,6 @@ TEST_F(HairlabStudy, KeepsTheAccurateMotion) {
   }
 }
 
-TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinished) {
-  ProgramSettings settings;
-  settings.meanwhile = [&](int process) {
-    wait_for_a_run(process);
-    kill(process, SIGINT);
-  };
-  const ProgramRun run = study({"--methods", "symplectic-euler,h4-filtered,h6"}, settings);
-  if (run.code == 0) GTEST_SKIP() << "it was finished before it was interrupted";
-  ASSERT_EQ(run.code, 130) << run.output << run.errors;
-  EXPECT_TRUE(has(run.errors, "interrupted; what is finished is kept")) << run.errors;
-  EXPECT_EQ(record()["finished"], false);
-}
-
 // It is killed, as after a hanging exercise and a second Ctrl-C. The whole study would take ten seconds.
 TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
   ProgramSettings settings;

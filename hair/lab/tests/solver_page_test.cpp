@@ -82,7 +82,6 @@ SolverStudy study_of(const Compared& on) {
   study.conditions = study.clusters = study.strands = study.linked = {on, on, on};
   study.needed = {{10, {}, 27, {}, {}, 33}};
   study.digits = {{1e7, 0.042, 4000, true, 1e-4, 1e-10, 1e-10}};
-  study.products = {{90, {264, 720, 1e-7}, {8100, 64800, 4e-6}}};
   return study;
 }
 

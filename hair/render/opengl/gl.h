@@ -53,7 +53,6 @@ inline constexpr Enum kNoError = 0;
   X(DrawElements, void(Enum, int, Enum, const void*))                                \
   X(Enable, void(Enum))                                                              \
   X(EnableVertexAttribArray, void(unsigned))                                         \
-  X(Finish, void())                                                                  \
   X(FramebufferTexture2D, void(Enum, Enum, Enum, Name, int))                         \
   X(GenBuffers, void(int, Name*))                                                    \
   X(GenFramebuffers, void(int, Name*))                                               \

@@ -10,7 +10,6 @@
 #include "hair/render/opengl/fine_hair_textures.h"
 #include "hair/render/opengl/gl_context.h"
 #include "hair/render/opengl/gl_objects.h"
-#include "hair/render/opengl/laps.h"
 #include "hair/render/opengl/programs.h"
 #include "hair/render/ribbons.h"
 #include "hair/render/view.h"
@@ -49,25 +48,17 @@ class Renderer::Parts {
     check_drawing(drawing);
     const View view(camera, static_cast<double>(settings_.width) / settings_.height);
     const GlContext::Current current(context_);
-    Laps watch(measured);
     const Content content = send(drawing, view);
-    watch.lap(gl_, times.upload);
     if (content.shadows()) draw_maps(content);
-    watch.lap(gl_, times.shadow);
     draw_samples(drawing, view, content);
     if (content.fine) draw_layer(drawing, view, content);
     resolve(content);
-    watch.lap(gl_, times.draw);
     Image image = image_of(gl_, *picture_);
-    watch.lap(gl_, times.read_back);
     if (gl_.GetError() != gl::kNoError) throw std::runtime_error("OpenGL failed: is there enough memory?");
     return image;
   }
 
   std::string about() const { return context_.about(); }
-
-  bool measured = false;
-  RenderTimes times;
 
  private:
   // The contents of a drawing, and the passes that they need.
@@ -282,14 +273,6 @@ Renderer::~Renderer() = default;
 
 Image Renderer::draw(const Drawing& drawing, const Camera& camera) {
   return parts_->draw(drawing, camera);
-}
-
-void Renderer::measure(bool on) {
-  parts_->measured = on;
-}
-
-const RenderTimes& Renderer::times() const {
-  return parts_->times;
 }
 
 std::string Renderer::about() const {

@@ -24,12 +24,6 @@ struct RenderSettings {
   std::string library = {};        // the OpenGL library, such as "libEGL.so.1"; empty: OSMesa, else EGL
 };
 
-// The time of each part of the pipeline, in seconds, summed over all pictures. Measuring waits for OpenGL to
-// finish each part, so it is done only on request.
-struct RenderTimes {
-  double upload = 0, shadow = 0, draw = 0, read_back = 0;
-};
-
 class Renderer {
  public:
   // Throws NoOpenGl, or std::invalid_argument for settings that are out of bounds.
@@ -41,8 +35,6 @@ class Renderer {
   // Throws std::invalid_argument for numbers that are not finite. Reuses its buffers from picture to picture.
   Image draw(const Drawing& drawing, const Camera& camera);
 
-  void measure(bool on);  // off at first
-  const RenderTimes& times() const;
   std::string about() const;  // "OSMesa: llvmpipe (LLVM 15.0.6, 256 bits), 3.3 (Core Profile) Mesa 22.3.6"
 
  private:

@@ -289,18 +289,5 @@ TEST(Renderer, WithoutOpenGlOneLineNamesThePackage) {
   }
 }
 
-TEST(Renderer, MeasuresOnlyWhenAsked) {
-  const TestScene scene = test_scene(kAspect);
-  Renderer renderer(kSmall);
-  renderer.draw(scene.drawing, scene.camera);
-  EXPECT_EQ(renderer.times().draw, 0);
-  renderer.measure(true);
-  renderer.draw(scene.drawing, scene.camera);
-  EXPECT_GT(renderer.times().upload, 0);
-  EXPECT_GT(renderer.times().shadow, 0);
-  EXPECT_GT(renderer.times().draw, 0);
-  EXPECT_GT(renderer.times().read_back, 0);
-}
-
 }  // namespace
 }  // namespace hair

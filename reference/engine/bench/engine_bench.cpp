@@ -1,13 +1,10 @@
 // STAFF ONLY. Measures the cost of a step of the engine, compared with given code, and prints Markdown. It
 // takes the least CPU time of some steps, so that other programs on the machine matter less. Usage:
 // engine_bench [STRANDS].
-#include <hwy/targets.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -137,20 +134,6 @@ double given_ns(const FullHeadSettings& settings, const hair::Groom& groom) {
   return 1e9 * least(kSteps, step) / (kStrands * kPoints);
 }
 
-// The process's peak memory until now, in bytes; 0 if Linux does not report it.
-double peak_memory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmHWM:")) return 1024 * std::strtod(line.c_str() + 6, nullptr);
-  return 0;
-}
-
-// For engines made from now on.
-void use_sets_without(long long disabled) {
-  hwy::DisableTargets(disabled);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
 void by_parts(int strands, const hair::Groom& grown) {
   std::printf(
       "| parts, %d strands x %d points, h = 1/24 s | ns | given code, ns | times |\n|---|--:|--:|--:|\n",
@@ -183,27 +166,10 @@ void by_strands(const hair::Groom& grown) {
     std::fflush(stdout);
     memory += " " + std::to_string(std::lround(bytes)) + " |";
   }
-  // This memory includes the strands to start from, the bench itself and earlier heads.
-  std::printf("\n%s\n\nThe process's peak memory with 200,000 strands: %.0f MB, %.0f bytes per particle\n",
-              memory.c_str(), 1e-6 * peak_memory(), peak_memory() / (200'000.0 * kPoints));
+  std::printf("\n%s\n", memory.c_str());
 }
 
-void by_set(int strands, const hair::Groom& grown) {
-  std::printf("\n| everything, %d strands | ns |\n|---|--:|\n", strands);
-  // This includes all better targets of Highway, which have smaller numbers.
-  constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
-  const struct {
-    const char* name;
-    long long disabled;
-  } sets[] = {{"AVX-512", 0}, {"AVX2", kAvx512}, {"scalars", ~0LL}};
-  const auto here = hwy::SupportedTargets();
-  for (const auto& [name, disabled] : sets) {
-    if (disabled == 0 && !(here & kAvx512)) continue;
-    use_sets_without(disabled);
-    std::printf("| %s | %.1f |\n", name, engine_ns(with(true, true, true), strands, grown));
-    std::fflush(stdout);
-  }
-  use_sets_without(0);
+void by_threads(int strands, const hair::Groom& grown) {
   std::printf("\n| everything, %d strands, threads | ns, CPU of all threads | ns, wall |\n|---|--:|--:|\n",
               strands);
   for (const int threads : {1, 2}) {
@@ -228,5 +194,5 @@ int main(int count, char** arguments) {
   const hair::Groom grown = combed_groom(std::min(strands, 20'000));
   by_parts(strands, grown);
   by_strands(grown);
-  by_set(strands, grown);
+  by_threads(strands, grown);
 }

@@ -1,4 +1,4 @@
-#include "hair/lab/stub.h"
+#include "hair/lab/run/stub.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,3 +1,5 @@
+#include "hair/io/plot/page.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -5,13 +7,37 @@
 #include <utility>
 #include <vector>
 
-#include "hair/io/plot/check_table.h"
 #include "hair/io/plot/html.h"
-#include "hair/io/plot/page.h"
 
 namespace hair {
 
 namespace {
+
+// It has a header, and all rows are as long as the header.
+void check_table(const Table& table) {
+  if (table.header.empty())
+    throw std::invalid_argument("table \"" + table.caption + "\": the header is empty; a column is needed");
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.rows[i].size() != table.header.size())
+      throw std::invalid_argument("table \"" + table.caption + "\": row " + std::to_string(i) + " has " +
+                                  std::to_string(table.rows[i].size()) + " fields; the header has " +
+                                  std::to_string(table.header.size()));
+}
+
+std::string field(const std::string& text) {
+  if (text.find_first_of("\",\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string line(const std::vector<std::string>& fields) {
+  // A single empty field is quoted, because most CSV readers take an empty line for no record.
+  if (fields.size() == 1 && fields[0].empty()) return "\"\"\n";
+  std::string out;
+  for (std::size_t i = 0; i < fields.size(); ++i) out += (i > 0 ? "," : "") + field(fields[i]);
+  return out + "\n";
+}
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_of("0123456789") != std::string::npos &&
@@ -33,7 +59,7 @@ std::vector<bool> columns_of_numbers(const Table& table) {
 }
 
 Html table_of(const Table& table) {
-  plot::check_table(table);
+  check_table(table);
   const std::vector<bool> numbers = columns_of_numbers(table);
   const auto kind = [&](std::size_t column) { return numbers[column] ? "number" : "text"; };
   // A table wider than the page scrolls, also with the keyboard.
@@ -110,6 +136,13 @@ std::string to_html(const Page& page) {
   for (std::size_t i = 0; i < page.sections.size(); ++i) body += html_of(page.sections[i], section_id(i));
   body += html("</main>\n");
   return html_page(page.title, body, Scripts::off, page.picture_files ? Pictures::beside : Pictures::inside);
+}
+
+std::string to_csv(const Table& table) {
+  check_table(table);
+  std::string out = line(table.header);
+  for (const std::vector<std::string>& row : table.rows) out += line(row);
+  return out;
 }
 
 }  // namespace hair
