@@ -7,17 +7,41 @@ namespace hair {
 
 namespace {
 
+// The smallest s >= 0 with |from + s way| = radius, if the way enters the ball there; vectors are from the
+// middle.
+std::optional<double> enters(const Vector3d& from, const Vector3d& way, double radius) {
+  const double squared = way.squaredNorm(), half = from.dot(way);
+  const double root = half * half - squared * (from.squaredNorm() - radius * radius);
+  if (!(half < 0) || !(root > 0)) return {};
+  return std::max(0.0, (-half - std::sqrt(root)) / squared);
+}
+
 std::optional<double> share_of_way(const Plane&, const Vector3d&, const Vector3d&) {
   return {};
 }
 
-// The smallest s >= 0 at which from + s way is on the sphere, if the way enters there.
-std::optional<double> share_of_way(const Sphere& sphere, const Vector3d& start, const Vector3d& way) {
-  const Vector3d from = start - sphere.centre;
-  const double squared = way.squaredNorm(), half = from.dot(way);
-  const double root = half * half - squared * (from.squaredNorm() - sphere.radius * sphere.radius);
-  if (!(half < 0) || !(root > 0)) return {};
-  return std::max(0.0, (-half - std::sqrt(root)) / squared);
+std::optional<double> share_of_way(const Sphere& sphere, const Vector3d& from, const Vector3d& way) {
+  return enters(from - sphere.centre, way, sphere.radius);
+}
+
+// The capsule's round side between the ends, or the sphere at one of them: the first one on the way.
+std::optional<double> share_of_way(const Capsule& capsule, const Vector3d& from, const Vector3d& way) {
+  std::optional<double> first = enters(from - capsule.a, way, capsule.radius);
+  const auto take = [&](std::optional<double> other) {
+    if (other && !(first && *first <= *other)) first = other;
+  };
+  take(enters(from - capsule.b, way, capsule.radius));
+  const Vector3d axis = capsule.b - capsule.a;
+  const double squared = axis.squaredNorm();
+  if (squared == 0) return first;
+  const auto across = [&](const Vector3d& vector) -> Vector3d {
+    return vector - axis.dot(vector) / squared * axis;
+  };
+  const auto side = enters(across(from - capsule.a), across(way), capsule.radius);
+  if (!side) return first;
+  const double along = axis.dot(from + *side * way - capsule.a);
+  if (along >= 0 && along <= squared) take(side);
+  return first;
 }
 
 // Advances by half of the distance, as long as this ends outside, and searches more finely when a step ends

@@ -13,14 +13,27 @@ using particles::require, particles::require_at_least, particles::require_finite
 
 namespace {
 
+// The surface of a round object. `fallback` is the normal for its middle.
+Surface round_surface(const Vector3d& from_middle, double radius, const Vector3d& fallback) {
+  const double distance = from_middle.norm();
+  if (distance == 0) return {-radius, fallback};
+  return {distance - radius, from_middle / distance};
+}
+
 Surface surface_of(const Plane& plane, const Vector3d& point) {
   return {plane.normal.dot(point - plane.point), plane.normal};
 }
 
 Surface surface_of(const Sphere& sphere, const Vector3d& point) {
-  const Vector3d from_centre = point - sphere.centre;
-  const double distance = from_centre.norm();
-  return {distance - sphere.radius, distance == 0 ? Vector3d(Vector3d::UnitZ()) : from_centre / distance};
+  return round_surface(point - sphere.centre, sphere.radius, Vector3d::UnitZ());
+}
+
+Surface surface_of(const Capsule& capsule, const Vector3d& point) {
+  const Vector3d axis = capsule.b - capsule.a;
+  const double squared = axis.squaredNorm();
+  const double along = squared > 0 ? std::clamp(axis.dot(point - capsule.a) / squared, 0.0, 1.0) : 0;
+  return round_surface(point - (capsule.a + along * axis), capsule.radius,
+                       squared > 0 ? axis.unitOrthogonal() : Vector3d(Vector3d::UnitZ()));
 }
 
 Surface surface_of(const PlacedSolid& placed, const Vector3d& point) {
@@ -43,6 +56,12 @@ void check_shape(const Sphere& sphere) {
   require_positive("a sphere's radius", sphere.radius);
 }
 
+void check_shape(const Capsule& capsule) {
+  check_point("a capsule's end", capsule.a);
+  check_point("a capsule's end", capsule.b);
+  require_positive("a capsule's radius", capsule.radius);
+}
+
 void check_shape(const PlacedSolid& placed) {
   if (!placed.solid) throw std::invalid_argument("a placed solid without a solid; give one");
   check_point("a solid's place", placed.at);
@@ -57,6 +76,11 @@ void move_shape(Plane& plane, const Vector3d& by) {
 
 void move_shape(Sphere& sphere, const Vector3d& by) {
   sphere.centre += by;
+}
+
+void move_shape(Capsule& capsule, const Vector3d& by) {
+  capsule.a += by;
+  capsule.b += by;
 }
 
 void move_shape(PlacedSolid& placed, const Vector3d& by) {

@@ -1,4 +1,4 @@
-// Obstacles that hair can't pass: the ground, a ball, a head. Collisions are a separate stage after a step.
+// Obstacles that hair can't pass: the ground, a head, a limb. Collisions are a separate stage after a step.
 // It pushes particles out, removes the velocity into the obstacle, and applies friction. Sources: R. Bridson,
 // R. Fedkiw and J. Anderson, "Robust Treatment of Collisions, Contact and Friction for Cloth Animation"
 // (SIGGRAPH 2002), for velocities; M. Macklin et al., "Unified Particle Physics for Real-Time Applications"
@@ -29,6 +29,12 @@ struct Sphere {
   double radius;    // m, > 0
 };
 
+// All points within `radius` of the line segment from a to b. a may equal b.
+struct Capsule {
+  Vector3d a, b;  // m
+  double radius;  // m, > 0
+};
+
 // A solid that is turned about its origin, and then moved by `at`.
 struct PlacedSolid {
   std::shared_ptr<const Solid> solid;
@@ -38,7 +44,7 @@ struct PlacedSolid {
 };
 
 struct Obstacle {
-  std::variant<Plane, Sphere, PlacedSolid> shape;
+  std::variant<Plane, Sphere, Capsule, PlacedSolid> shape;
   double friction = 0;                   // Coulomb's mu, >= 0: the friction is at most mu times the pressure
   Vector3d velocity = Vector3d::Zero();  // m/s, of a placed solid's `at`: the friction drags hair along
 };

@@ -51,7 +51,7 @@ TEST(Obstacles, NothingIsInsideAfterwards) {
   auto vector = [&] { return Vector3d(uniform(random), uniform(random), uniform(random)); };
   const std::vector<Obstacle> obstacles = {{Plane{Vector3d(0, 0, -0.5), Vector3d(0, 0, 1)}, 0.4},
                                            {Sphere{Vector3d(0.2, 0, -0.4), 0.5}, 0.1, vector()},
-                                           {Sphere{Vector3d(-0.4, 0.2, 0.1), 0.3}, 2}};
+                                           {Capsule{Vector3d(-1, 0, 0), Vector3d(1, 0.5, 0.2), 0.2}, 2}};
   const int n = 1000;
   Particles particles{Eigen::VectorXd::Ones(n), std::vector<char>(n, 0)};
   State state{Eigen::VectorXd(3 * n), Eigen::VectorXd(3 * n)};
@@ -129,6 +129,11 @@ TEST(Obstacles, NobodyGoesThroughOneInAStep) {
   expect_stopped(ball, {1, 2, 5}, {1, 2, 0}, {1, 2, 3.5});
   expect_stopped(ball, {0.7, 2, 5}, {0.7, 2, 0}, {0.7, 2, 3.4});
   expect_stopped(ball, {0.7, 2, 5}, {0.7, 2, 2.7}, {0.7, 2, 3.4});  // inside, nearer to the other side
+  const Obstacle limb{Capsule{Vector3d(-1, 0, 0), Vector3d(1, 0, 0), 0.2}};
+  expect_stopped(limb, {0.5, 0, 2}, {0.3, 0, -2}, {0.41, 0, 0.2});
+  expect_stopped(limb, {2, 0, 0.1}, {-2, 0, 0.1}, {1 + std::sqrt(0.03), 0, 0.1});
+  expect_stopped(limb, {1.1, 0, 1}, {1.1, 0, -1}, {1.1, 0, std::sqrt(0.03)});
+  expect_stopped({Capsule{Vector3d::Zero(), Vector3d::Zero(), 0.2}}, {0, 0, 1}, {0, 0, -1}, {0, 0, 0.2});
 }
 
 // The way relative to the obstacle counts; the obstacle is at its position of the step's end.
@@ -217,10 +222,34 @@ TEST(Obstacles, AMovingObstaclePushesWithItsVelocity) {
   EXPECT_LE((state.v - Vector3d(2, 0, 0)).norm(), 1e-15);
 }
 
+TEST(Obstacles, ACapsuleIsASphereAtItsEndsAndACylinderBetween) {
+  const Vector3d a(0, 0, 0), b(0, 0, 2);
+  const Obstacle capsule{Capsule{a, b, 0.5}};
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-2, 4);
+  for (int k = 0; k < 200; ++k) {
+    const Vector3d point(uniform(random), uniform(random), uniform(random));
+    const Surface surface = surface_at(capsule, point);
+    const Surface expected = point[2] <= 0   ? surface_at({Sphere{a, 0.5}}, point)
+                             : point[2] >= 2 ? surface_at({Sphere{b, 0.5}}, point)
+                                             : Surface{std::hypot(point[0], point[1]) - 0.5,
+                                                       Vector3d(point[0], point[1], 0).normalized()};
+    EXPECT_NEAR(surface.distance, expected.distance, 1e-15 * 8);
+    EXPECT_LE((surface.normal - expected.normal).norm(), 1e-15 * 8);
+  }
+  const Obstacle ball{Capsule{a, a, 0.5}};
+  EXPECT_EQ(surface_at(ball, Vector3d(3, 0, 4)).distance, 4.5);
+}
+
 TEST(Obstacles, TheMiddleHasANormalToo) {
-  const Surface surface = surface_at({Sphere{Vector3d(1, 1, 1), 2}}, Vector3d(1, 1, 1));
-  EXPECT_EQ(surface.distance, -2);
-  EXPECT_NEAR(surface.normal.norm(), 1, 1e-15);
+  for (const Obstacle& obstacle :
+       {Obstacle{Sphere{Vector3d(1, 1, 1), 2}}, Obstacle{Capsule{{1, 1, 0}, {1, 1, 2}, 2}},
+        Obstacle{Capsule{{1, 1, 1}, {1, 1, 1}, 2}}}) {
+    const Surface surface = surface_at(obstacle, Vector3d(1, 1, 1));
+    EXPECT_EQ(surface.distance, -2);
+    EXPECT_NEAR(surface.normal.norm(), 1, 1e-15);
+  }
+  EXPECT_NEAR(surface_at({Capsule{{1, 1, 0}, {1, 1, 2}, 2}}, Vector3d(1, 1, 1)).normal[2], 0, 1e-15);
 }
 
 TEST(Obstacles, WithoutRoomBetweenThemTheDepthIsReportedAndItEnds) {
@@ -238,7 +267,8 @@ TEST(Obstacles, BadOnesAreRefused) {
   EXPECT_THROW(check_obstacle({Plane{Vector3d::Zero(), Vector3d(0, 0, 2)}}), std::invalid_argument);
   EXPECT_THROW(check_obstacle({Plane{Vector3d(nan, 0, 0), Vector3d::UnitX()}}), std::invalid_argument);
   EXPECT_THROW(check_obstacle({Sphere{Vector3d::Zero(), 0}}), std::invalid_argument);
-  EXPECT_THROW(check_obstacle({Sphere{Vector3d(nan, 0, 0), 1}}), std::invalid_argument);
+  EXPECT_THROW(check_obstacle({Capsule{Vector3d::Zero(), Vector3d(nan, 0, 0), 1}}), std::invalid_argument);
+  EXPECT_THROW(check_obstacle({Capsule{Vector3d::Zero(), Vector3d::Zero(), -1}}), std::invalid_argument);
   EXPECT_THROW(check_obstacle({Sphere{Vector3d::Zero(), 1}, -0.1}), std::invalid_argument);
   EXPECT_THROW(check_obstacle({Sphere{Vector3d::Zero(), 1}, 0, Vector3d(0, nan, 0)}), std::invalid_argument);
 }

@@ -65,7 +65,7 @@ struct Drawing {
   std::vector<Ring> rings;
   std::vector<Sheet> sheets;
   std::vector<Obstacle>
-      obstacles;  // ground and balls, at their present positions; solids are drawn as meshes
+      obstacles;  // ground, balls, limbs, at their present positions; solids are drawn as meshes
   std::vector<PlacedMesh> meshes;
 };
 

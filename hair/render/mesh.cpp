@@ -127,8 +127,11 @@ Mesh mesh_of(const Drawing& drawing, const View& view, int samples) {
   for (const Ring& ring : drawing.rings) builder.ring(ring);
   for (const Sheet& sheet : drawing.sheets) builder.sheet(sheet);
   for (const Obstacle& obstacle : drawing.obstacles) {
-    if (const auto* const ball = std::get_if<Sphere>(&obstacle.shape))
+    if (const auto* const ball = std::get_if<Sphere>(&obstacle.shape)) {
       builder.capsule(ball->centre, ball->centre, ball->radius, kSkin);
+    } else if (const auto* const capsule = std::get_if<Capsule>(&obstacle.shape)) {
+      builder.capsule(capsule->a, capsule->b, capsule->radius, kSkin);
+    }
   }
   for (const PlacedMesh& placed : drawing.meshes) builder.placed(placed, kSkin);
   builder.mesh.casting = builder.mesh.indices.size();

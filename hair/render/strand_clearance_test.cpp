@@ -64,8 +64,9 @@ TEST(StrandClearance, LeavesNoPointInsideOfABust) {
 }
 
 TEST(StrandClearance, LeavesNoPointInsideOfRoundThingsOrTheGround) {
-  const std::vector<Obstacle> now = {
-      {Sphere{{0, 0, -0.05}, 0.08}}, {Sphere{{0, 0.03, -0.25}, 0.04}}, {Plane{{0, 0, -0.3}, {0, 0, 1}}}};
+  const std::vector<Obstacle> now = {{Sphere{{0, 0, -0.05}, 0.08}},
+                                     {Capsule{{-0.2, 0.03, -0.25}, {0.2, 0.03, -0.25}, 0.04}},
+                                     {Plane{{0, 0, -0.3}, {0, 0, 1}}}};
   StrandClearance clearance(now);
   StrandsDrawing strands = through_the_bust(2000);
   EXPECT_GT(deepest(now, strands), 0.02);

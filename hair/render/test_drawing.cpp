@@ -20,8 +20,8 @@ TestScene test_scene(double aspect, double scale) {
     }
   }
   drawing.obstacles.push_back({Sphere{scale * Vector3d(0, 0, 0.5), 0.15 * scale}});
-  drawing.tubes.push_back(
-      {scale * Vector3d(0, 0, 0.1), scale * Vector3d(0, 0, 0.3), 0.08 * scale, {0.50F, 0.40F, 0.34F}});
+  drawing.obstacles.push_back(
+      {Capsule{scale * Vector3d(0, 0, 0.1), scale * Vector3d(0, 0, 0.3), 0.08 * scale}});
   drawing.obstacles.push_back({Plane{Vector3d::Zero(), Vector3d(0, 0, 1)}});
   drawing.tubes.push_back(
       {scale * Vector3d(0.3, 0, 0.1), scale * Vector3d(0.5, 0.2, 0.6), 0.02 * scale, {0.2F, 0.5F, 0.3F}});

@@ -1,4 +1,4 @@
-// A spring at a joint. The energy of a spherical joint that is turned by the vector theta (rad,
+// A spring and a damper at a joint. The energy of a spherical joint that is turned by the vector theta (rad,
 // at most pi long) against its rest is
 //
 //   E = theta^T K theta / 2      theta = 2 atan2(|v|, w) v / |v|  of its quaternion, w + v, with w >= 0
@@ -23,8 +23,9 @@
 namespace hair {
 
 struct JointSpring {
-  // K, N m/rad or N/m, along the joint's axes at rest; symmetric, >= 0
-  Matrix3d stiffness = Matrix3d::Zero();
+  Matrix3d stiffness =
+      Matrix3d::Zero();                 // K, N m/rad or N/m, along the joint's axes at rest; symmetric, >= 0
+  Matrix3d damping = Matrix3d::Zero();  // C, N m s/rad or N s/m: the same
 
   // J.
   double energy(double place) const { return stiffness(0, 0) * place * place / 2; }

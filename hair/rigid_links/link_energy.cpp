@@ -19,6 +19,7 @@ double mass_of(const LinkTree& tree) {
 LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
     : strand_(strand),
       implicit_(implicit),
+      rates_before_(strand.rates),
       watch_(mass_of(strand.tree), strand.length.sum(), strand.forces.gravity.norm(), strand.forces.drag) {}
 
 // Reads the energies of the present strand, relative to its base.
@@ -44,6 +45,7 @@ void LinkEnergy::read() {
 }
 
 void LinkEnergy::before_step(const SpatialMotion& base) {
+  rates_before_ = strand_.rates;
   base_before_ = strand_.base.velocity;
   base_ = base;
   root_velocity_ = (base_before_.linear + base.linear) / 2;
@@ -60,6 +62,7 @@ void LinkEnergy::after_step(const TreeMotion& motion, double h, const ContactWor
   const Vector3d torque = (root.inertia * root.a + root.bias).torque;
   double work = h / 2 * torque.dot(base_before_.angular + base_.angular);
   if (strand_.forces.drag > 0) work += drag_work(motion, h);
+  work += damping_work(motion, h);
   if (contacts) work += contacts->seen_from(root_velocity_);
   work -= (base_.linear - base_before_.linear).dot(momentum_before_ + momentum_) / 2;
   watch_.after_step(energies_, work, contacts != nullptr, h);
@@ -76,6 +79,21 @@ double LinkEnergy::drag_work(const TreeMotion& motion, double h) const {
     power -=
         c * (feels.linear - strand_.forces.wind).dot((before.linear + after.linear) / 2 - root_velocity_) +
         c / 12 * turning.dot(before.angular + after.angular) / 2;
+  }
+  return h * power;
+}
+
+double LinkEnergy::damping_work(const TreeMotion& motion, double h) const {
+  double power = 0;
+  for (std::size_t i = 1; i < motion.passes.size(); ++i) {
+    const Matrix3d& damping = strand_.forces.springs[i].damping;
+    if (damping.isZero(0)) continue;
+    const Quaterniond back = motion.frames()[i].joint_axes.conjugate();
+    const Eigen::Index first = motion.links[i].first;
+    const Vector3d before = back * Vector3d(rates_before_.segment<3>(first));
+    const Vector3d after = back * Vector3d(strand_.rates.segment<3>(first));
+    const Vector3d mean = (before + after) / 2;
+    power -= mean.dot(damping * (implicit_ ? after : mean));
   }
   return h * power;
 }

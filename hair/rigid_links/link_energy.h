@@ -3,7 +3,7 @@
 //
 //   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs
 //
-// J, V the root's velocity. A step's work has four parts. Drag: force(1) . ((v0 + v1) / 2 - V) h.
+// J, V the root's velocity. A step's work has four parts. Drag and dampers: force(1) . ((v0 + v1) / 2 - V) h.
 // Contacts. A turning root: its torque, which H7's second pass finds, times its turn. A root that changes its
 // velocity by dV: all mass feels this, -dV . (p0 + p1) / 2, p the momentum in the frame of its time; V is the
 // mean of the root's velocities then.
@@ -34,11 +34,13 @@ class LinkEnergy {
  private:
   void read();
   double drag_work(const TreeMotion& motion, double h) const;
+  double damping_work(const TreeMotion& motion, double h) const;
 
   const LinkStrand& strand_;
   bool implicit_;
   SpatialMotion base_, base_before_;
   Vector3d root_velocity_ = Vector3d::Zero();  // the mean in the step
+  Eigen::VectorXd rates_before_;
   Energies energies_;
   Vector3d momentum_ = Vector3d::Zero(), momentum_before_ = Vector3d::Zero();  // kg m/s, in the root's frame
   EnergyWatch watch_;

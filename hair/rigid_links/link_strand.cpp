@@ -44,6 +44,7 @@ JointSpring spring(const Fibre& fibre, double length, const Vector3d& mean) {
   const double twist = fibre.twist_factor * fibre.material.twist_rigidity() / length;
   JointSpring spring;
   spring.stiffness = bend * Matrix3d::Identity() + (twist - bend) * mean * mean.transpose();
+  spring.damping = fibre.relaxation_time * spring.stiffness;
   return spring;
 }
 

@@ -9,6 +9,9 @@
 //
 // These are the constants of the continuum, as for H2: a finer division of a strand changes its shape to the
 // second order in l. The root of a hinged strand has no spring.
+//
+// Damping is that of a fibre that also resists the rate of its bend and twist (Kelvin and Voigt's model): C =
+// relaxation time * K.
 #pragma once
 
 #include "hair/rigid_links/tree_system.h"

@@ -143,6 +143,26 @@ TEST(RigidLinksBody, ATwistAndAnArcHaveTheContinuumsEnergy) {
   }
 }
 
+// One rod on the spring of its root, twisted: J phi'' = -2 GJ/l (phi + tau phi').
+TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
+  StrandSpec spec = straight_hair(1, 0.01);
+  const Material& material = spec.fibre.material;
+  const double k = 2 * material.twist_rigidity() / spec.length;
+  const double J = material.line_density() * spec.length * material.radius * material.radius / 2;
+  const double omega = std::sqrt(k / J), share = 0.2, start = 0.5;
+  spec.fibre.relaxation_time = 2 * share / omega;
+  const auto strand = body(spec, {Vector3d::Zero(), 0, &TreeSteps::runge_kutta_4});
+  BodyState state(*strand);
+  state.q[5] = start;
+  strand->write(state.q, state.rate);
+  const int steps = 400;
+  const double time = 4 / omega, damped = omega * std::sqrt(1 - share * share);
+  advance(*strand, time / steps, steps);
+  const double expected = start * std::exp(-share * omega * time) *
+                          (std::cos(damped * time) + share * omega / damped * std::sin(damped * time));
+  EXPECT_NEAR(BodyState(*strand).q[5], expected, 1e-9 * start);  // (omega h)^4 / 120 a step
+}
+
 // One rod lies on a table and turns about its root. For any distribution of its weight, friction's moment is
 // mu m g l / 2, against m l^2 / 3: it slows by 3/2 mu g / l.
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {

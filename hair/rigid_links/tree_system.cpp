@@ -24,18 +24,20 @@ void TreeSystem::accelerations(const TreeBase& base, Input q, Input rates, doubl
 void TreeSystem::add_springs(Input q, Input rates, double h) {
   for (std::size_t i = 1; i < motion_.links.size(); ++i) {
     Link& link = motion_.links[i];
-    const Matrix3d& K = forces_.springs[i].stiffness;
+    const JointSpring& spring = forces_.springs[i];
+    const Matrix3d &K = spring.stiffness, &C = spring.damping;
     const int first = tree().coordinate(static_cast<int>(i));
     if (link.joint == JointType::spherical) {
       const Matrix3d axes = motion_.frames()[i].joint_axes.toRotationMatrix();
       const Vector3d theta = turn_of(Eigen::Quaterniond(q.segment<4>(first)));
       const Matrix3d A = rate_of_turn(theta), AK = A.transpose() * K, stiffness = AK * A;
       const Vector3d w = axes.transpose() * rates.segment<3>(link.first);
-      Q_.segment<3>(link.first) = -axes * (AK * theta + h * (stiffness * w));
-      if (h > 0) link.stiffening = h * h * axes * stiffness * axes.transpose();
+      Q_.segment<3>(link.first) = -axes * (AK * theta + C * w + h * (stiffness * w));
+      if (h > 0) link.stiffening = axes * (h * h * stiffness + h * C) * axes.transpose();
     } else {
-      Q_[link.first] = -K(0, 0) * (q[first] + h * rates[link.first]);
-      link.stiffening(0, 0) = h * h * K(0, 0);
+      const double rate = rates[link.first];
+      Q_[link.first] = -K(0, 0) * (q[first] + h * rate) - C(0, 0) * rate;
+      link.stiffening(0, 0) = h * h * K(0, 0) + h * C(0, 0);
     }
   }
 }

@@ -3,9 +3,9 @@
 //
 // A linearly implicit step of h seconds takes the forces that grow with q and q' at its end:
 //
-//   Q(q + h q' + h^2 q") = Q(q) - h K q' - h^2 K q"       K = -dQ/dq
+//   Q(q + h q' + h^2 q", q' + h q") = Q(q, q') - h K q' - (h^2 K + h C) q"       K = -dQ/dq, C = -dQ/dq'
 //
-// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K adds to s^'I^A s^.
+// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K + h C adds to s^'I^A s^.
 // Forces at links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point
 // adds h^2 S. So the recursion stays as it is, and linear.
 //

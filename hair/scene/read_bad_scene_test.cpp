@@ -30,10 +30,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Slip{R"("skip_factor": 0)", R"("skipfactor": 0)",
              "hair[0].material: unknown key \"skipfactor\"; known here: radius, density, young_modulus, "
-             "stretch_factor, bend_factor, twist_factor, skip_factor"},
+             "stretch_factor, bend_factor, twist_factor, skip_factor, relaxation_time"},
         Slip{R"("frames": 2,)", "",
              "\"frames\" is missing; an object here has: shows, frames, frames_per_second, "
-             "steps_per_frame, gravity, wind, method, drag, geometric_term, "
+             "steps_per_frame, step, gravity, wind, method, drag, geometric_term, "
              "bend_product, tolerance, preconditioner, hair, links, obstacles, motions, toys, still_hair, "
              "render"},
         Slip{R"("curly":)", R"("curled":)", "hair[1].shape: unknown key \"curled\"; known here: wavy, curly"},
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"("frames": 2,)", R"("frames": 2, "frames": 3,)",
              "\"frames\" stands twice in the same object; keep one of them"},
         Slip{R"({"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "friction": 0.5})",
-             R"({"friction": 0.5})", "obstacles[0]: give one of: plane, sphere, bust"}));
+             R"({"friction": 0.5})", "obstacles[0]: give one of: plane, sphere, capsule, bust"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, BadScene,
@@ -75,8 +75,20 @@ INSTANTIATE_TEST_SUITE_P(
              "toys[0].particles[1].mass: -2 is not right; give a number from 1e-15 to 1000000"},
         Slip{R"("segments": 4,)", R"("segments": 0,)",
              "hair[0].segments: 0 is not right; give a whole number from 1 to 10000"},
+        Slip{R"("steps_per_frame": 8)", R"("step": 0)",
+             "step: 0 is not right; give a number from 1e-09 to 10"},
         Slip{R"("tolerance": 1e-10)", R"("tolerance": 0)",
              "tolerance: 0 is not right; give a number from 1e-15 to 1"},
+        Slip{R"("steps_per_frame": 8)", R"("step": -0.001)",
+             "step: -0.001 is not right; give a number from 1e-09 to 10"},
+        Slip{R"("steps_per_frame": 8)", R"("step": 0.01)",
+             "step: makes 3.3333333333333335 steps a frame; give one that makes a whole number, from 1 to "
+             "1000000"},
+        Slip{R"("steps_per_frame": 8)", R"("step": 1)",
+             "step: makes 0.03333333333333333 steps a frame; give one that makes a whole number, from 1 to "
+             "1000000"},
+        Slip{R"("steps_per_frame": 8)", R"("steps_per_frame": 8, "step": 0.001)",
+             "step: \"steps_per_frame\" says it already; keep one of the two"},
         Slip{R"("frames": 2,)", R"("frames": 0,)",
              "frames: 0 is not right; give a whole number from 1 to 100000"},
         Slip{R"("count": 3)", R"("count": 1000000000)",

@@ -33,9 +33,10 @@ TEST(ReadScene, EverythingIsWhereItsKeySays) {
   EXPECT_FALSE(scene.hair.strands[3].strand.clamped);
   EXPECT_EQ(scene.hair.strands[3].rest_curvature.size(), 0);
   EXPECT_EQ(scene.hair.strands[4].state.x, (Eigen::VectorXd(6) << 0.5, 0, 0, 0.5, 0.1, 0).finished());
-  ASSERT_EQ(scene.hair.obstacles.size(), 2U);
+  ASSERT_EQ(scene.hair.obstacles.size(), 3U);
   EXPECT_EQ(scene.hair.obstacles[0].friction, 0.5);
   EXPECT_EQ(std::get<hair::Sphere>(scene.hair.obstacles[1].shape).radius, 0.1);
+  EXPECT_EQ(std::get<hair::Capsule>(scene.hair.obstacles[2].shape).b, Vector3d(1, 0, -0.5));
   ASSERT_EQ(scene.riders.size(), 1U);
   EXPECT_EQ(scene.riders[0].strands, std::vector<int>{0});
   EXPECT_EQ(scene.riders[0].obstacles, std::vector<int>{1});
@@ -69,6 +70,12 @@ TEST(ReadScene, WhatIsNotSaidIsLeftOut) {
   EXPECT_EQ(scene.hair.strands[0].state.x, (Eigen::VectorXd(9) << 0, 0, 1, 0, 0, 0.9, 0, 0, 0.8).finished());
   EXPECT_EQ(scene.hair.strands[0].strand.stretch_rigidity, hair::Material{}.stretch_rigidity());
   EXPECT_EQ(scene.hair.strands[0].strand.skip_rigidity, 0);
+}
+
+TEST(ReadScene, AStepGivesTheStepsOfAFrame) {
+  const Scene scene = read(small_scene(R"("steps_per_frame": 8)", R"("step": 0.0041666666666666666)"));
+  EXPECT_EQ(scene.steps_per_frame, 8);
+  EXPECT_EQ(scene.hair.step, 1.0 / 240);
 }
 
 TEST(ReadScene, TheSameTextGivesTheSameBits) {

@@ -25,6 +25,10 @@ Vector3d place(const Sphere& sphere) {
   return sphere.centre;
 }
 
+Vector3d place(const Capsule& capsule) {
+  return capsule.a;
+}
+
 Vector3d place(const PlacedSolid& placed) {
   return placed.at;
 }

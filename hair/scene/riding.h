@@ -9,13 +9,14 @@
 
 namespace hair {
 
-// The reference point of an obstacle: a plane's point, a sphere's centre, a placed solid's origin.
+// The reference point of an obstacle: a plane's point, a sphere's centre, a capsule's first end, a placed
+// solid's origin.
 Vector3d place_of(const Obstacle& obstacle);
 
 class Riding {
  public:
   // Throws std::invalid_argument for a missing strand or obstacle, for keys whose times don't increase, and
-  // for a plane on a motion that turns: it only translates.
+  // for a plane or capsule on a motion that turns: these only translate.
   Riding(const Rider& rider, const Description& hair);
 
   // Call it before the step from `time` to time + h.

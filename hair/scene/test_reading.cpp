@@ -53,7 +53,7 @@ std::string small_scene(const std::string& what, const std::string& by) {
     {
       "model": "mass_spring", "segments": 4, "length": 0.1,
       "material": {"radius": 5e-5, "density": 1300, "young_modulus": 3e9, "stretch_factor": 1, "bend_factor": 1,
-                   "twist_factor": 1, "skip_factor": 0},
+                   "twist_factor": 1, "skip_factor": 0, "relaxation_time": 0},
       "shape": {"wavy": {"amplitude": 0.001, "wavelength": 0.2}},
       "clamped": true,
       "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]},
@@ -77,7 +77,8 @@ std::string small_scene(const std::string& what, const std::string& by) {
   ],
   "obstacles": [
     {"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "friction": 0.5},
-    {"sphere": {"centre": [0, 0, -0.3], "radius": 0.1}, "moves_with": "head"}
+    {"sphere": {"centre": [0, 0, -0.3], "radius": 0.1}, "moves_with": "head"},
+    {"capsule": {"from": [0, 0, -0.5], "to": [1, 0, -0.5], "radius": 0.1}}
   ],
   "motions": [
     {"name": "head", "keys": [{"time": 0.1}, {"time": 1, "position": [0, 0, 1], "axis": [0, 0, 1], "degrees": 90}]}

@@ -107,6 +107,9 @@ template <class Carry>
 void add_obstacle(Bounds& bounds, const Obstacle& obstacle, const Carry& carry) {
   if (const auto* const ball = std::get_if<Sphere>(&obstacle.shape)) {
     add_ball(bounds, carry(ball->centre), ball->radius);
+  } else if (const auto* const limb = std::get_if<Capsule>(&obstacle.shape)) {
+    add_ball(bounds, carry(limb->a), limb->radius);
+    add_ball(bounds, carry(limb->b), limb->radius);
   } else if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
     const Eigen::AlignedBox3d box = placed->solid->box();
     for (int corner = 0; corner < 8; ++corner)

@@ -1,5 +1,5 @@
 // STAFF ONLY. The energy balance of each model and method: work of roots, frames, drag and obstacles is no
-// gain, and energy taken by drag is no loss; only energy from no source, or lost to none, counts.
+// gain, and energy taken by drag and dampers is no loss; only energy from no source, or lost to none, counts.
 #include "hair/strand/energy_watch.h"
 
 #include <gtest/gtest.h>
@@ -229,6 +229,17 @@ TEST_P(EnergyOfModels, DragTakesNoLoss) {
   Simulation slow = simulation();
   ASSERT_FALSE(slow.advance(1000));
   EXPECT_LT(energy_of(slow), -0.005 * weight());
+  expect_balanced(slow, kOrderOne);
+}
+
+// Dampers take all energy, too.
+TEST_P(EnergyOfModels, RelaxationTakesNoLoss) {
+  if (row_.model == std::string("mass_spring")) GTEST_SKIP() << "masses and springs have no dampers";
+  spec_.fibre.relaxation_time = 1;
+  spec_.fibre.bend_factor = 1;
+  Simulation slow = simulation();
+  ASSERT_FALSE(slow.advance(1000));
+  EXPECT_LT(energy_of(slow), 0);
   expect_balanced(slow, kOrderOne);
 }
 

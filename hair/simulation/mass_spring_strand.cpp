@@ -15,6 +15,8 @@ std::string springs_why_not(const StrandSpec& spec) {
   if (is_wave_or_curl(spec.form) && !spec.clamped) return "wavy and curly hair must be clamped";
   if (spec.fibre.twist_factor != 1)
     return "masses and springs have no twist; leave the twist_factor out, or choose another model";
+  if (spec.fibre.relaxation_time != 0)
+    return "masses and springs don't resist the rates of bends; the relaxation_time must be 0";
   return {};
 }
 

@@ -61,7 +61,8 @@ std::vector<Method> methods_that_stretch() {
 TEST(SimulationCollisions, WhatMovesPushesHairAlong) {
   const Vector3d velocity(3, 0, 0);
   const hair::Obstacle fronts[] = {{hair::Plane{Vector3d::Zero(), Vector3d::UnitX()}},
-                                   {hair::Sphere{Vector3d(-0.5, 0, 0), 0.5}}};
+                                   {hair::Sphere{Vector3d(-0.5, 0, 0), 0.5}},
+                                   {hair::Capsule{Vector3d(-0.5, 0, -1), Vector3d(-0.5, 0, 1), 0.5}}};
   for (Method method : methods_that_stretch())
     for (hair::Obstacle front : fronts) {
       Description description = alone(free_particle({0, 9, 0}, {0.02, 0, 0}), method, 1e-3);

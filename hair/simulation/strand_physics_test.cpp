@@ -72,6 +72,25 @@ TEST(StrandPhysics, StretchUnderItsOwnWeightIsRhoGLSquaredOver2EForAnyNumberOfSe
   }
 }
 
+TEST(StrandPhysics, AHangingHairStaysAtRest) {
+  for (Method method : kMethods) {
+    const bool implicit = method == Method::implicit_euler || method == Method::predictor_corrector;
+    // H6 has no stretch: the hair hangs straight down at its rest lengths.
+    Description description =
+        alone(method == Method::predictor_corrector ? straight_hair(10, 0.1) : hanging_hair(10, 0.1), method,
+              implicit ? 1.0 / 240 : 1e-7);
+    description.gravity = kG * kDown;
+    const Eigen::VectorXd x = description.strands[0].state.x;
+    Simulation simulation(std::move(description));
+    ASSERT_FALSE(simulation.advance(100)) << name_of(method);
+    const double fall = kG * simulation.time();
+    // A solve to 1e-10 of a right-hand side of a (f + ...) leaves this part of gravity's effect in a step,
+    // and rounding leaves 2^-53 EA / (m g) = 3e-7 of gravity.
+    EXPECT_LE(simulation.state(0).v.cwiseAbs().maxCoeff(), 1e-4 * fall) << name_of(method);
+    EXPECT_LE((simulation.state(0).x - x).cwiseAbs().maxCoeff(), 1e-6 * 0.1) << name_of(method);
+  }
+}
+
 // Axial modes of n segments with half the mass at the tip: w_j = 2 sqrt(k/m) sin((2j - 1) pi / 4n), with
 // shapes sin((2j - 1) pi i / 2n), at any stiffness: along a line springs are linear.
 TEST(StrandPhysics, AxialModesSwingWithTheirFrequencies) {

@@ -14,7 +14,8 @@ std::unique_ptr<Body> make_helix(const StrandSpec& spec, const Description& desc
   if (description.method != kHelixMethod)
     throw std::invalid_argument(std::string("super-helices don't move by ") + row_of(description.method).id +
                                 "; they do by " + row_of(kHelixMethod).id);
-  const HelixSurroundings surroundings{description.gravity, description.drag, description.wind};
+  const HelixSurroundings surroundings{description.gravity, description.drag, description.wind,
+                                       spec.fibre.relaxation_time};
   return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity,
                                           description.watched);
 }

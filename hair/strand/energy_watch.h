@@ -1,7 +1,7 @@
 // The energy balance of a body, in the frame that moves with its root: its energy, and the work from outside.
 // A step changes E, its kinetic energy and its potential, by
 //
-//   the work of drag, obstacles and of a root that turns              the body knows it
+//   the work of drag, dampers, obstacles and of a root that turns     the body knows it
 //   energy from no source, or lost to none                            the method's error: this is watched
 //
 // The error is summed in two rows: for steps without contacts, and for steps with them. A gain is the

@@ -15,6 +15,8 @@ struct Fibre {
   double bend_factor = 1;     // factor of EI
   double twist_factor = 1;    // factor of GJ
   double skip_factor = 0;     // factor of EA: the rigidity of springs that skip a particle
+  // s, >= 0: the strand also resists the rates of bends and twists, with this times their stiffness.
+  double relaxation_time = 0;
 };
 
 // The rest curve.

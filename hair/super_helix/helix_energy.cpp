@@ -36,8 +36,9 @@ void HelixEnergy::moved(const HelixMotion& motion) {
   velocities_ = motion.velocities;
 }
 
-void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spin,
+void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
                         const ContactWork* contacts) {
+  const HelixStrand& strand = motion.strand();
   const double drag = surroundings_.drag;
   Vector3d torque = Vector3d::Zero();
   const Vector3d root_velocity = (before_ + after_) / 2;
@@ -53,6 +54,12 @@ void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spi
                (before + dv - surroundings_.wind).dot(before + dv / 2 - root_velocity);
   }
   work_ += torque.dot(spin);
+  for (int i = 0; i < strand.elements(); ++i) {
+    const Vector3d after = rates.segment<3>(3 * i), mean = after - change.segment<3>(3 * i) / 2;
+    work_ -= h * surroundings_.relaxation_time * strand.lengths[i] *
+             (strand.bend_rigidity * after.head<2>().dot(mean.head<2>()) +
+              strand.twist_rigidity * after[2] * mean[2]);
+  }
 }
 
 void HelixEnergy::after_step(const HelixMotion& motion, Input q, double h) {

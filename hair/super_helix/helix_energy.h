@@ -3,7 +3,7 @@
 //
 //   E = sum over points of m |v - V|^2 / 2 - m g . (x - x_0) + strain energy      J, V the root's velocity
 //
-// A step's work has four parts: that of drag, force(1) . ((v0 + v1) / 2 - V) h; that of
+// A step's work has four parts: that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h; that of
 // contacts; that of a root that changes its velocity (hair/rigid_links/link_energy.h); and that of a root
 // that turns: its torque times its turn. The strand's own forces have no torque about the root. So the root's
 // torque is the rest of the points' motion after all other forces,
@@ -21,6 +21,7 @@ struct HelixSurroundings {
   Vector3d gravity = Vector3d::Zero();  // m/s^2
   double drag = 0;                      // N s/m^2, per metre
   Vector3d wind = Vector3d::Zero();     // m/s, of the air
+  double relaxation_time = 0;           // s: bends and twists also resist their rates, with this times K
 };
 
 class HelixEnergy {
@@ -41,7 +42,8 @@ class HelixEnergy {
 
   // Takes the result of the step, with the strand still placed as before. `motion`'s velocities are the part
   // that `change` adds; spin: the mean of the root's spins before and in the step.
-  void found(const HelixMotion& motion, double h, const Vector3d& spin, const ContactWork* contacts);
+  void found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
+             const ContactWork* contacts);
 
   // After the step, with the strand placed and moved.
   void after_step(const HelixMotion& motion, Input q, double h);

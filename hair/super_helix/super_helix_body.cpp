@@ -21,6 +21,7 @@ SuperHelixBody::SuperHelixBody(HelixStart start, const HelixSurroundings& surrou
       places_(std::move(start.places)),
       motion_(std::move(start.strand), places_),
       surroundings_(surroundings),
+      damped_(motion_.strand()),
       contact_points_(places_.size() - 1),
       without_contacts_(contact_points_.size()),
       after_(contact_points_.size()),
@@ -83,10 +84,11 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   }
   add_forces(step);
   if (energy_) energy_->moved(motion_);
+  const HelixStrand& strand = strand_of_step(h);
   if (step.obstacles.empty())
-    helix_step(motion_.strand(), motion_.elements, motion_.points, q_, rates_, h, scratch, change_);
+    helix_step(strand, motion_.elements, motion_.points, q_, rates_, h, scratch, change_);
   else
-    step_among(step, scratch);
+    step_among(step, strand, scratch);
   work.contacts += contacts_.contacts();
   work.penetration = std::max(work.penetration, contacts_.deepest());
   rates_ += change_;
@@ -117,7 +119,7 @@ void SuperHelixBody::weigh(double h, const Vector3d& spin) {
   ContactWork contacts;
   if (contacts_.contacts() > 0) contacts = contacts_.work(after_);
   move_by_change();
-  energy_->found(motion_, h, spin, contacts_.contacts() > 0 ? &contacts : nullptr);
+  energy_->found(motion_, h, spin, rates_, change_, contacts_.contacts() > 0 ? &contacts : nullptr);
 }
 
 // A step without momenta of a previous step uses accelerations, also the root's.
@@ -148,7 +150,20 @@ void SuperHelixBody::add_point_force(const PointForce& one, double h) {
   motion_.points[j].inertia += h * h * one.stiffness;
 }
 
-void SuperHelixBody::step_among(const BodyStep& step, particles::Scratch scratch) {
+// With the damping t K the step is (M + (h^2 + h t) K) change = h (Q - K (q + h q' - q^n) - t K q'). This is
+// the step of a strand that is 1 + t/h times as stiff, and whose natural shape is nearer to q by the same
+// factor.
+const HelixStrand& SuperHelixBody::strand_of_step(double h) {
+  const HelixStrand& strand = motion_.strand();
+  if (surroundings_.relaxation_time == 0) return strand;
+  const double factor = 1 + surroundings_.relaxation_time / h;
+  damped_.bend_rigidity = factor * strand.bend_rigidity;
+  damped_.twist_rigidity = factor * strand.twist_rigidity;
+  damped_.natural = q_ - (q_ - strand.natural) / factor;
+  return damped_;
+}
+
+void SuperHelixBody::step_among(const BodyStep& step, const HelixStrand& strand, particles::Scratch scratch) {
   const double h = step.h;
   find_points();
   contacts_.find(contact_points_, step.obstacles, surroundings_.gravity, h);
@@ -163,7 +178,7 @@ void SuperHelixBody::step_among(const BodyStep& step, particles::Scratch scratch
       point.force += one.force - h * (one.stiffness * contact_points_[one.point].v);
       point.inertia += h * h * one.stiffness + h * one.damping;
     }
-    helix_step(motion_.strand(), motion_.elements, motion_.points, q_, rates_, h, scratch, change_);
+    helix_step(strand, motion_.elements, motion_.points, q_, rates_, h, scratch, change_);
     find_velocities_after();
     if (!contacts_.let_go(after_) || again == kMostContactSteps) return;
   }

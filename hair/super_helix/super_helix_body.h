@@ -49,7 +49,8 @@ class SuperHelixBody final : public Body {
   void start_moving(const Vector3d& spin, double h);
   void add_forces(const BodyStep& step);
   void add_point_force(const PointForce& one, double h);
-  void step_among(const BodyStep& step, particles::Scratch scratch);
+  const HelixStrand& strand_of_step(double h);
+  void step_among(const BodyStep& step, const HelixStrand& strand, particles::Scratch scratch);
   void find_points();
   void find_velocities_after();
   void move_by_change();
@@ -67,6 +68,7 @@ class SuperHelixBody final : public Body {
   bool has_momentum_ = false;  // true after the first step
   bool placed_ = false;        // motion_ is placed at the present coordinates
   HelixSurroundings surroundings_;
+  HelixStrand damped_;  // the strand of the step if it resists the rates of bends
   std::vector<ContactPoint> contact_points_;
   std::vector<Push> without_contacts_;  // on the contact points
   std::vector<Vector3d> after_;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "hair/simulation/models.h"
 #include "hair/strand/test_bodies.h"
@@ -17,7 +18,8 @@ namespace {
 using Eigen::VectorXd;
 
 std::unique_ptr<SuperHelixBody> body(const StrandSpec& spec,
-                                     const HelixSurroundings& surroundings = {Vector3d(0, 0, -9.81)}) {
+                                     HelixSurroundings surroundings = {Vector3d(0, 0, -9.81)}) {
+  surroundings.relaxation_time = spec.fibre.relaxation_time;
   return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity);
 }
 
@@ -33,6 +35,18 @@ TEST(SuperHelixBody, FollowsAWaveToTheSecondOrder) {
     off[fine] = (tip(*body(spec)) - exact).norm();
   }
   EXPECT_NEAR(std::log2(off[0] / off[1]), 2, 0.3) << off[0] << ", " << off[1];
+}
+
+// Overdamped bends return like exp(-t / tau).
+TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
+  StrandSpec spec = straight_hair(1, 0.05);
+  spec.fibre.relaxation_time = 2;
+  const auto strand = body(spec, {});
+  BodyState state(*strand);
+  state.q[6] = 5;
+  strand->write(state.q, state.rate);
+  advance(*strand, 1e-3, 2000);
+  EXPECT_NEAR(BodyState(*strand).q[6], 5 / std::numbers::e, 0.01 * 5);
 }
 
 // Kirchhoff's rod by two models that share only its constants. A sagging level curl bends back and forth with

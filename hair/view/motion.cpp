@@ -37,6 +37,8 @@ std::vector<Rod> rods_of(const Drawing& drawing) {
   for (const Obstacle& obstacle : drawing.obstacles) {
     if (const auto* sphere = std::get_if<Sphere>(&obstacle.shape))
       rods.push_back({sphere->centre, sphere->centre, sphere->radius, kObstacle});
+    if (const auto* capsule = std::get_if<Capsule>(&obstacle.shape))
+      rods.push_back({capsule->a, capsule->b, capsule->radius, kObstacle});
   }
   return rods;
 }

@@ -28,6 +28,14 @@ void keys_of(Keys& keys, Fibre& fibre) {
                .most = kLargestFactor,
                .what = "the rigidity of springs that skip a particle (H3), times EA"},
               fibre.skip_factor);
+  keys.number(
+      {.name = "relaxation_time",
+       .unit = "s",
+       .least = 0,
+       .most = 1e6,
+       .what = "bends and twists also resist their rates, with this times their stiffness; not for masses "
+               "and springs"},
+      fibre.relaxation_time);
 }
 
 void keys_of(Keys& keys, Held& held) {

@@ -16,6 +16,12 @@ static void keys_of(Keys& keys, Sphere& sphere) {
   keys.number(a_length({.name = "radius", .needed = true}), sphere.radius);
 }
 
+static void keys_of(Keys& keys, Capsule& capsule) {
+  keys.vector({.name = "from", .unit = "m", .needed = true, .what = "an end of its middle line"}, capsule.a);
+  keys.vector({.name = "to", .unit = "m", .needed = true, .what = "the other end"}, capsule.b);
+  keys.number(a_length({.name = "radius", .needed = true}), capsule.radius);
+}
+
 namespace {
 
 struct PlacedBust {
@@ -30,10 +36,12 @@ void keys_of(Keys& keys, PlacedBust& bust) {
 }
 
 decltype(Obstacle::shape) shape_of(const JsonValue& object, const ObstacleText& text) {
-  if (text.plane.has_value() + text.sphere.has_value() + text.bust.has_value() != 1)
-    object.fail("give one of: plane, sphere, bust");
+  if (text.plane.has_value() + text.sphere.has_value() + text.capsule.has_value() + text.bust.has_value() !=
+      1)
+    object.fail("give one of: plane, sphere, capsule, bust");
   if (text.plane) return read<Plane>(*text.plane);
   if (text.sphere) return read<Sphere>(*text.sphere);
+  if (text.capsule) return read<Capsule>(*text.capsule);
   return PlacedSolid{std::make_shared<Bust>(), read<PlacedBust>(*text.bust).at};
 }
 
@@ -42,9 +50,10 @@ decltype(Obstacle::shape) shape_of(const JsonValue& object, const ObstacleText& 
 void keys_of(Keys& keys, ObstacleText& text) {
   keys.about(
       "Only hair collides; toys do not. Particles collide; the segments between them do not. One of "
-      "`plane`, `sphere`, `bust`, and:");
+      "`plane`, `sphere`, `capsule`, `bust`, and:");
   keys.any({.name = "plane", .what = "all that is below it"}, text.plane, {object<Plane>()});
   keys.any({.name = "sphere"}, text.sphere, {object<Sphere>()});
+  keys.any({.name = "capsule"}, text.capsule, {object<Capsule>()});
   keys.any({.name = "bust", .what = "a head with its neck and shoulders"}, text.bust, {object<PlacedBust>()});
   keys.number({.name = "friction", .least = 0, .most = 1e3, .what = "Coulomb's mu"}, text.friction);
   keys.text({.name = "moves_with",

@@ -65,7 +65,7 @@ void keys_of(Keys& keys, MotionText& motion);
 void add_motions(const JsonValue& list, Reading& reading);
 
 struct ObstacleText {
-  std::optional<JsonValue> plane, sphere, bust;
+  std::optional<JsonValue> plane, sphere, capsule, bust;
   double friction = 0;
   std::optional<std::string> moves_with;
 };

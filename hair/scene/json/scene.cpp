@@ -1,3 +1,7 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+
 #include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
 
@@ -9,6 +13,7 @@ constexpr double kMostSteps = 1'000'000;  // a frame
 
 struct SceneText {
   Scene scene;  // without the parts in lists
+  std::optional<double> step;
   std::optional<LinksText> links;
   std::optional<JsonValue> hair, obstacles, motions, toys, still_hair;
 };
@@ -64,6 +69,12 @@ void keys_of(Keys& keys, SceneText& text) {
               .most = kMostSteps,
               .what = "a step takes 1 / (`frames_per_second` x `steps_per_frame`)"},
              scene.steps_per_frame);
+  keys.number({.name = "step",
+               .unit = "s",
+               .least = 1e-9,
+               .most = 10,
+               .what = "instead of `steps_per_frame`; it must make a whole number of them"},
+              text.step);
   keys_of_hair(keys, scene.hair);
   keys.list({.name = "hair", .what = "a list of groups of strands"}, text.hair, kinds_of_hair());
   keys.part(
@@ -79,6 +90,25 @@ void keys_of(Keys& keys, SceneText& text) {
              .what = "a list of hair that is drawn, and does not move on its own"},
             text.still_hair, {object<StillText>()});
   keys.part({.name = "render", .what = "how it is drawn"}, scene.look);
+}
+
+// The shortest text that reads back as the same number.
+std::string exact_text(double number) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.begin(), text.end(), number).ptr};
+}
+
+void set_step(const JsonValue& object, const std::optional<double>& step, Scene& scene) {
+  if (step && object.has("steps_per_frame"))
+    object["step"].fail("\"steps_per_frame\" says it already; keep one of the two");
+  if (step) {
+    const double steps = 1 / (scene.frames_per_second * *step);
+    if (!(std::abs(steps - std::round(steps)) <= 1e-6 * steps) || steps > kMostSteps + 0.5)
+      object["step"].fail("makes " + exact_text(steps) +
+                          " steps a frame; give one that makes a whole number, from 1 to 1000000");
+    scene.steps_per_frame = static_cast<int>(std::lround(steps));
+  }
+  scene.hair.step = 1 / (scene.frames_per_second * scene.steps_per_frame);
 }
 
 // Sets the method of a scene that names none.
@@ -128,7 +158,7 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
   Scene& scene = reading.scene;
   scene = std::move(text.scene);
   scene.name = file.stem().string();
-  scene.hair.step = 1 / (scene.frames_per_second * scene.steps_per_frame);
+  set_step(object, text.step, scene);
   if (text.motions) add_motions(*text.motions, reading);
   if (text.obstacles) add_obstacles(*text.obstacles, reading);
   if (text.hair) add_hair(*text.hair, reading);
