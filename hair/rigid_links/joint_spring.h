@@ -13,10 +13,15 @@
 // changes its sign, because the opposite way back is shorter then.
 //
 // A revolute or prismatic joint uses only the number K[0, 0].
+//
+// A limit is a spring of its own, which acts only beyond it, like an elastic buffer. Its energy is
+// limit_stiffness (|theta| - upper)^2 / 2 for |theta| > upper; for revolute and prismatic joints the same
+// below `lower`.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "hair/strand/turns.h"
 
@@ -26,10 +31,18 @@ struct JointSpring {
   Matrix3d stiffness =
       Matrix3d::Zero();                 // K, N m/rad or N/m, along the joint's axes at rest; symmetric, >= 0
   Matrix3d damping = Matrix3d::Zero();  // C, N m s/rad or N s/m: the same
+  double lower = -std::numeric_limits<double>::infinity();  // rad or m; not for spherical joints
+  double upper = std::numeric_limits<double>::infinity();   // rad or m
+  double limit_stiffness = 0;                               // N m/rad or N/m, >= 0
+
+  // The distance of a joint beyond its limits; negative below `lower`, 0 between them.
+  double beyond(double place) const {
+    return place > upper ? place - upper : place < lower ? place - lower : 0;
+  }
 
   // J.
-  double energy(double place) const { return stiffness(0, 0) * place * place / 2; }
-  double energy(const Vector3d& theta) const { return theta.dot(stiffness * theta) / 2; }
+  double energy(double place) const;
+  double energy(const Vector3d& theta) const;
 };
 
 }  // namespace hair

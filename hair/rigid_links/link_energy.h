@@ -1,7 +1,7 @@
 // The energy of a strand of rigid links in the frame that moves with its root, for the watch
 // (hair/strand/energy_watch.h):
 //
-//   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs
+//   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs, limits
 //
 // J, V the root's velocity. A step's work has four parts. Drag and dampers: force(1) . ((v0 + v1) / 2 - V) h.
 // Contacts. A turning root: its torque, which H7's second pass finds, times its turn. A root that changes its

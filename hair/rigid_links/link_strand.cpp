@@ -45,6 +45,10 @@ JointSpring spring(const Fibre& fibre, double length, const Vector3d& mean) {
   JointSpring spring;
   spring.stiffness = bend * Matrix3d::Identity() + (twist - bend) * mean * mean.transpose();
   spring.damping = fibre.relaxation_time * spring.stiffness;
+  if (fibre.joint_limit) {
+    spring.upper = *fibre.joint_limit;
+    spring.limit_stiffness = kLimitFactor * fibre.material.bend_rigidity() / length;
+  }
   return spring;
 }
 

@@ -11,13 +11,15 @@
 // second order in l. The root of a hinged strand has no spring.
 //
 // Damping is that of a fibre that also resists the rate of its bend and twist (Kelvin and Voigt's model): C =
-// relaxation time * K.
+// relaxation time * K. A joint's limit is a spring kLimitFactor times as stiff as the material's EI/l.
 #pragma once
 
 #include "hair/rigid_links/tree_system.h"
 #include "hair/strand/strand_spec.h"
 
 namespace hair {
+
+inline constexpr double kLimitFactor = 1000;
 
 struct LinkStrand {
   LinkTree tree;

@@ -163,6 +163,31 @@ TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
   EXPECT_NEAR(BodyState(*strand).q[5], expected, 1e-9 * start);  // (omega h)^4 / 120 a step
 }
 
+// A limit stops a hair whose weight would fold it at its root.
+TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
+  StrandSpec spec = straight_hair(20, 0.2);
+  spec.root.axis = Vector3d(1, 0, 0);
+  spec.root.side = Vector3d(0, 0, 1);
+  spec.fibre.bend_factor = spec.fibre.twist_factor = 0.01;
+  spec.fibre.joint_limit = 0.1;
+  const auto strand = body(spec, {.drag = 1e-4});
+  advance(*strand, 1.0 / 60, 600);
+  const Line line(*strand);
+  double largest = 0;
+  Vector3d before = spec.root.axis;
+  for (int i = 0; i < spec.elements; ++i) {
+    const Vector3d rod = (line.x.segment<3>(3 * i + 3) - line.x.segment<3>(3 * i)).normalized();
+    largest = std::max(largest, std::atan2(before.cross(rod).norm(), before.dot(rod)));
+    before = rod;
+  }
+  // The whole weight at half of the length, against the buffer.
+  const Material& material = spec.fibre.material;
+  const double moment = material.line_density() * 9.81 * spec.length * spec.length / 2;
+  EXPECT_LE(largest,
+            0.1 + moment / (kLimitFactor * material.bend_rigidity() / (spec.length / spec.elements)));
+  EXPECT_GE(largest, 0.1) << "nothing meets a limit";
+}
+
 // One rod lies on a table and turns about its root. For any distribution of its weight, friction's moment is
 // mu m g l / 2, against m l^2 / 3: it slows by 3/2 mu g / l.
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {

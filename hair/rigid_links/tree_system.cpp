@@ -1,14 +1,91 @@
 #include "hair/rigid_links/tree_system.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hair {
 
+namespace {
+
+constexpr int kMostLimits = 10;  // times that a step is repeated with other limits
+
+}  // namespace
+
 TreeSystem::TreeSystem(const LinkTree& tree, TreeForces forces)
-    : motion_(tree), forces_(std::move(forces)), Q_(tree.rates()) {}
+    : motion_(tree), forces_(std::move(forces)), Q_(tree.rates()) {
+  const auto has_limit = [](const JointSpring& spring) { return spring.limit_stiffness > 0; };
+  if (std::any_of(forces_.springs.begin(), forces_.springs.end(), has_limit)) limits_.resize(tree.links());
+}
 
 void TreeSystem::accelerations(const TreeBase& base, Input q, Input rates, double h,
                                std::span<const LinkForce> more, Output result) {
+  if (limits_.empty()) {
+    attempt(base, q, rates, h, more, result);
+    return;
+  }
+  std::fill(limits_.begin(), limits_.end(), Limit{});
+  result.setZero();
+  motion_.place(base, q);
+  change_limits(q, rates, result, h);
+  for (int again = 0;; ++again) {
+    attempt(base, q, rates, h, more, result);
+    if (h == 0 || again == kMostLimits || !change_limits(q, rates, result, h)) return;
+  }
+}
+
+bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double h) {
+  bool any = false;
+  for (std::size_t i = 1; i < motion_.links.size(); ++i) {
+    const JointSpring& spring = forces_.springs[i];
+    if (spring.limit_stiffness == 0) continue;
+    Limit& limit = limits_[i];
+    const Link& link = motion_.links[i];
+    const int first = tree().coordinate(static_cast<int>(i));
+    Vector3d end(0, 0, 0);
+    if (link.joint == JointType::spherical) {
+      const Vector3d theta = turn_of(Eigen::Quaterniond(q.segment<4>(first)));
+      const Vector3d turn = h * (rates.segment<3>(link.first) + h * accelerations.segment<3>(link.first));
+      end = theta + rate_of_turn(theta) * (motion_.frames()[i].joint_axes.conjugate() * turn);
+    } else {
+      end[0] = q[first] + h * (rates[link.first] + h * accelerations[link.first]);
+    }
+    const bool was = limit.acts;
+    if (was) {
+      limit.acts = limit.along.dot(end) >= limit.bound;
+    } else {
+      const bool below = link.joint != JointType::spherical && end[0] < spring.lower;
+      limit.acts = below || (link.joint == JointType::spherical ? end.norm() : end[0]) > spring.upper;
+      if (below)
+        limit = {true, -spring.lower, Vector3d(-1, 0, 0)};
+      else if (limit.acts)
+        limit = {true, spring.upper, end.normalized()};
+    }
+    any |= was != limit.acts;
+  }
+  return any;
+}
+
+// `to_rates`: from the direction of the joint's coordinate to its rates.
+void TreeSystem::add_limit(int joint, Input rates, double h, const Vector3d& place,
+                           const Matrix3d& to_rates) {
+  const Limit& limit = limits_[joint];
+  if (!limit.acts) return;
+  Link& link = motion_.links[joint];
+  const double k = forces_.springs[joint].limit_stiffness;
+  const Vector3d along = to_rates * limit.along;
+  if (link.joint == JointType::spherical) {
+    const double rate = along.dot(rates.segment<3>(link.first));
+    Q_.segment<3>(link.first) -= k * (limit.along.dot(place) + h * rate - limit.bound) * along;
+    if (h > 0) link.stiffening += h * h * k * along * along.transpose();
+  } else {
+    const double rate = along[0] * rates[link.first];
+    Q_[link.first] -= k * (limit.along.dot(place) + h * rate - limit.bound) * along[0];
+    link.stiffening(0, 0) += h * h * k;
+  }
+}
+
+void TreeSystem::attempt(const TreeBase& base, Input q, Input rates, double h,
+                         std::span<const LinkForce> more, Output result) {
   motion_.place(base, q);
   for (std::size_t i = 1; i < motion_.links.size(); ++i)
     motion_.links[i].external.force = tree().shapes()[i].mass * forces_.gravity;
@@ -34,10 +111,13 @@ void TreeSystem::add_springs(Input q, Input rates, double h) {
       const Vector3d w = axes.transpose() * rates.segment<3>(link.first);
       Q_.segment<3>(link.first) = -axes * (AK * theta + C * w + h * (stiffness * w));
       if (h > 0) link.stiffening = axes * (h * h * stiffness + h * C) * axes.transpose();
+      if (!limits_.empty()) add_limit(static_cast<int>(i), rates, h, theta, axes * A.transpose());
     } else {
       const double rate = rates[link.first];
       Q_[link.first] = -K(0, 0) * (q[first] + h * rate) - C(0, 0) * rate;
       link.stiffening(0, 0) = h * h * K(0, 0) + h * C(0, 0);
+      if (!limits_.empty())
+        add_limit(static_cast<int>(i), rates, h, Vector3d(q[first], 0, 0), Matrix3d::Identity());
     }
   }
 }

@@ -9,6 +9,11 @@
 // Forces at links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point
 // adds h^2 S. So the recursion stays as it is, and linear.
 //
+// A joint feels a limit if it is beyond it at the end of the step, which is unknown before: the step is
+// repeated with the limits that it met, and without those that would pull, until this set stays the same.
+// Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section
+// 3, there for particles.
+//
 // Weight and the terms of velocities remain explicit. Their tension T holds a strand laterally: waves of the
 // wave number k have, per metre of hair, the mass rho A and the stiffness T k^2 (explicit) + EI k^4
 // (implicit). Such a mode is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k this means T <= 4 sqrt(EI
@@ -60,12 +65,26 @@ class TreeSystem {
   double potential_energy(Input q) const;
 
  private:
+  // A limit that acts: the joint's coordinate along `along` is above or below a bound.
+  struct Limit {
+    bool acts = false;
+    double bound = 0;                   // rad or m
+    Vector3d along = Vector3d::Zero();  // a direction for a spherical joint's theta; else [+-1, 0, 0]
+  };
+
+  void attempt(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
+               Output result);
   void add_springs(Input q, Input rates, double h);
+  void add_limit(int joint, Input rates, double h, const Vector3d& place, const Matrix3d& A);
+  // Checks positions after h seconds with these rates and accelerations. Returns false if no limit changed.
+  bool change_limits(Input q, Input rates, Input accelerations, double h);
+
   void add_drag(double h);
   void add_force(const LinkForce& one, double h);
 
   TreeMotion motion_;
   TreeForces forces_;
+  std::vector<Limit> limits_;  // for each link's joint; empty: no joint has a limit
   Eigen::VectorXd Q_;
 };
 

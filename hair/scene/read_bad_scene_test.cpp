@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Slip{R"("skip_factor": 0)", R"("skipfactor": 0)",
              "hair[0].material: unknown key \"skipfactor\"; known here: radius, density, young_modulus, "
-             "stretch_factor, bend_factor, twist_factor, skip_factor, relaxation_time"},
+             "stretch_factor, bend_factor, twist_factor, skip_factor, relaxation_time, joint_limit"},
         Slip{R"("frames": 2,)", "",
              "\"frames\" is missing; an object here has: shows, frames, frames_per_second, "
              "steps_per_frame, step, gravity, wind, method, drag, geometric_term, "

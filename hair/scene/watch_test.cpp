@@ -170,7 +170,7 @@ TEST(Watch, WarnsOfCurlsInLargeSteps) {
   EXPECT_TRUE(play(curls("implicit_euler")).warnings().empty());
 }
 
-// The same as level_hair for links and helices, clamped.
+// The same as level_hair for links, their limits and helices, clamped.
 Scene level(const std::string& model, const std::string& of_hair, const std::string& keys) {
   return hair::parse_scene(R"({"shows": "a level hair", "hair": [{"model": ")" + model + R"(", )" + of_hair +
                                R"("roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}], )" +
@@ -183,6 +183,8 @@ TEST(Watch, WarnsOfLinksAndHelicesThatGainEnergy) {
   expect_warns(level("rigid_links", long_hair, R"("frames": 60)"), {Concern::energy});
   EXPECT_TRUE(
       play(level("rigid_links", long_hair, R"("frames": 60, "steps_per_frame": 64)")).warnings().empty());
+  const std::string limit = R"("segments": 20, "length": 0.2, "material": {"joint_limit": 20}, )";
+  expect_warns(level("rigid_links", limit, R"("frames": 30)"), {Concern::energy});
   const std::string soft =
       R"("segments": 6, "length": 0.3, "material": {"bend_factor": 1e-4, "twist_factor": 1e-4}, )";
   expect_warns(level("super_helix", soft, R"("frames": 90, "steps_per_frame": 1)"), {Concern::energy});

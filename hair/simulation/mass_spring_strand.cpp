@@ -17,6 +17,7 @@ std::string springs_why_not(const StrandSpec& spec) {
     return "masses and springs have no twist; leave the twist_factor out, or choose another model";
   if (spec.fibre.relaxation_time != 0)
     return "masses and springs don't resist the rates of bends; the relaxation_time must be 0";
+  if (spec.fibre.joint_limit) return "masses and springs have no limits of joints; leave the joint_limit out";
   return {};
 }
 

@@ -72,6 +72,8 @@ const Inexpressible kInexpressible[] = {
      "super-helices don't stretch; the stretch_factor must be at least 1"},
     {"super_helix", [](StrandSpec& one) { one.fibre.bend_factor = 0; },
      "super-helices resist bends and twists; the bend_factor and the twist_factor must be above 0"},
+    {"super_helix", [](StrandSpec& one) { one.fibre.joint_limit = 1; },
+     "super-helices have no joints; leave the joint_limit out"},
     {"super_helix", [](StrandSpec& one) { one.clamped = false; }, "super-helices must be clamped"},
     {"super_helix", [](StrandSpec& one) { one.elements = 401; },
      "super-helices have at most 400 elements; each bends and twists, so that few are enough"},

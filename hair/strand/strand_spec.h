@@ -1,6 +1,7 @@
 // A strand as a scene describes it, before a model divides it into particles, links or elements.
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "hair/strand/material.h"
@@ -17,6 +18,8 @@ struct Fibre {
   double skip_factor = 0;     // factor of EA: the rigidity of springs that skip a particle
   // s, >= 0: the strand also resists the rates of bends and twists, with this times their stiffness.
   double relaxation_time = 0;
+  // rad, > 0: the largest turn of a joint between two elements from its rest; none: any turn.
+  std::optional<double> joint_limit = {};
 };
 
 // The rest curve.

@@ -84,6 +84,7 @@ std::string why_not_of_helices(const StrandSpec& spec) {
   if (fibre.stretch_factor < 1) return "super-helices don't stretch; the stretch_factor must be at least 1";
   if (fibre.skip_factor > 0)
     return "super-helices have no springs that skip a particle; the skip_factor must be 0";
+  if (fibre.joint_limit) return "super-helices have no joints; leave the joint_limit out";
   if (!(fibre.bend_factor > 0 && fibre.twist_factor > 0))
     return "super-helices resist bends and twists; the bend_factor and the twist_factor must be above 0";
   if (!spec.clamped) return "super-helices must be clamped";

@@ -23,6 +23,13 @@ TreeForces weight() {
   return forces;
 }
 
+VectorXd accelerations(TreeSystem& system, const VectorXd& q) {
+  const VectorXd rates = VectorXd::Zero(system.tree().rates());
+  VectorXd a(rates.size());
+  system.accelerations({}, q, rates, 0, {}, a);
+  return a;
+}
+
 using Step = void (TreeSteps::*)(const TreeBase&, double, std::span<const hair::LinkForce>, hair::Output,
                                  hair::Output);
 
@@ -140,6 +147,114 @@ TEST(TreeSteps, ALinearlyImplicitStepIsItsEquation) {
   steps.linearly_implicit_euler({}, h, {}, q, rates);
   const double after = w - h * k * (theta + h * w) / (J + h * h * k);
   EXPECT_NEAR(rates[2], after, 1e-12 * w);
+}
+
+// One rod with a limit, in any of the ways that a joint moves.
+struct Limited {
+  JointType joint;
+  TreeSteps steps;
+  VectorXd q, rates;
+
+  static constexpr double kUpper = 0.4, kStiffness = 2e-3, kMass = 1e-5, kLength = 0.1;
+
+  static TreeForces forces(double gravity) {
+    TreeForces forces;
+    forces.gravity = Vector3d(0, 0, -gravity);
+    forces.springs.resize(2);
+    forces.springs[1].upper = kUpper;
+    forces.springs[1].lower = -kUpper;
+    forces.springs[1].limit_stiffness = kStiffness;
+    return forces;
+  }
+  static LinkTree tree(JointType joint) {
+    LinkShape shape;
+    shape.joint = joint;
+    shape.axis = joint == JointType::prismatic ? Vector3d(0, 0, -1) : Vector3d(0, 1, 0);
+    if (joint != JointType::prismatic)
+      shape.center = Vector3d(kLength, 0, 0);  // level: its weight turns it about y
+    shape.mass = kMass;
+    shape.moments = Vector3d::Constant(1e-9);
+    return LinkTree({shape});
+  }
+
+  Limited(JointType type, double gravity)
+      : joint(type), steps(tree(type), forces(gravity)), q(steps.system().tree().rest()) {
+    rates = VectorXd::Zero(steps.system().tree().rates());
+  }
+  void put(double place) {
+    if (joint == JointType::spherical)
+      q = hair::turn_by(Vector3d(0, place, 0)).coeffs();
+    else
+      q[0] = place;
+  }
+  double place() const {
+    return joint == JointType::spherical ? hair::turn_of(Quaterniond(Eigen::Vector4d(q))).y() : q[0];
+  }
+  double energy() {
+    accelerations(steps.system(), q);
+    return steps.system().potential_energy(q);
+  }
+};
+
+constexpr JointType kEachJoint[] = {JointType::revolute, JointType::prismatic, JointType::spherical};
+
+TEST(TreeSteps, ALimitIsASpringBeyondIt) {
+  for (const JointType joint : kEachJoint) {
+    Limited one(joint, 0);
+    const int rate = joint == JointType::spherical ? 1 : 0;
+    const double mass = joint == JointType::prismatic
+                            ? Limited::kMass
+                            : 1e-9 + Limited::kMass * Limited::kLength * Limited::kLength;
+    for (const double place : {-0.7, -0.3, 0.3, 0.39, 0.5, 2.0}) {
+      one.put(place);
+      const double beyond = std::abs(place) - Limited::kUpper;
+      const double force = beyond > 0 ? -std::copysign(Limited::kStiffness * beyond, place) : 0;
+      EXPECT_NEAR(mass * accelerations(one.steps.system(), one.q)[rate], force, 1e-14) << place;
+      const double energy = beyond > 0 ? Limited::kStiffness * beyond * beyond / 2 : 0;
+      EXPECT_NEAR(one.energy(), energy, 1e-15) << place;
+    }
+  }
+}
+
+// The weight falls on the buffer and comes to rest there, also where h^2 k is thousands of times the inertia.
+// Small steps damp so little that it still bounces.
+TEST(TreeSteps, ALimitHoldsAtAnyStep) {
+  for (const JointType joint : kEachJoint)
+    for (const double h : {1e-3, 1.0 / 60, 0.5}) {
+      Limited one(joint, kGravity);
+      double farthest = 0;
+      for (int n = 0; n < 4000; ++n) {
+        one.steps.linearly_implicit_euler({}, h, {}, one.q, one.rates);
+        farthest = std::max(farthest, one.place());
+      }
+      const double pull = Limited::kMass * kGravity, k = Limited::kStiffness;
+      double rest = Limited::kUpper + pull / k;
+      if (joint != JointType::prismatic)
+        for (int n = 0; n < 60; ++n) rest = Limited::kUpper + pull * Limited::kLength * std::cos(rest) / k;
+      if (h > 1e-3) {
+        EXPECT_NEAR(one.place(), rest, 1e-6) << h;
+      }
+      // A mass that falls on a spring without damping goes at most twice as deep as its rest, plus the depth
+      // from a fall of kUpper.
+      EXPECT_LE(farthest, rest + std::sqrt(2 * pull * Limited::kUpper / k) + pull / k) << h;
+    }
+}
+
+// A joint that is a little beyond its limit, and falls back inside within the step, falls freely: a limit
+// does not pull.
+TEST(TreeSteps, ALimitLetsGo) {
+  for (const JointType joint : kEachJoint) {
+    Limited one(joint, -kGravity), free(joint, -kGravity);
+    one.put(Limited::kUpper + 1e-4);
+    free.put(Limited::kUpper + 1e-4);
+    one.steps.linearly_implicit_euler({}, 1.0 / 60, {}, one.q, one.rates);
+    TreeForces forces = Limited::forces(-kGravity);
+    forces.springs.clear();
+    TreeSteps unlimited(Limited::tree(joint), forces);
+    unlimited.linearly_implicit_euler({}, 1.0 / 60, {}, free.q, free.rates);
+    EXPECT_EQ(one.rates, free.rates);
+    EXPECT_LT(one.place(), Limited::kUpper);
+  }
 }
 
 // A link on a slide, with only drag and weight, reaches the terminal velocity with any step: m g = drag l v.

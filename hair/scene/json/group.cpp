@@ -1,5 +1,7 @@
 #include "hair/scene/json/group.h"
 
+#include <numbers>
+
 namespace hair::json {
 
 void keys_of(Keys& keys, Fibre& fibre) {
@@ -36,6 +38,15 @@ void keys_of(Keys& keys, Fibre& fibre) {
        .what = "bends and twists also resist their rates, with this times their stiffness; not for masses "
                "and springs"},
       fibre.relaxation_time);
+  std::optional<double> degrees;
+  keys.number({.name = "joint_limit",
+               .unit = "°",
+               .least = 0.1,
+               .most = 180,
+               .otherwise = "none",
+               .what = "how far a joint of rigid links turns from its rest before it meets a buffer"},
+              degrees);
+  if (degrees) fibre.joint_limit = std::numbers::pi / 180 * *degrees;
 }
 
 void keys_of(Keys& keys, Held& held) {
