@@ -48,11 +48,13 @@ void set_points(const Place& place, const Decision& decision) {
                          decision));
   place.exercise->points += decision.number - place.points();
   if (place.category) place.category->points = decision.number;
+  place.exercise->points_set = true;
 }
 
 void excuse(ExerciseResult& exercise, const Decision& decision) {
   Place{&exercise, nullptr}.tell(
       with_reason("The staff excused you from this exercise: it does not count", decision));
+  exercise.status = Status::excused;
   exercise.points = exercise.max_points = 0;
   for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
 }
@@ -75,6 +77,17 @@ void apply(SubmissionResult& result, const Decision& decision) {
       result.remarks.push_back(
           with_reason("The staff gave you " + shown_number(decision.number) + " more days", decision));
   }
+}
+
+std::string conflict_of(const Decision& decision, const Place& place) {
+  if (decision.kind != DecisionKind::points) return "";
+  const std::string begin = decision.who + " set " + decision.place + " to " + shown_number(decision.number) +
+                            " where " + shown_number(decision.computed) + " points had been computed";
+  if (!place.exercise)
+    return begin + ", and now there is no " + decision.place + "; unset it, or set another place";
+  if (std::abs(place.points() - decision.computed) > kSamePoints)
+    return begin + ", and now it is " + shown_number(place.points()) + "; set it again, or unset it";
+  return "";
 }
 
 std::string places_of(const SubmissionResult& result) {
@@ -129,6 +142,9 @@ SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>&
   std::ranges::stable_sort(in_order, {}, [](const Decision& one) {
     return one.kind == DecisionKind::excuse ? 2 : one.place.find('.') != std::string::npos ? 1 : 0;
   });
+  for (const Decision& one : in_order)
+    computed.decided.push_back(
+        {one.place, to_string(one.kind), decision_text(one), conflict_of(one, find(computed, one.place))});
   for (const Decision& decision : in_order) apply(computed, decision);
   return computed;
 }
@@ -142,20 +158,9 @@ std::string decision_text(const Decision& decision) {
 }
 
 std::vector<std::string> conflicts(const SubmissionResult& computed, const std::vector<Decision>& decisions) {
-  SubmissionResult result = computed;
   std::vector<std::string> lines;
-  for (const Decision& decision : decisions) {
-    if (decision.kind != DecisionKind::points) continue;
-    const Place place = find(result, decision.place);
-    const std::string begin = result.name + ": " + decision.who + " set " + decision.place + " to " +
-                              shown_number(decision.number) + " where " + shown_number(decision.computed) +
-                              " points had been computed";
-    if (!place.exercise)
-      lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
-    else if (std::abs(place.points() - decision.computed) > kSamePoints)
-      lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
-                      "; set it again, or unset it");
-  }
+  for (const Decided& one : decided(computed, decisions).decided)
+    if (!one.conflict.empty()) lines.push_back(computed.name + ": " + one.conflict);
   return lines;
 }
 

@@ -32,7 +32,8 @@ bool passes(const SubmissionResult& result, const std::string& exercise, std::si
 // Sorts from the strongest to the weakest. Equal ones stay in the order of their names.
 std::vector<const SubmissionResult*> by_points(const Results& results) {
   std::vector<const SubmissionResult*> people;
-  for (const SubmissionResult& result : results) people.push_back(&result);
+  for (const SubmissionResult& result : results)
+    if (!is_excused(result)) people.push_back(&result);
   std::stable_sort(people.begin(), people.end(),
                    [](const auto* a, const auto* b) { return points(*a) > points(*b); });
   return people;
@@ -46,9 +47,17 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
+std::vector<double> totals_of(const Results& results) {
+  std::vector<double> totals;
+  for (const SubmissionResult& result : results)
+    if (!is_excused(result)) totals.push_back(points(result));
+  return totals;
+}
+
 Tenths tenths_of_totals(const Results& results) {
   Tenths tenths{};
-  for (const SubmissionResult& result : results) ++tenths[tenth(points(result), max_points(result))];
+  for (const SubmissionResult& result : results)
+    if (!is_excused(result)) ++tenths[tenth(points(result), max_points(result))];
   return tenths;
 }
 
@@ -58,7 +67,7 @@ std::vector<ExerciseStatistics> exercise_statistics(const Results& results) {
     ExerciseStatistics one{column, {}};
     for (const SubmissionResult& result : results) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
-      if (!exercise) continue;
+      if (!exercise || exercise->status == Status::excused) continue;
       one.points.push_back(exercise->points);
       one.passed += exercise->status == Status::passed;
       ++one.tenths[tenth(exercise->points, column.max_points)];
@@ -72,7 +81,7 @@ std::vector<CategoryStatistics> category_statistics(const Results& results) {
   std::map<std::pair<std::string, std::size_t>, CategoryStatistics> found;
   for (const SubmissionResult& result : results)
     for (const ExerciseResult& exercise : result.exercises)
-      for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+      for (std::size_t i = 0; i < exercise.cases.size() && exercise.status != Status::excused; ++i) {
         const CaseResult& one = exercise.cases[i];
         CategoryStatistics& category = found[{exercise.id, i}];
         category.number = number(exercise, i);
@@ -113,24 +122,34 @@ double quantile(std::vector<double> values, double share) {
 std::vector<SectionStatistics> section_statistics(const Results& results,
                                                   const std::vector<ClassLine>& people) {
   if (std::ranges::all_of(people, [](const ClassLine& line) { return line.section.empty(); })) return {};
-  std::map<std::string, double> points_of;
-  for (const SubmissionResult& result : results) points_of[result.name] = points(result);
+  std::map<std::string, std::optional<double>> points_of;  // nothing for people who are excused
+  for (const SubmissionResult& result : results)
+    points_of[result.name] = is_excused(result) ? std::nullopt : std::optional(points(result));
   const auto by_number = [](const std::string& a, const std::string& b) {
     return strverscmp(a.c_str(), b.c_str()) < 0;
   };
   using IdAndName = std::pair<std::string, std::string>;
-  std::map<std::string, std::map<IdAndName, std::optional<double>>, decltype(by_number)> sections(by_number);
+  struct Best {
+    bool handed_in = false;
+    std::optional<double> points = {};
+  };
+  std::map<std::string, std::map<IdAndName, Best>, decltype(by_number)> sections(by_number);
   for (const ClassLine& line : people) {
-    std::optional<double>& best = sections[line.section][{line.id, line.name}];
-    if (const auto found = points_of.find(line.hand_in); found != points_of.end())
-      best = std::max(best.value_or(found->second), found->second);
+    Best& best = sections[line.section][{line.id, line.name}];
+    const auto found = points_of.find(line.hand_in);
+    if (found == points_of.end()) continue;
+    best.handed_in = true;
+    best.points = std::max(best.points, found->second);  // nothing is less than any number
   }
   std::vector<SectionStatistics> all;
   for (const auto& [name, members] : sections) {
     std::vector<double> reached;
-    for (const auto& [person, best] : members)
-      if (best) reached.push_back(*best);
-    all.push_back({name, members.size(), reached.size(), quantile(reached, 0.25), quantile(reached, 0.5),
+    std::size_t handed_in = 0;
+    for (const auto& [person, best] : members) {
+      handed_in += best.handed_in;
+      if (best.points) reached.push_back(*best.points);
+    }
+    all.push_back({name, members.size(), handed_in, quantile(reached, 0.25), quantile(reached, 0.5),
                    quantile(reached, 0.75)});
   }
   return all;
@@ -144,7 +163,8 @@ std::vector<FailAlike> who_fail_alike(const Results& results) {
       for (std::size_t i = 0; i < exercise.cases.size(); ++i)
         if (exercise.cases[i].status != Status::passed) lost.push_back(number(exercise, i));
       // A person who loses all categories shows no single misunderstanding.
-      if (lost.size() >= kFewestLost && lost.size() < exercise.cases.size())
+      if (exercise.status != Status::excused && lost.size() >= kFewestLost &&
+          lost.size() < exercise.cases.size())
         found[{exercise.id, std::move(lost)}].push_back(result.name);
     }
   std::vector<FailAlike> groups;

@@ -50,11 +50,11 @@ Html distribution_part(const std::vector<SubmissionResult>& results);
 Html categories_part(const std::vector<SubmissionResult>& results);
 Html sections_part(const std::vector<SubmissionResult>& results,
                    const std::vector<ClassLine>& people);  // empty without sections
-Html alike_part(const std::vector<SubmissionResult>& results,
-                const NamesForPeople& people = {});  // empty if no two people fail alike
-
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
+
+// Shows what has class "more" in the section around it, or the page: it is folded at first. No script runs.
+Html fold(const std::string& label);
 
 // Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
 Html sort_script();

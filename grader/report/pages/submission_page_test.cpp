@@ -61,6 +61,20 @@ TEST(SubmissionPage, SaysOnceWhereToGoOn) {
   EXPECT_EQ(times(page, "public checks"), 0U) << "not in each row";
 }
 
+TEST(SubmissionPage, ShowsTheCompilersWordsOnce) {
+  SubmissionResult result = two_exercises();
+  ExerciseResult& one = result.exercises[0];
+  one.compiler_messages = "a.cpp:1: first\na.cpp:2: second\n";
+  one.staff_log = "a.cpp:1: first\na.cpp:2: second\n/usr/bin/ld: third\n";
+  one.cases[0].feedback = one.cases[0].memory_error = "The code follows a null pointer.";
+  one.cases[0].status = Status::wrong;
+  for (const char* words : {"a.cpp:1: first", "a.cpp:2: second", "/usr/bin/ld: third"})
+    EXPECT_EQ(times(staff_page(result), words), 1U) << words;
+  one.staff_log = one.compiler_messages;
+  EXPECT_EQ(times(staff_page(result), "worker printed"), 0U);
+  EXPECT_EQ(times(student_text(result), "null pointer"), 1U);
+}
+
 TEST(SubmissionPage, CallsNoTimeOutACrash) {
   const std::string page = student_page(two_exercises());
   EXPECT_EQ(times(page, ">broke off<"), 1U);
