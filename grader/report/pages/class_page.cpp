@@ -164,8 +164,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   body += alike_part(results, people);
   body += about_section(results);
   body += html("</main>\n");
-  body += sort_script();
-  return html_page("Grades of the class", body, Scripts::on, Pictures::beside);
+  return html_page("Grades of the class", body, {{sort_script()}}, Pictures::beside);
 }
 
 }  // namespace grader::report

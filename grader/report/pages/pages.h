@@ -56,8 +56,8 @@ Html alike_part(const std::vector<SubmissionResult>& results,
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
-Html sort_script();
+// Is a script that lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
+std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet
 Html badge(Status status);           // writes the status in words, coloured

@@ -194,8 +194,8 @@ std::string student_page(const SubmissionResult& result, const NamesForPeople& p
 }
 
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
-  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people),
-                   Scripts::off, Pictures::beside);
+  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people), {},
+                   Pictures::beside);
 }
 
 }  // namespace grader::report
