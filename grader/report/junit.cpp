@@ -14,10 +14,12 @@ using Counts = std::map<std::string, std::size_t>;
 std::string element_of(Status status) {
   switch (status) {
     case Status::passed:
+    case Status::given:
       return "";
     case Status::missing:
     case Status::not_implemented:
     case Status::excused:
+    case Status::not_given:
       return "skipped";
     case Status::partly:
     case Status::wrong:

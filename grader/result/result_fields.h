@@ -30,6 +30,10 @@ struct Fields<PictureResult> {
   static const Rows<PictureResult>& rows();
 };
 template <>
+struct Fields<Said> {
+  static const Rows<Said>& rows();
+};
+template <>
 struct Fields<ExerciseResult> {
   static const Rows<ExerciseResult>& rows();
 };

@@ -12,6 +12,7 @@ std::string word(Status status) {
   switch (status) {
     case Status::passed:
     case Status::partly:
+    case Status::given:
       return "0";  // the exercise is worth nothing
     case Status::wrong:
       return "wrong";
@@ -35,6 +36,8 @@ std::string word(Status status) {
       return "file";
     case Status::excused:
       return "exc";
+    case Status::not_given:
+      return "";
   }
   return "";
 }
@@ -63,9 +66,10 @@ const ExerciseResult* find_exercise(const SubmissionResult& result, const std::s
 
 std::string in_short(const ExerciseResult& exercise) {
   if (exercise.status == Status::excused) return word(exercise.status);
-  if (exercise.points_set) return short_points(exercise.points) + "*";
+  if (exercise.points_set && exercise.status != Status::given) return short_points(exercise.points) + "*";
   if (exercise.points <= 0) return word(exercise.status);
-  const bool to_its_end = exercise.status == Status::passed || exercise.status == Status::partly;
+  const bool to_its_end = exercise.status == Status::passed || exercise.status == Status::partly ||
+                          exercise.status == Status::given;
   return short_points(exercise.points) + (to_its_end ? "" : "!");
 }
 

@@ -62,9 +62,9 @@ Html to_look_at(const Results& results, const Readers& readers) {
   add(bad("could not be taken"), "notes", [](const auto& result) { return html("{}", {result.note}); });
   add(bad("not final: ended by the clock, grade again"), "notes",
       [](const auto& result) { return html("{}", {in_a_row(result.ended_by_the_clock)}); });
-  for (const Status status :
-       {Status::not_taken, Status::unreadable, Status::broke_rules, Status::crashed, Status::out_of_memory,
-        Status::timed_out, Status::does_not_compile, Status::wrong, Status::missing, Status::not_implemented})
+  for (const Status status : {Status::not_taken, Status::unreadable, Status::broke_rules, Status::crashed,
+                              Status::out_of_memory, Status::timed_out, Status::does_not_compile,
+                              Status::wrong, Status::missing, Status::not_implemented, Status::not_given})
     add(badge(status), "who", [&](const auto& result) {
       Html all;
       for (const ExerciseResult& one : result.exercises)
@@ -198,8 +198,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   body += categories_part(results);
   body += about_section(results);
   body += html("</main>\n");
-  body += sort_script();
-  return html_page("Grades of the class", body, Scripts::on, Pictures::beside);
+  return html_page("Grades of the class", body, {{sort_script()}}, Pictures::beside);
 }
 
 }  // namespace grader::report

@@ -56,8 +56,8 @@ Html about_section(const std::vector<SubmissionResult>& results);
 // Shows what has class "more" in the section around it, or the page: it is folded at first. No script runs.
 Html fold(const std::string& label);
 
-// Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
-Html sort_script();
+// Is a script: it lets readers sort a table of class "class" by columns with data-sort, "text" or "number".
+std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet
 Html badge(Status status);           // writes the status in words, coloured

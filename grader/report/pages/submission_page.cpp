@@ -155,10 +155,13 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
   for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
   body += overview(result);
   // The overview has the course's order; below it exercises that lost points come first.
-  for (const bool passed : {false, true})
-    for (const ExerciseResult& exercise : result.exercises)
-      if ((exercise.status == Status::passed || exercise.status == Status::excused) == passed)
+  using enum Status;
+  for (const bool later : {false, true})
+    for (const ExerciseResult& exercise : result.exercises) {
+      const Status status = exercise.status;
+      if ((status == passed || status == excused || status == given || status == not_given) == later)
         body += exercise_section(exercise, reader);
+    }
   if (result.studied)
     body += html("<p><a href=\"{}study.html\">Error against run time</a> of small scenes, beside ours.</p>\n",
                  {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
@@ -170,12 +173,14 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
 const char* look_of(Status status) {
   switch (status) {
     case Status::passed:
+    case Status::given:
       return "good";
     case Status::partly:
       return "part";
     case Status::missing:
     case Status::not_implemented:
     case Status::excused:
+    case Status::not_given:
       return "none";
     default:
       return "bad";
@@ -210,8 +215,8 @@ std::string student_page(const SubmissionResult& result, const NamesForPeople& p
 }
 
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
-  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people),
-                   Scripts::off, Pictures::beside);
+  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people), {},
+                   Pictures::beside);
 }
 
 }  // namespace grader::report

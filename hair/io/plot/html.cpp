@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
+#include "hair/io/plot/base64.h"
 #include "hair/io/plot/readable.h"
+#include "hair/io/plot/sha256.h"
 
 namespace hair {
 
@@ -137,13 +139,18 @@ Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
   return result;
 }
 
-std::string html_page(const std::string& title, const Html& body, Scripts scripts, Pictures pictures) {
+std::string html_page(const std::string& title, const Html& body, const Scripts& scripts, Pictures pictures) {
   // For a page that is a file, not every browser accepts the page's own folder as 'self'.
-  const std::string policy = std::string("default-src 'none'; img-src ") +
-                             (pictures == Pictures::inside ? "data:" : "'self' file:") +
-                             "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
-                             (scripts == Scripts::off ? "" : "; script-src 'unsafe-inline'") +
-                             (scripts == Scripts::on_and_asks_its_server ? "; connect-src 'self'" : "");
+  std::string policy = std::string("default-src 'none'; img-src ") +
+                       (pictures == Pictures::inside ? "data:" : "'self' file:") +
+                       "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
+                       (scripts.texts.empty() ? "" : "; script-src");
+  Html elements;
+  for (const std::string& text : scripts.texts) {
+    policy += " 'sha256-" + base64(sha256_bytes(text)) + "'";
+    elements += html("<script>{}</script>\n", {Html{text}});
+  }
+  if (scripts.asks) policy += "; connect-src 'self'";
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -154,10 +161,10 @@ std::string html_page(const std::string& title, const Html& body, Scripts script
 <style>{}</style>
 </head>
 <body>
-{}</body>
+{}{}</body>
 </html>
 )",
-              {policy, title, Html{std::string(style)}, body})
+              {policy, title, Html{std::string(style)}, body, elements})
       .text;
 }
 
