@@ -338,8 +338,8 @@ TEST(StudentJson, FollowsGradescopesSchema) {
 TEST(StudentJson, HasOneTestForAnExerciseThatPassesWholeAndNumbersCategoriesOfOthers) {
   const auto numbers = [](const SubmissionResult& result) {
     std::string all;
-    for (const auto& test : nlohmann::json::parse(student_json(result)).at("tests"))
-      all += test.at("number").get<std::string>() + " ";
+    const auto json = nlohmann::json::parse(student_json(result));
+    for (const auto& test : json.at("tests")) all += test.at("number").get<std::string>() + " ";
     return all;
   };
   const std::vector<SubmissionResult> results = class_with_decisions();
@@ -354,7 +354,7 @@ TEST(GradesCsv, QuotesAndNeutralisesCells) {
     EXPECT_TRUE(text.starts_with("\u2060") || text.starts_with("\"\u2060")) << text;
   }
   const std::string csv = grades_csv({submission_full_of("a \"b\", c\nd")});
-  EXPECT_NE(csv.find(",\"a \"\"b\"\", c\nd\"\r\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",\"a \"\"b\"\", c\nd\",\r\n"), std::string::npos) << csv;
 }
 
 TEST(GradesCsv, HasALineASubmissionAndSameColumnsInEach) {
