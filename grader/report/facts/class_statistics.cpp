@@ -122,32 +122,26 @@ double quantile(std::vector<double> values, double share) {
 std::vector<SectionStatistics> section_statistics(const Results& results,
                                                   const std::vector<ClassLine>& people) {
   if (std::ranges::all_of(people, [](const ClassLine& line) { return line.section.empty(); })) return {};
-  std::map<std::string, std::optional<double>> points_of;  // nothing for people who are excused
+  std::map<std::string, double> points_of;  // NaN for people who are excused
   for (const SubmissionResult& result : results)
-    points_of[result.name] = is_excused(result) ? std::nullopt : std::optional(points(result));
+    points_of[result.name] = is_excused(result) ? NAN : points(result);
   const auto by_number = [](const std::string& a, const std::string& b) {
     return strverscmp(a.c_str(), b.c_str()) < 0;
   };
   using IdAndName = std::pair<std::string, std::string>;
-  struct Best {
-    bool handed_in = false;
-    std::optional<double> points = {};
-  };
-  std::map<std::string, std::map<IdAndName, Best>, decltype(by_number)> sections(by_number);
+  std::map<std::string, std::map<IdAndName, std::optional<double>>, decltype(by_number)> sections(by_number);
   for (const ClassLine& line : people) {
-    Best& best = sections[line.section][{line.id, line.name}];
-    const auto found = points_of.find(line.hand_in);
-    if (found == points_of.end()) continue;
-    best.handed_in = true;
-    best.points = std::max(best.points, found->second);  // nothing is less than any number
+    std::optional<double>& best = sections[line.section][{line.id, line.name}];
+    if (const auto found = points_of.find(line.hand_in); found != points_of.end())
+      best = std::fmax(best.value_or(found->second), found->second);
   }
   std::vector<SectionStatistics> all;
   for (const auto& [name, members] : sections) {
     std::vector<double> reached;
     std::size_t handed_in = 0;
     for (const auto& [person, best] : members) {
-      handed_in += best.handed_in;
-      if (best.points) reached.push_back(*best.points);
+      handed_in += best.has_value();
+      if (best && !std::isnan(*best)) reached.push_back(*best);
     }
     all.push_back({name, members.size(), handed_in, quantile(reached, 0.25), quantile(reached, 0.5),
                    quantile(reached, 0.75)});

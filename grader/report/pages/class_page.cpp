@@ -48,9 +48,7 @@ Html to_look_at(const Results& results, const Readers& readers) {
       ++count;
       lines += html("<li>{}: {}</li>\n", {readers.person_link(result), line});
     }
-    if (count > 0)
-      groups += html("<details><summary>{} {}</summary><ul class=\"{}\">\n{}</ul></details>\n",
-                     {heading, count, look, lines});
+    groups += folded(heading, count, html("<ul class=\"{}\">\n{}</ul>\n", {look, lines}));
   };
   const auto bad = [](const char* words) { return html("<span class=\"badge bad\">{}</span>", {words}); };
   add(bad("conflict: a person set points, and now others are computed"), "notes", [](const auto& result) {

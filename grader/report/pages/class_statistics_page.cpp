@@ -53,6 +53,12 @@ Html small_bars(const Tenths& tenths) {
 
 }  // namespace
 
+Html folded(const Html& heading, std::size_t count, const Html& content, std::size_t most_open) {
+  if (count == 0) return {};
+  return html("<details{}><summary>{} {}</summary>\n{}</details>\n",
+              {count > most_open ? Html() : html(" open=\"\""), heading, count, content});
+}
+
 Html fold(const std::string& label) {
   return html("<label class=\"fold\"><input type=\"checkbox\"/> Show {}</label>\n", {label});
 }

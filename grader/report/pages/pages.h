@@ -32,6 +32,9 @@ std::string course_page(const CourseTable& course, const std::vector<ClassLine>&
 // Writes the folder's name, which commands take, behind a person's name.
 Html folder_beside(const std::string& name, const NamesForPeople& people);
 
+// Writes a heading with a count that opens and closes. It is open for few of them; empty for none.
+Html folded(const Html& heading, std::size_t count, const Html& content, std::size_t most_open = 0);
+
 // Lists people who are missing, or on no roster; empty if there are none.
 Html people_section(const std::vector<ClassLine>& people);
 
