@@ -143,7 +143,7 @@ Html class_table(const Results& results, const std::vector<Column>& columns, con
   }
   const bool with_decided =
       std::ranges::any_of(results, [](const auto& result) { return !result.decided.empty(); });
-  table += html("{}<th scope=\"col\">Student&#39;s</th></tr></thead>\n<tbody>\n",
+  table += html("{}<th scope=\"col\">Report</th></tr></thead>\n<tbody>\n",
                 {with_decided ? html("<th scope=\"col\">Decided</th>") : Html()});
   for (const SubmissionResult& result : results) table += class_row(result, columns, readers, with_decided);
   return table += html("</tbody>\n</table></div>\n</section>\n");

@@ -70,8 +70,8 @@ nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
 .wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: none; }
 .fold { display: block; margin: .5rem 0; } :is(main, section):has(> .fold input:not(:checked)) .more { display: none; }
 .wide .overview { width: auto; min-width: 0; } .overview th, .overview td { padding: .3rem 1.5rem .3rem 0; }
-.class th, .class td { padding: .35rem .3rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class tbody td.decided { white-space: normal; min-width: 7rem; } .class :is(td, th):last-child { padding-left: 1rem; }
-.class a.badge { text-decoration: none; min-width: 3.25rem; padding: .05rem .4rem; text-align: right; } .class a.badge:hover { text-decoration: underline; }
+.class th, .class td { padding: .35rem .25rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class tbody td.decided, :is(.decided, summary) .badge { white-space: normal; } .class tbody th { min-width: 8.5rem; }
+.class a.badge { text-decoration: none; min-width: 2.75rem; padding: .1rem .35rem; font-size: .75rem; text-align: right; } .class a.badge:hover { text-decoration: underline; }
 th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
 th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
