@@ -51,7 +51,7 @@ Html to_look_at(const Results& results, const Readers& readers) {
     groups += folded(heading, count, html("<ul class=\"{}\">\n{}</ul>\n", {look, lines}));
   };
   const auto bad = [](const char* words) { return html("<span class=\"badge bad\">{}</span>", {words}); };
-  add(bad("conflict: a person set points, and now others are computed"), "notes", [](const auto& result) {
+  add(bad("conflict with a person's decision"), "notes", [](const auto& result) {
     Html all;
     for (const Decided& decided : result.decided)
       if (!decided.conflict.empty()) all += html("{}{}", {all.text.empty() ? "" : "; ", decided.conflict});
@@ -84,16 +84,14 @@ Html alike_part(const Results& results, const Readers& readers) {
     for (const std::string& name : group.people)
       people += html("{}{}", {people.text.empty() ? "" : ", ",
                               readers.link(*named.at(name), group.exercise, called(name, readers.people))});
-    items +=
-        html("<li>{} people lose {}: {}</li>\n", {group.people.size(), in_a_row(group.categories), people});
+    items += html("<details><summary>{} people lose {}</summary><p>{}</p></details>\n",
+                  {group.people.size(), in_a_row(group.categories), people});
   }
   if (items.text.empty()) return {};
   return html(R"(<section id="alike">
 <h2>Who fail alike</h2>
 <p class="quiet">The same categories of an exercise, two at least: one misunderstanding, or one source (hairgrade similar).</p>
-<ul>
-{}</ul>
-</section>
+{}</section>
 )",
               {items});
 }
@@ -163,6 +161,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   const Readers readers{facts.is_public, people};
   const Html pictures = facts.is_public ? Html() : pictures_by_distance(results, {"staff/pictures"}, people);
   const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
+  const Html alike = alike_part(results, readers);
   const Html files = html(
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a href=\"costs.html\">what grading "
       "cost</a></p>\n");
@@ -174,7 +173,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
       "{}"
       "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> {}<a "
       "href=\"#exercises\">Exercises</a> <a "
-      "href=\"#distribution\">Distribution</a> <a "
+      "href=\"#distribution\">Distribution</a> {}<a "
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)),
        reachable > 0 ? " of " + shown_points(reachable) + " points" : std::string(" points of extra credit"),
@@ -182,7 +181,8 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
        totals.size() < results.size()
            ? ", " + std::to_string(results.size() - totals.size()) + " of them excused and in no mean"
            : "",
-       facts.is_public ? Html() : files, link_to_pictures});
+       facts.is_public ? Html() : files, link_to_pictures,
+       alike.text.empty() ? Html() : html("<a href=\"#alike\">Who fail alike</a> ")});
   body += to_look_at(results, readers);
   body += people_section(facts.people);
   body += left_over_section(facts.listed, people);
@@ -192,7 +192,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   body += exercises_part(results);
   body += distribution_part(results);
   body += sections_part(results, facts.people);
-  body += alike_part(results, readers);
+  body += alike;
   body += categories_part(results);
   body += about_section(results);
   body += html("</main>\n");
