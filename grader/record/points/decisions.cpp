@@ -167,7 +167,9 @@ void check(Decision& decision, const SubmissionResult& computed) {
   if (decision.kind == DecisionKind::excuse && place.category)
     throw BadInput(decision.place + ": a category can't be excused alone; excuse " + place.exercise->id +
                    ", or set points");
-  const bool needs_no_reason = place.exercise && is_by_hand(*place.exercise) && !is_comment;
+  // Tables of points by hand and of extensions give no reasons.
+  const bool needs_no_reason = decision.kind == DecisionKind::late_days ||
+                               (place.exercise && is_by_hand(*place.exercise) && !is_comment);
   if (!needs_no_reason && decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
     throw BadInput(is_comment ? "the comment is empty; write one"
                               : "there is no reason; add --why TEXT, which the student sees");
