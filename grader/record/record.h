@@ -199,7 +199,7 @@ class Record {
   SubmissionResult under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
-  SubmissionResult computed(const std::string& name);  // what people decide about
+  SubmissionResult computed(const std::string& name);  // with places for points by hand
   void put_comment(std::int64_t person, Decision& decision);
   std::vector<Comment> read_comments();
   Comment known_comment(std::int64_t id);
