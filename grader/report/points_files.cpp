@@ -57,8 +57,7 @@ std::string grades_csv(const std::vector<SubmissionResult>& results, const std::
         shown_points(max_points(result)), sandbox_cell(result.isolation), result.images ? "yes" : "no"};
     for (const Column& column : columns) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
-      const bool counts = exercise && exercise->status != Status::excused;
-      cells.push_back(counts ? shown_points(exercise->points) : "");
+      cells.push_back(exercise && has_points(*exercise) ? shown_points(exercise->points) : "");
       cells.push_back(exercise ? to_string(exercise->status) : "");
     }
     cells.insert(cells.end(), {result.note, decided_in_short(result)});

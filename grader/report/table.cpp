@@ -1,6 +1,7 @@
 // STAFF ONLY. Prints the class's table on a terminal.
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <ostream>
 #include <set>
 #include <string_view>
@@ -76,7 +77,7 @@ Cells means(const std::vector<SubmissionResult>& results) {
   const std::vector<double> totals = totals_of(results);
   Cells row{"mean of " + std::to_string(totals.size())};
   for (const ExerciseStatistics& one : exercise_statistics(results))
-    row.push_back(short_points(mean(one.points)));
+    row.push_back(one.points.empty() ? "" : short_points(mean(one.points)));
   row.push_back(short_points(mean(totals)));
   return row;
 }
@@ -125,6 +126,11 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
       out << "NOT FINAL, ended by the clock: "
           << (people.contains(result.name) ? called(result.name, people) : printable(result.name)) << ": "
           << in_a_row(result.ended_by_the_clock) << '\n';
+  std::map<std::string, std::size_t> to_come;
+  for (const SubmissionResult& result : results)
+    if (const std::string missing = not_given_yet(result); !missing.empty()) ++to_come[missing];
+  for (const auto& [missing, count] : to_come)
+    out << "NOT FINAL, " << count << " of " << results.size() << ": " << printable(missing) << '\n';
   std::string said = said_of(least_isolation(results));
   std::ranges::transform(said, said.begin(), [](unsigned char c) { return std::toupper(c); });
   if (!said.empty()) out << said << "\n";

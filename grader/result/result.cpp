@@ -72,11 +72,23 @@ std::string sentence_for(Status status) {
   return wording_of(status).sentence;
 }
 
+bool is_by_hand(const ExerciseResult& exercise) {
+  return exercise.status == Status::given || exercise.status == Status::not_given;
+}
+
+bool is_given(const ExerciseResult& exercise) {
+  return exercise.status != Status::not_given;
+}
+
 double points(const SubmissionResult& result) {
   double sum = extra_credit_counted(result);
   for (const ExerciseResult& exercise : result.exercises) sum += exercise.extra_credit ? 0 : exercise.points;
   for (const Adjustment& adjustment : result.adjustments) sum += adjustment.points;
   return sum;
+}
+
+bool has_points(const ExerciseResult& exercise) {
+  return is_given(exercise) && exercise.status != Status::excused;
 }
 
 bool is_excused(const SubmissionResult& result) {

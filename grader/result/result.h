@@ -134,6 +134,9 @@ struct SubmissionResult {
   bool operator==(const SubmissionResult&) const = default;
 };
 
+bool is_by_hand(const ExerciseResult&);    // people give its points
+bool is_given(const ExerciseResult&);      // false: its points are still to come
+bool has_points(const ExerciseResult&);    // false: it is excused, too
 bool is_excused(const SubmissionResult&);  // from an exercise at least: its total has no place in a mean
 
 // True if its whole run ended before its last picture: then its pictures, if there are any, say too little.

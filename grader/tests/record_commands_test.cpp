@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "grader/course/input.h"
 #include "grader/record/record.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
@@ -37,7 +38,7 @@ class RecordCommands : public testing::Test {
  protected:
   RecordCommands() {
     for (const char* name : {"alice", "bobwillgo", "carol", "dave"}) Record(out_).put({result_of(name, 2)});
-    EXPECT_EQ(run({"comment", "alice", "x"}).code, 0);  // makes the files
+    EXPECT_EQ(run({"comment", "alice", "all", "x"}).code, 0);  // makes the files
     EXPECT_EQ(run({"unset", "alice", "--kind", "comment"}).code, 0);
   }
   ProgramRun run(std::vector<string> words) const {
@@ -63,7 +64,7 @@ TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   EXPECT_EQ(nlohmann::json::parse(files().at("alice/results.json")).at("score"), 7.5);
   EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << files().at("grades.csv");
   Record(out_).put({result_of("alice", 3)});
-  ASSERT_EQ(run({"comment", "carol", "well done", "--at", "H2"}).code, 0);
+  ASSERT_EQ(run({"comment", "carol", "H2", "well done"}).code, 0);
   EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";
   EXPECT_NE(files().at("index.html").find("conflict: points H2.1</a>"), string::npos);
   const ProgramRun log = run({"log", "alice"});
@@ -75,6 +76,66 @@ TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   ASSERT_EQ(run({"unset", "alice", "H2.1"}).code, 0);
   ASSERT_EQ(run({"unset", "carol", "H2", "--kind", "comment"}).code, 0);
   EXPECT_EQ(files(), before);
+}
+
+TEST_F(RecordCommands, ACommentChangesForAllWhoHaveIt) {
+  ASSERT_EQ(run({"comment", "alice", "H2.1", "too <long>", "--points", "-0.5"}).code, 0);
+  ASSERT_EQ(run({"comment", "carol", "H2", "--id", "2"}).code, 0);
+  const ProgramRun changed = run({"comments", "2", "--points", "-1.5"});
+  EXPECT_EQ(changed.output, "2  -1.5 points  too <long>\n    alice H2.1, carol H2\n") << changed.errors;
+  EXPECT_EQ(run({"comments"}).output, "1  x\n    nobody\n" + changed.output);
+  for (const char* name : {"alice", "carol"}) {
+    EXPECT_NE(files().at(string(name) + "/report.html").find("too &lt;long&gt; (-1.5 points)"), string::npos);
+    EXPECT_EQ(nlohmann::json::parse(files().at(string(name) + "/results.json")).at("score"), 0.5);
+  }
+  expect_refused({"comment", "alice", "H2"}, "--id");
+  expect_refused({"comment", "alice", "H2", "x", "--id", "2"}, "--id");
+  expect_refused({"comment", "alice", "H2", "--id", "9"}, "there is no comment 9");
+  expect_refused({"comment", "alice", "H9", "x"}, "is no place");
+}
+
+TEST_F(RecordCommands, ARequestIsAnsweredOnce) {
+  EXPECT_EQ(run({"request", "alice", "H2.1", "why <2>?"}).output, "request 1\n");
+  EXPECT_NE(files().at("alice/report.html").find("not answered yet"), string::npos);
+  EXPECT_NE(run({"requests"}).output.find("alice H2.1  why <2>?\n1 open\n"), string::npos);
+  ASSERT_EQ(run({"answer", "1", "since"}).code, 0);
+  EXPECT_NE(files().at("alice/report.html").find("The staff answered on "), string::npos);
+  EXPECT_NE(run({"requests"}).output.find("  since\n0 open\n"), string::npos) << run({"requests"}).output;
+  expect_refused({"answer", "1", "again"}, "answered once");
+}
+
+TEST_F(RecordCommands, ATableHasPointsDaysAndRequests) {
+  HandInRules rules;
+  rules.by_hand = {{"oral", {10, "Oral examination"}}, {"style", {2}}};
+  std::vector<HandIn> hand_ins;
+  for (const char* name : {"alice", "bobwillgo", "carol"})
+    hand_ins.push_back({name, {.name = name, .id = string(name) + "1"}, "folders"});
+  const auto team = [](const char* one, const char* other) {
+    return Owner{.name = "team", .group = true, .members = {{.id = one}, {.id = other}}};
+  };
+  hand_ins.push_back({"dave", team("d1", "e1"), "folders"});
+  Record(out_).put_people(hand_ins);
+  Record(out_).set_rules(rules);
+  const auto enter = [&](const string& table) {
+    hair::write_file(temporary_.path() / "t.csv", table);
+    return run({"enter", (temporary_.path() / "t.csv").string()});
+  };
+  const string table =
+      "id,name,Oral examination,style,late days,why,request,place\n"
+      "alice1,A,7,\"1,5\",2,ill,=why?,H2.1\nalice1,A,,,,,and this,all\n"
+      "bobwillgo1,B,11,-,x,,,\ncarol1,C,,2,,,,H9\nd1,D,3,1,,,,\ne1,E,4,1,,,,\nz1,Z,1,,,,,\n";
+  const ProgramRun first = enter(table);
+  EXPECT_EQ(first.code, 3);
+  EXPECT_EQ(first.output, "7 entered\n") << first.errors;
+  for (const char* line : {"line 4: B: \"x\" is no number", "line 4: 11 points: oral is worth 10",
+                           "line 8: Z has no hand-in here", "dave: other rows have another number"})
+    EXPECT_NE(first.errors.find(line), string::npos) << line << "\n" << first.errors;
+  EXPECT_NE(files().at("grades.csv").find("alice,10.5,20"), string::npos) << files().at("grades.csv");
+  EXPECT_NE(files().at("alice/report.html").find("=why?"), string::npos);
+  EXPECT_EQ(Record(out_).requests().size(), 2U);
+  EXPECT_EQ(enter(table).output, "0 entered\n") << "it was entered before";
+  EXPECT_EQ(enter("id,oral\nalice1,8\n").output, "1 entered\n") << "a corrected table";
+  EXPECT_EQ(enter("id,orall\nalice1,8\n").code, 2);
 }
 
 TEST_F(RecordCommands, SayWhatIsWrongInOneLine) {

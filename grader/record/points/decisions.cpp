@@ -54,10 +54,15 @@ std::string with_reason(const std::string& what, const Decision& decision) {
 }
 
 void set_points(const Place& place, const Decision& decision) {
-  place.tell(with_reason("The staff gave " + shown_number(decision.number) + " of " +
-                             shown_number(place.max_points()) + " points here, where " +
-                             shown_number(place.points()) + " had been computed",
-                         decision));
+  const std::string gave = "The staff gave " + shown_number(decision.number) + " of " +
+                           shown_number(place.max_points()) + " points";
+  if (is_by_hand(*place.exercise)) {
+    place.exercise->status = Status::given;
+    place.exercise->feedback = with_reason(gave, decision);
+  } else {
+    place.tell(
+        with_reason(gave + " here, where " + shown_number(place.points()) + " had been computed", decision));
+  }
   place.exercise->points += decision.number - place.points();
   if (place.category) place.category->points = decision.number;
   place.exercise->points_set = true;
@@ -83,9 +88,10 @@ void add_points_of_comments(SubmissionResult& result, const std::vector<Decision
     if (one.kind == DecisionKind::comment) by_place[one.place.substr(0, one.place.find(':'))] += one.number;
   for (const auto& [where, number] : by_place) {
     const Place place = find(result, where);
-    if (!place.exercise || place.exercise->status == Status::not_given) continue;
+    if (!place.exercise || !is_given(*place.exercise)) continue;
     const double before = place.points(), after = std::clamp(before + number, 0.0, place.max_points());
     if (place.category) place.category->points = after;
+    place.exercise->points_set |= after != before;
     double& all = place.exercise->points;
     all = std::clamp(all + after - before, 0.0, place.exercise->max_points);
   }
@@ -121,6 +127,9 @@ std::string conflict_of(const Decision& decision, const Place& place) {
                                 shown_number(decision.computed) + " points had been computed");
   if (!place.exercise)
     return begin + ", and now there is no " + decision.place + "; unset it, or set another place";
+  if (!is_comment && decision.number > place.max_points() + kSamePoints)
+    return begin + ", and now it is worth " + shown_number(place.max_points()) +
+           "; set it again, or unset it";
   if (!is_comment && std::abs(place.points() - decision.computed) > kSamePoints)
     return begin + ", and now it is " + shown_number(place.points()) + "; set it again, or unset it";
   return "";
@@ -178,7 +187,10 @@ void check(Decision& decision, const SubmissionResult& computed) {
   if (decision.kind == DecisionKind::excuse && place.category)
     throw BadInput(decision.place + ": a category can't be excused alone; excuse " + place.exercise->id +
                    ", or set points");
-  if (decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
+  // Tables of points by hand and of extensions give no reasons.
+  const bool needs_no_reason = decision.kind == DecisionKind::late_days ||
+                               (place.exercise && is_by_hand(*place.exercise) && !is_comment);
+  if (!needs_no_reason && decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
     throw BadInput(is_comment ? "the comment is empty; write one"
                               : "there is no reason; add --why TEXT, which the student sees");
   if (decision.kind == DecisionKind::points) {

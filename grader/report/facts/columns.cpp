@@ -12,7 +12,6 @@ std::string word(Status status) {
   switch (status) {
     case Status::passed:
     case Status::partly:
-    case Status::given:
       return "0";  // the exercise is worth nothing
     case Status::wrong:
       return "wrong";
@@ -36,6 +35,8 @@ std::string word(Status status) {
       return "file";
     case Status::excused:
       return "exc";
+    case Status::given:
+      return "0";
     case Status::not_given:
       return "";
   }
@@ -68,8 +69,8 @@ std::string in_short(const ExerciseResult& exercise) {
   if (exercise.status == Status::excused) return word(exercise.status);
   if (exercise.points_set && exercise.status != Status::given) return short_points(exercise.points) + "*";
   if (exercise.points <= 0) return word(exercise.status);
-  const bool to_its_end = exercise.status == Status::passed || exercise.status == Status::partly ||
-                          exercise.status == Status::given;
+  const bool to_its_end =
+      exercise.status == Status::passed || exercise.status == Status::partly || is_by_hand(exercise);
   return short_points(exercise.points) + (to_its_end ? "" : "!");
 }
 
@@ -89,6 +90,13 @@ std::string decided_in_short(const SubmissionResult& result) {
   std::vector<std::string> all;
   for (const Decided& decided : result.decided) all.push_back(in_short(decided));
   return in_a_row(all);
+}
+
+std::string not_given_yet(const SubmissionResult& result) {
+  std::vector<std::string> titles;
+  for (const ExerciseResult& exercise : result.exercises)
+    if (!is_given(exercise)) titles.push_back(exercise.title);
+  return titles.empty() ? "" : in_a_row(titles) + (titles.size() > 1 ? " are" : " is") + " not given yet";
 }
 
 std::string in_a_row(const std::vector<std::string>& words) {

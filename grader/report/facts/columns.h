@@ -27,6 +27,9 @@ bool is_excused_from_all(const SubmissionResult& result);  // it has no total
 std::string in_short(const Decided& decided);                  // "points S1.2", "conflict: points S1.2"
 std::string decided_in_short(const SubmissionResult& result);  // "points S1.2, comment"; "": nothing
 
+// Writes "Oral examination is not given yet"; "" if all points by hand are given: else the total is not final.
+std::string not_given_yet(const SubmissionResult& result);
+
 std::string in_a_row(const std::vector<std::string>& words);  // "S1, H4"
 
 Isolation least_isolation(const std::vector<SubmissionResult>& results);
