@@ -1,4 +1,5 @@
 // STAFF ONLY. Writes the page of a submission, for the student or for staff.
+#include "grader/report/facts/columns.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
@@ -77,7 +78,7 @@ Html cases_of(const ExerciseResult& exercise, Reader reader) {
   return all;
 }
 
-Html exercise_section(const ExerciseResult& exercise, Reader reader) {
+Html exercise_section(const ExerciseResult& exercise, Reader reader, const PicturePlace& place) {
   Html section =
       html(R"(<section id="{}">
 <h2>{} {}</h2>
@@ -89,9 +90,8 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
-  section +=
-      moments(exercise.pictures, "The whole run in pictures",
-              run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place_of(reader));
+  section += moments(exercise.pictures, "The whole run in pictures",
+                     run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place);
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
@@ -125,6 +125,18 @@ Html total_line(const SubmissionResult& result) {
   return all;
 }
 
+Html sections_of(const SubmissionResult& result, Reader reader, const PicturePlace& place) {
+  Html body;
+  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
+  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
+  body += overview(result);
+  // The overview has the course's order; below it exercises that lost points come first.
+  for (const bool passed : {false, true})
+    for (const ExerciseResult& exercise : result.exercises)
+      if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader, place);
+  return body;
+}
+
 Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople& people) {
   Html body = stamps(result.isolation, result.images);
   body += html("<header>\n<h1>{}</h1>\n", {shown_name(result.name, people)});
@@ -137,13 +149,7 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
          result.fingerprint.substr(0, 16)});
   }
   body += html("</header>\n<main>\n");
-  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
-  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
-  body += overview(result);
-  // The overview has the course's order; below it exercises that lost points come first.
-  for (const bool passed : {false, true})
-    for (const ExerciseResult& exercise : result.exercises)
-      if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader);
+  body += sections_of(result, reader, place_of(reader));
   if (result.studied)
     body += html("<p><a href=\"{}study.html\">Error against run time</a> of small scenes, beside ours.</p>\n",
                  {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
@@ -196,6 +202,12 @@ std::string student_page(const SubmissionResult& result, const NamesForPeople& p
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
   return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people), {},
                    Pictures::beside);
+}
+
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures) {
+  const ExerciseResult* one = find_exercise(result, exercise);
+  return one ? exercise_section(*one, Reader::staff, {pictures})
+             : sections_of(result, Reader::staff, {pictures});
 }
 
 }  // namespace grader::report
