@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "grader/report/facts/alike.h"
 #include "grader/report/facts/class_statistics.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
