@@ -155,7 +155,9 @@ hair::WebAnswer Desk::save(const std::string& body) {
     if (what == "accept") {
       list_.save(key, version);
     } else if (what == "points" || what == "comment" || what == "excuse") {
-      list_.decide(key, version, decision_in(fields, *decision_kind_from(what)));
+      const Decision decision = decision_in(fields, *decision_kind_from(what));
+      list_.save(key, version,
+                 [&](Record& record, const std::string& name) { record.decide(name, decision); });
     } else if (what == "answer") {
       const std::string text = decision_in(fields, DecisionKind::comment).why;
       const std::optional<Item> item = list_.find(key);
