@@ -18,7 +18,7 @@ namespace grader::inline review {
 namespace {
 
 constexpr int kLittleLate = 60;  // minutes
-constexpr int kFewestCases = 5;  // of fewer, all but one are not nearly all
+constexpr int kFewestCases = 5;  // all but one of fewer cases are not nearly all
 
 struct KindWords {
   const char *word, *heading;
