@@ -312,6 +312,9 @@ void Record::forget(const std::string& name) {
   forget_on_roster(name);
   database_.run("DELETE FROM people WHERE id = ?", {known_person(name)});
   remove_pictures_that_none_shows();
+  // A comment that nobody else has may name the person.
+  database_.run(
+      "DELETE FROM comments WHERE NOT EXISTS (SELECT 1 FROM commented WHERE comment = comments.id)");
   add_to_log({}, "forgot somebody", "");
   transaction.commit();
 }

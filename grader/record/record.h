@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "grader/intake/archives/accounted.h"
+#include "grader/record/comments.h"
 #include "grader/record/database.h"
 #include "grader/record/points/decisions.h"
 #include "grader/record/points/rules.h"
@@ -146,10 +147,22 @@ class Record {
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
-  // Replaces an earlier decision of this kind and place. Throws BadInput as check does, and for an unknown
-  // name; undo does so, too, if there is no such decision.
+  // Replaces an earlier decision of this kind and place, but adds a comment (comments.h). Throws BadInput as
+  // check does, and for an unknown name; undo does so, too, if there is no such decision. undo takes back all
+  // comments of a place, or one.
   void decide(const std::string& name, Decision decision);
-  void undo(const std::string& name, DecisionKind kind, const std::string& place);
+  void undo(const std::string& name, DecisionKind kind, const std::string& place, std::int64_t comment = 0);
+
+  std::vector<Comment> comments();  // by id; also those that nobody has any more
+  // Changes it for all who have it, and returns it as it was. Throws BadInput for an unknown id, no text, and
+  // points where it is not at a place.
+  Comment change_comment(std::int64_t id, const std::string& text, double points);
+
+  std::vector<Request> requests();  // by id
+  // Throws BadInput for an unknown name or place, and for no text. Returns 0 if the same was asked before.
+  std::int64_t ask(const std::string& name, const std::string& place, const std::string& text);
+  // Throws BadInput if it is answered, or unknown; and for no text. Returns the request.
+  Request answer(std::int64_t id, const std::string& text);
 
   void set_run(const TimingByExercise& reference, const std::optional<LastRun>& run);
   ClassCosts costs();
@@ -194,6 +207,11 @@ class Record {
   SubmissionResult under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
+  SubmissionResult computed(const std::string& name);  // what people decide about
+  void put_comment(std::int64_t person, Decision& decision);
+  std::vector<Comment> read_comments();
+  Comment known_comment(std::int64_t id);
+  std::vector<Request> read_requests(const std::string& name = "");  // "": everybody's
   HandIn hand_in_of(const DatabaseRow& row) const;
   std::vector<HandIn> read_hand_ins(Of of);
   std::vector<Drawn> read_drawn();

@@ -5,16 +5,25 @@
 #include "grader/result/json_fields.h"
 
 namespace grader::inline record {
+namespace {
+
+constexpr std::size_t kDate = std::size("2025-03-04") - 1;
+
+}  // namespace
 
 std::vector<Decision> Record::decisions_of(const std::string& name) {
   std::vector<Decision> all;
   database_.each(
-      "SELECT kind, place, number, computed, why, who, at FROM decisions JOIN people ON people.id = person "
-      "WHERE assignment = ? AND name = ? ORDER BY kind, place",
-      {assignment(), name}, [&](const DatabaseRow& row) {
+      "SELECT kind, place, number, computed, why, who, at, 0 AS comment, '' FROM decisions JOIN people ON "
+      "people.id = person WHERE assignment = ? AND name = ? UNION ALL SELECT ?, place, points, 0, text, who, "
+      "at, comment, code FROM commented JOIN comments ON comments.id = comment JOIN people ON people.id = "
+      "person WHERE assignment = ? AND name = ? ORDER BY 1, place, comment",
+      {assignment(), name, to_string(DecisionKind::comment), assignment(), name},
+      [&](const DatabaseRow& row) {
         const std::optional<DecisionKind> kind = decision_kind_from(row.text(0));
         if (!kind) throw BadInput("a decision about " + name + " is \"" + printable(row.text(0)) + "\"");
-        all.push_back({*kind, row.text(1), row.real(2), row.real(3), row.text(4), row.text(5), row.text(6)});
+        all.push_back({*kind, row.text(1), row.real(2), row.real(3), row.text(4), row.text(5), row.text(6),
+                       row.number(7), row.text(8)});
       });
   return all;
 }
@@ -65,6 +74,12 @@ SubmissionResult Record::under_rules(SubmissionResult result, HandInRules rules,
   const auto [time, files, marked_late] = handed_in(here, name);
   const MoreDays more{days_given(here, name), free_days_left(rules, name)};
   result = decided(std::move(result), decisions_of(name));
+  for (const Request& one : read_requests(name)) {
+    std::string text = "You asked on " + one.at.substr(0, kDate) + ": " + one.text + "\n";
+    text += one.is_open() ? "The staff have not answered yet."
+                          : "The staff answered on " + one.answered.substr(0, kDate) + ": " + one.answer;
+    say(result, {one.place, one.code, text});
+  }
   if (change) change(result);
   if (late) {
     *late = lateness(rules, result, time, more);
@@ -90,36 +105,51 @@ std::optional<SubmissionResult> Record::find_under(const std::string& name, cons
   return under_rules(found->result, rules, change);
 }
 
+SubmissionResult Record::computed(const std::string& name) {
+  if (std::optional<Recorded> found = read(name, false)) return std::move(found->result);
+  SubmissionResult nothing;
+  nothing.name = name;
+  return nothing;
+}
+
 void Record::decide(const std::string& name, Decision decision) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
-  const std::optional<Recorded> found = read(name);
-  SubmissionResult computed;
-  computed.name = name;
-  if (found) computed = found->result;
-  check(decision, computed);
-  database_.run(
-      "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "
-      "'now'))",
-      {assignment(), id, to_string(decision.kind), decision.place, decision.number, decision.computed,
-       decision.why, who_});
+  if (decision.comment != 0) {
+    const Comment earlier = known_comment(decision.comment);
+    decision.why = earlier.text;
+    decision.number = earlier.points;
+  }
+  check(decision, computed(name));
+  if (decision.kind == DecisionKind::comment)
+    put_comment(id, decision);
+  else
+    database_.run(
+        "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "
+        "'now'))",
+        {assignment(), id, to_string(decision.kind), decision.place, decision.number, decision.computed,
+         decision.why, who_});
   add_to_log(id, "decided", decision_text(decision));
   transaction.commit();
 }
 
-void Record::undo(const std::string& name, DecisionKind kind, const std::string& place) {
+void Record::undo(const std::string& name, DecisionKind kind, const std::string& place,
+                  std::int64_t comment) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
+  bool any = false;
   for (const Decision& decision : decisions_of(name))
-    if (decision.kind == kind && decision.place == place) {
+    if (decision.kind == kind && decision.place == place && (comment == 0 || decision.comment == comment)) {
       database_.run("DELETE FROM decisions WHERE assignment = ? AND person = ? AND kind = ? AND place = ?",
                     {assignment(), id, to_string(kind), place});
+      database_.run("DELETE FROM commented WHERE person = ? AND comment = ? AND place = ?",
+                    {id, decision.comment, place});
       add_to_log(id, "took back", decision_text(decision));
-      transaction.commit();
-      return;
+      any = true;
     }
+  if (any) return transaction.commit();
   std::string there;
   for (const Decision& one : decisions_of(name))
     there += (there.empty() ? "" : ", ") + to_string(one.kind) + (one.place.empty() ? "" : " " + one.place);

@@ -126,10 +126,49 @@ CREATE TABLE desk_items (
 CREATE UNIQUE INDEX desk_item ON desk_items (assignment, ifnull(person, 0), what);
 )";
 
+// Comments were decisions with a text of their own; equal ones become one.
+constexpr const char* kComments = R"(
+CREATE TABLE comments (
+  id INTEGER PRIMARY KEY,
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  text TEXT NOT NULL,
+  points REAL NOT NULL            -- given at each of its places, or below 0 taken
+) STRICT;
+CREATE TABLE commented (
+  comment INTEGER NOT NULL REFERENCES comments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  place TEXT NOT NULL,            -- as of decisions, or 'H2:17', a line of its file
+  code TEXT NOT NULL,             -- that line
+  who TEXT NOT NULL,
+  at TEXT NOT NULL,
+  PRIMARY KEY (person, comment, place)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX commented_with ON commented (comment);
+INSERT INTO comments (assignment, text, points)
+  SELECT assignment, why, 0 FROM decisions WHERE kind = 'comment' GROUP BY assignment, why ORDER BY min(at);
+INSERT INTO commented SELECT comments.id, person, place, '', who, at FROM decisions
+  JOIN comments ON comments.assignment = decisions.assignment AND text = why WHERE kind = 'comment';
+DELETE FROM decisions WHERE kind = 'comment';
+CREATE TABLE requests (
+  id INTEGER PRIMARY KEY,
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  place TEXT NOT NULL,
+  code TEXT NOT NULL,
+  text TEXT NOT NULL,
+  who TEXT NOT NULL,              -- entered it
+  at TEXT NOT NULL,
+  answer TEXT NOT NULL DEFAULT '',          -- '': it is open
+  answered_by TEXT NOT NULL DEFAULT '',
+  answered TEXT NOT NULL DEFAULT ''         -- the time
+) STRICT;
+CREATE INDEX requests_of_person ON requests (person);
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kBase, kExtraCredit, kDesk};
+  static const std::vector<std::string> all = {kBase, kExtraCredit, std::string(kComments) + kDesk};
   return all;
 }
 

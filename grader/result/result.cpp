@@ -15,7 +15,7 @@ struct Wording {
   const char* sentence;
 };
 
-constexpr std::array<Wording, 12> wordings{{
+constexpr std::array<Wording, 14> wordings{{
     {Status::passed, "passed", "Everything passes. Well done."},
     {Status::partly, "partly",
      "Part of this works. The categories below say where points are left; each can be won on its own."},
@@ -50,6 +50,8 @@ constexpr std::array<Wording, 12> wordings{{
      "What you handed in could not be read, so nothing in it was graded. Pack the exercise files into a .zip "
      "or "
      "a .tar.gz, and check that it opens."},
+    {Status::given, "given", "A person gave these points."},
+    {Status::not_given, "not given yet", "A person will give these points."},
 }};
 
 const Wording& wording_of(Status status) {

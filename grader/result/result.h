@@ -24,6 +24,8 @@ enum class Status {
   broke_rules,
   not_taken,   // a person must say which part of the hand-in counts
   unreadable,  // the whole submission, such as a .rar
+  given,       // points by hand (HandInRules::by_hand), which a person gave
+  not_given,   // has not given yet: the total is not final
 };
 
 // Is the title of the category that judges the whole run and its pictures.
@@ -68,6 +70,15 @@ struct PictureResult {
   bool operator==(const PictureResult&) const = default;
 };
 
+// Is said by the staff at a place of an exercise, or asked there.
+struct Said {
+  std::string place;  // "H2", "H2.3", or "H2:17", a line of its file
+  std::string code;   // is that line, when it was said
+  std::string text;
+
+  bool operator==(const Said&) const = default;
+};
+
 struct ExerciseResult {
   std::string id, title, file;
   bool extra_credit = false;  // an optional exercise: its points are added on top of the total
@@ -78,6 +89,8 @@ struct ExerciseResult {
   std::vector<CaseResult> cases;
   std::vector<PictureResult> pictures;  // show the whole run
   std::string staff_log;                // the whole output of compiler, linker and worker
+  std::string source = {};              // is the beginning of the student's file
+  std::vector<Said> said = {};          // by people, for students, too
 
   bool operator==(const ExerciseResult&) const = default;
 };

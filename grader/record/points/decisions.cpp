@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <sstream>
 
 #include "grader/course/input.h"
 #include "grader/record/points/shown_number.h"
@@ -17,6 +21,7 @@ constexpr double kSamePoints = 1e-9;  // points are sums of a few numbers near 1
 struct Place {
   ExerciseResult* exercise = nullptr;  // null: there is no such place
   CaseResult* category = nullptr;      // null: the whole exercise
+  std::size_t line = 0;                // counts from 1; 0: none
 
   double points() const { return category ? category->points : exercise->points; }
   double max_points() const { return category ? category->max_points : exercise->max_points; }
@@ -29,6 +34,13 @@ struct Place {
 };
 
 Place find(SubmissionResult& result, const std::string& place) {
+  if (const std::size_t colon = place.find(':'); colon != place.npos) {
+    Place found = find(result, place.substr(0, colon));
+    const std::string number = place.substr(colon + 1);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), found.line);
+    const bool is_line = error == std::errc() && *end == '\0' && number.front() != '0' && !found.category;
+    return is_line ? found : Place{};
+  }
   for (ExerciseResult& exercise : result.exercises) {
     if (exercise.id == place) return {&exercise, nullptr};
     for (std::size_t i = 0; i < exercise.cases.size(); ++i)
@@ -57,6 +69,26 @@ void excuse(ExerciseResult& exercise, const Decision& decision) {
   for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
 }
 
+std::string signed_points(double number) {
+  return (number > 0 ? "+" : "") + shown_number(number) + (std::abs(number) == 1 ? " point" : " points");
+}
+
+// It sums the comments of a place before it looks at the place's worth, so that their order does not count;
+// categories come before their exercise.
+void add_points_of_comments(SubmissionResult& result, const std::vector<Decision>& decisions) {
+  std::map<std::string, double, std::greater<>> by_place;
+  for (const Decision& one : decisions)
+    if (one.kind == DecisionKind::comment) by_place[one.place.substr(0, one.place.find(':'))] += one.number;
+  for (const auto& [where, number] : by_place) {
+    const Place place = find(result, where);
+    if (!place.exercise || place.exercise->status == Status::not_given) continue;
+    const double before = place.points(), after = std::clamp(before + number, 0.0, place.max_points());
+    if (place.category) place.category->points = after;
+    double& all = place.exercise->points;
+    all = std::clamp(all + after - before, 0.0, place.exercise->max_points);
+  }
+}
+
 void apply(SubmissionResult& result, const Decision& decision) {
   const Place place = find(result, decision.place);
   if (!decision.place.empty() && !place.exercise) return;
@@ -64,9 +96,9 @@ void apply(SubmissionResult& result, const Decision& decision) {
     case DecisionKind::points:
       return set_points(place, decision);
     case DecisionKind::comment:
-      if (place.exercise) return place.tell("The staff say: " + decision.why);
-      result.remarks.push_back("The staff say: " + decision.why);
-      return;
+      return say(result, {decision.place, decision.code,
+                          "The staff say: " + decision.why +
+                              (decision.number == 0 ? "" : " (" + signed_points(decision.number) + ")")});
     case DecisionKind::excuse:
       for (ExerciseResult& exercise : result.exercises)
         if (!place.exercise || &exercise == place.exercise) excuse(exercise, decision);
@@ -99,25 +131,49 @@ std::optional<DecisionKind> decision_kind_from(const std::string& word) {
   return static_cast<DecisionKind>(found - kKinds.begin());
 }
 
+std::string check_place(const std::string& place, const SubmissionResult& computed) {
+  SubmissionResult result = computed;
+  const Place found = find(result, place);
+  if (!place.empty() && !found.exercise)
+    throw BadInput(printable(place) + ": is no place in the result of " + result.name + "; there are " +
+                   places_of(result));
+  if (found.line == 0) return "";
+  std::istringstream source(found.exercise->source);
+  std::string text;
+  std::size_t lines = 0;
+  while (lines < found.line && std::getline(source, text)) ++lines;
+  if (lines < found.line)
+    throw BadInput(place + ": " +
+                   (lines == 0 ? "the record has no source of " + found.exercise->id +
+                                     "; grade again, or name the exercise"
+                               : "the file has " + std::to_string(lines) + " lines"));
+  if (text.ends_with('\r')) text.pop_back();
+  return text;
+}
+
 void check(Decision& decision, const SubmissionResult& computed) {
   SubmissionResult result = computed;
+  const bool is_comment = decision.kind == DecisionKind::comment;
+  decision.code = check_place(decision.place, computed);
   const Place place = find(result, decision.place);
-  if (!decision.place.empty() && !place.exercise)
-    throw BadInput(printable(decision.place) + ": is no place in the result of " + result.name +
-                   "; there are " + places_of(result));
+  if (place.line > 0 && !is_comment)
+    throw BadInput(decision.place + ": a line has no points; name its exercise or a category");
   if (decision.kind == DecisionKind::excuse && place.category)
     throw BadInput(decision.place + ": a category can't be excused alone; excuse " + place.exercise->id +
                    ", or set points");
   if (decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw BadInput(decision.kind == DecisionKind::comment
-                       ? "the comment is empty; write one"
-                       : "there is no reason; add --why TEXT, which the student sees");
+    throw BadInput(is_comment ? "the comment is empty; write one"
+                              : "there is no reason; add --why TEXT, which the student sees");
   if (decision.kind == DecisionKind::points) {
     if (!place.exercise) throw BadInput("points need a place; there are " + places_of(result));
     if (!(decision.number >= 0 && decision.number <= place.max_points() + kSamePoints))
       throw BadInput(shown_number(decision.number) + " points: " + decision.place + " is worth " +
                      shown_number(place.max_points()) + "; write a number from 0 to that");
   }
+  if (is_comment && (!std::isfinite(decision.number) || (decision.number != 0 && !place.exercise)))
+    throw BadInput(std::isfinite(decision.number)
+                       ? "points of a comment need a place; there are " + places_of(result)
+                       : "the points of a comment are no number; write one such as -2");
   if (decision.kind == DecisionKind::late_days && !(decision.number >= 0 && decision.number <= 366))
     throw BadInput(shown_number(decision.number) + " days: write a number from 0 to 366");
   decision.computed = place.exercise ? place.points() : points(computed);
@@ -130,13 +186,24 @@ SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>&
     return one.kind == DecisionKind::excuse ? 2 : one.place.find('.') != std::string::npos ? 1 : 0;
   });
   for (const Decision& decision : in_order) apply(computed, decision);
+  add_points_of_comments(computed, decisions);
   return computed;
+}
+
+void say(SubmissionResult& result, const Said& said) {
+  if (const Place place = find(result, said.place); place.exercise)
+    place.exercise->said.push_back(said);
+  else
+    result.remarks.push_back(said.text);
 }
 
 std::string decision_text(const Decision& decision) {
   std::string text = to_string(decision.kind) + (decision.place.empty() ? "" : " " + decision.place);
   if (decision.kind == DecisionKind::points)
     text += ": " + shown_number(decision.number) + " (computed: " + shown_number(decision.computed) + ")";
+  if (decision.kind == DecisionKind::comment) text += ", comment " + std::to_string(decision.comment);
+  if (decision.kind == DecisionKind::comment && decision.number != 0)
+    text += " (" + signed_points(decision.number) + ")";
   if (decision.kind == DecisionKind::late_days) text += ": " + shown_number(decision.number);
   return text + ": " + decision.why;
 }
@@ -145,14 +212,17 @@ std::vector<std::string> conflicts(const SubmissionResult& computed, const std::
   SubmissionResult result = computed;
   std::vector<std::string> lines;
   for (const Decision& decision : decisions) {
-    if (decision.kind != DecisionKind::points) continue;
+    const bool is_comment = decision.kind == DecisionKind::comment && !decision.place.empty();
+    if (decision.kind != DecisionKind::points && !is_comment) continue;
     const Place place = find(result, decision.place);
-    const std::string begin = result.name + ": " + decision.who + " set " + decision.place + " to " +
-                              shown_number(decision.number) + " where " + shown_number(decision.computed) +
-                              " points had been computed";
+    const std::string begin =
+        result.name + ": " + decision.who +
+        (is_comment ? " put comment " + std::to_string(decision.comment) + " at " + decision.place
+                    : " set " + decision.place + " to " + shown_number(decision.number) + " where " +
+                          shown_number(decision.computed) + " points had been computed");
     if (!place.exercise)
       lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
-    else if (std::abs(place.points() - decision.computed) > kSamePoints)
+    else if (!is_comment && std::abs(place.points() - decision.computed) > kSamePoints)
       lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
                       "; set it again, or unset it");
   }
