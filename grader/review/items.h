@@ -59,14 +59,9 @@ struct ItemPerson {
   std::string handed_in = {};
 };
 
-// Is a student's request that nobody has answered.
-struct Asked {
-  std::string name, place, text;
-};
-
 struct ItemFacts {
   std::map<std::string, ItemPerson> people;  // by the name of the row
-  std::vector<Asked> requests = {};
+  std::vector<Request> requests = {};
   HandInRules rules = {};
   std::map<RowOfItem, DeskRow> rows = {};
 };
