@@ -37,8 +37,8 @@ class DeskRows {
   std::map<RowOfItem, DeskRow> all();
   std::map<std::string, Versions> versions();  // by name, of all who have a result
 
-  // Stores that the record's user accepts it, and adds it to the log of its people with `detail`; without looks,
-  // that nobody has.
+  // Stores that the record's user accepts it, and adds that to the log of its people, with `detail`. Looks
+  // "": that nobody has accepted it.
   void accept(const RowOfItem& row, const std::string& looks, const std::vector<std::string>& people,
               const std::string& detail);
   void know(const std::map<RowOfItem, std::string>& looks);

@@ -52,6 +52,7 @@ void ItemList::refresh() {
   const std::optional<HiddenNames> hidden = record_.hidden_names();
   lines_ = lines_of(record_.class_list(), record_.hand_ins());
   if (hidden) lines_ = blind(lines_);
+  facts_.requests = record_.requests();
   facts_.rules = record_.rules();
   facts_.rows = rows_.all();
   items_ = items_of(facts_);

@@ -13,8 +13,8 @@
 
 namespace grader::inline review {
 
-// Others have decided an item, or its results have changed, since it was shown: nothing was saved. The text is
-// a sentence for the TA.
+// Others have decided an item, or its results have changed, since it was shown: nothing was saved. The text
+// is a sentence for the TA.
 struct ChangedMeanwhile : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -30,9 +30,9 @@ class ItemList {
   std::vector<ProgressOfTa> progress();
   const std::string& who() const { return who_; }
 
-  // Saves a decision about an item, in one transaction: `change` runs for each of its people, and the item is
-  // accepted. Without `change` it is accepted as it is. Throws ChangedMeanwhile if it is not as `version` says,
-  // and what `change` throws: then nothing is saved.
+  // Saves a decision about an item, in one transaction: `change` runs for each of its people, and the item
+  // is accepted. Without `change` it is accepted as it is. Throws ChangedMeanwhile if it is not as `version`
+  // says, and what `change` throws: then nothing is saved.
   using Change = std::function<void(Record& record, const std::string& name)>;
   void save(const std::string& key, const std::string& version, const Change& change = {});
 
@@ -41,13 +41,13 @@ class ItemList {
   std::string undo();
   void reopen(const std::string& key);  // nobody has decided it any more; decisions about points stay
 
-  // Tells others that this TA has it open, for a while (kOpenFor), and the one before not any more; "": none.
-  // Returns the other TA who has it open already; "": nobody.
+  // Tells others that this TA has it open, for a while (kOpenFor), and no other item; "": none. Returns the
+  // other TA who has it open already; "": nobody.
   std::string open(const std::string& key);
 
   enum class Way { on, back };
-  // Returns the key of the next chosen item that is undecided and that no other TA has open; after the last one
-  // comes the first. "": there is none but this.
+  // Returns the key of the next chosen item that is undecided and that no other TA has open; after the last
+  // one comes the first. "": there is none but this.
   std::string next(const std::string& key, const Choice& choice, Way way = Way::on);
 
   void share(const std::vector<std::string>& graders, ShareBy by);

@@ -18,7 +18,7 @@ namespace grader::inline review {
 namespace {
 
 constexpr int kLittleLate = 60;  // minutes
-constexpr int kFewestCases = 5;  // of fewer, all but one are not nearly all
+constexpr int kFewestCases = 5;  // all but one of fewer cases are not nearly all
 
 struct KindWords {
   const char *word, *heading;
@@ -62,7 +62,7 @@ std::string look_of(const SubmissionResult& result) {
 
 bool is_about(const Decision& decision, const Item& item) {
   return decision.place.empty() || item.exercise.empty() || decision.place == item.exercise ||
-         decision.place.starts_with(item.exercise + ".");
+         decision.place.starts_with(item.exercise + ".") || decision.place.starts_with(item.exercise + ":");
 }
 
 // Is true for an error near its limit, and if all but one of the cases hold.
@@ -101,7 +101,7 @@ class Making {
       whole(name, person);
       for (const ExerciseResult& exercise : person.computed.exercises) one(name, exercise);
     }
-    for (const Asked& request : facts_.requests) ask(request);
+    for (const Request& request : facts_.requests) ask(request);
     std::ranges::sort(items_, [](const Item& a, const Item& b) {
       return a.is_decided() != b.is_decided() ? b.is_decided() : comes_before(a, b);
     });
@@ -187,8 +187,7 @@ class Making {
     for (const Decision& decision : person.decisions)
       for (const std::string& line : conflicts(result, {decision})) {
         Item item{.kind = ItemKind::conflict, .place = decision.place, .people = {name}};
-        item.exercise = decision.place.substr(0, decision.place.find('.'));
-        if (item.exercise != decision.place) item.categories = {decision.place};
+        at(item, decision.place);
         item.why = line;
         add(std::move(item), line);
       }
@@ -281,12 +280,19 @@ class Making {
             " is off by FLIP " + shown_number(worst.flip));
   }
 
-  void ask(const Asked& request) {
-    Item item{.kind = ItemKind::request, .place = request.place, .people = {request.name}};
-    item.exercise = request.place.substr(0, request.place.find('.'));
-    if (item.exercise != request.place) item.categories = {request.place};
-    item.why = request.text;
-    add(std::move(item), request.text);
+  // An answer decides it, and nothing else does.
+  void ask(const Request& request) {
+    Item item{.kind = ItemKind::request, .place = std::to_string(request.id), .people = {request.name}};
+    at(item, request.place);
+    item.why = (request.place.empty() ? "" : request.place + ": ") + request.text;
+    add(std::move(item), request.text + request.answered);
+    items_.back().decided_by = request.answered_by;
+    items_.back().decided_at = request.answered;
+  }
+
+  static void at(Item& item, const std::string& place) {
+    item.exercise = place.substr(0, place.find_first_of(".:"));
+    if (place.find('.') != std::string::npos) item.categories = {place};
   }
 
   const ItemFacts& facts_;

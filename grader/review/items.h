@@ -1,7 +1,7 @@
 // STAFF ONLY. The list of items that a TA decides: each says why a person must look at a place of a class's
-// results. It is made anew from results, decisions and requests. What people did with an item is stored beside
-// it (grader/record/desk_rows.h), under a key that stays the same between calls and regrades; an item that
-// looks otherwise than when it was accepted is undecided again.
+// results. It is made anew from results, decisions and requests. What people did with an item is stored
+// beside it (grader/record/desk_rows.h), under a key that stays the same between calls and regrades; an item
+// that looks otherwise than when it was accepted is undecided again.
 #pragma once
 
 #include <map>
@@ -42,7 +42,7 @@ struct Item {
   double lost = 0;                               // is the most that one person has lost here
   std::optional<double> times = {};              // is the largest error, in limits; may be infinite
   std::string why = {};                          // is a sentence
-  std::string titles = {};                       // of exercise and categories, for the search
+  std::string titles = {};                       // are the exercise's and the categories', for the search
   std::string looks = {};                        // hashes the computed results here
   std::string version = {};                      // changes with these, and with decisions about them
   std::string owner = {};                        // is the TA whose item it is; "": nobody's
@@ -59,14 +59,9 @@ struct ItemPerson {
   std::string handed_in = {};
 };
 
-// Is a student's request that nobody has answered.
-struct Asked {
-  std::string name, place, text;
-};
-
 struct ItemFacts {
   std::map<std::string, ItemPerson> people;  // by the name of the row
-  std::vector<Asked> requests = {};
+  std::vector<Request> requests = {};
   HandInRules rules = {};
   std::map<RowOfItem, DeskRow> rows = {};
 };

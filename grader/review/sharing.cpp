@@ -48,7 +48,7 @@ std::map<RowOfItem, std::string> shared_out(const std::vector<Item>& items,
       ++counts[item.owner];
       if (!item.is_group) by_person.emplace(item.row().person, item.owner);
     }
-  // Of a group it is the owner of most people's sections; "": they have none.
+  // Returns the owner of most people's sections; "": they have none.
   const auto owner_of_section = [&](const Item& item) {
     Counts votes;
     for (const std::string& name : item.people)

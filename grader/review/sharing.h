@@ -13,9 +13,10 @@ namespace grader::inline review {
 
 enum class ShareBy { section, evenly };
 
-// Returns an owner for each item that has none of the `graders`; all others keep theirs. By section, a section
-// is one TA's, whichever items there are, and each TA has about as many people; a group's item belongs to the
-// section of most. Evenly, and without a section, a person's items are one TA's, who had the fewest.
+// Returns an owner for each item that has none of the `graders`; all others keep theirs. By section, a
+// section is one TA's, whichever items there are, and each TA has about as many people; a group's item
+// belongs to the section of most. Evenly, and without a section, a person's items are one TA's, who had the
+// fewest.
 std::map<RowOfItem, std::string> shared_out(const std::vector<Item>& items,
                                             const std::vector<std::string>& graders, ShareBy by,
                                             const std::vector<ClassLine>& people);
