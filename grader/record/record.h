@@ -147,6 +147,7 @@ class Record {
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
+  std::vector<std::string> conflicts(const std::string& name);  // see decisions.h
   // Replaces an earlier decision of this kind and place, but adds a comment (comments.h). Throws BadInput as
   // check does, and for an unknown name; undo does so, too, if there is no such decision. undo takes back all
   // comments of a place, or one.

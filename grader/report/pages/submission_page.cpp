@@ -4,6 +4,7 @@
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
+#include "grader/report/student_text.h"
 
 namespace grader::inline report {
 namespace {
@@ -78,6 +79,15 @@ Html cases_of(const ExerciseResult& exercise, Reader reader) {
   return all;
 }
 
+Html words_of_staff(const ExerciseResult& exercise) {
+  Html all;
+  for (const Said& said : exercise.said)
+    all += html("<div class=\"note\">{}{}{}</div>\n",
+                {about(said, exercise), said.code.empty() ? Html() : html("<pre>{}</pre>", {said.code}),
+                 html("<p class=\"said\">{}</p>", {said.text})});
+  return all;
+}
+
 Html exercise_section(const ExerciseResult& exercise, Reader reader, const PicturePlace& place) {
   Html section =
       html(R"(<section id="{}">
@@ -88,6 +98,7 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader, const Pictu
            {exercise.id, exercise.id, exercise.title, badge(exercise.status),
             points_of(exercise.points, exercise.max_points), exercise.extra_credit ? ", extra credit" : "",
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
+  section += words_of_staff(exercise);
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
   section += moments(exercise.pictures, "The whole run in pictures",
@@ -119,6 +130,8 @@ Html total_line(const SubmissionResult& result) {
   Html all = html("<p class=\"total\"><strong>{}</strong>{}{}</p>\n",
                   {total.substr(0, blank), total.substr(blank),
                    in_part ? ", " + shown_points(extra) + " of them extra credit" : ""});
+  if (const std::string to_come = not_given_yet(result); !to_come.empty())
+    all += html("<p class=\"adjustment\">Not final: {}</p>\n", {to_come});
   for (const Adjustment& adjustment : result.adjustments)
     all += html("<p class=\"adjustment\">{}: {} points</p>\n",
                 {adjustment.reason, shown_points(adjustment.points)});
@@ -166,6 +179,8 @@ const char* look_of(Status status) {
       return "part";
     case Status::missing:
     case Status::not_implemented:
+    case Status::given:
+    case Status::not_given:
       return "none";
     default:
       return "bad";
