@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostResults = 1;  // of an item's people are shown
+constexpr std::size_t kMostResults = 1;  // an item shows
 constexpr std::size_t kMostText = 4000;
 
 // Takes the text up to the next slash.
@@ -150,7 +150,7 @@ hair::WebAnswer Desk::save(const std::string& body) {
                     version = fields.value("version", "");
   const auto then = fields.value("then", std::vector<std::string>{});
   const auto since = fields.value("stamp", std::size_t{0});
-  std::string told, back = key;
+  std::string told = what == "skip" ? "" : "Saved.", back = key;
   try {
     if (what == "accept") {
       list_.save(key, version);
@@ -211,7 +211,7 @@ hair::WebAnswer Desk::page_of_class(const std::string& path) {
       return {200, report::study_page(one->result, one->study->own, one->study->beside_itself, people),
               hair::kHtmlType};
   }
-  return {404, "the desk has no such page\n"};
+  return {404, "the desk has no such page; files are written when it ends\n"};
 }
 
 hair::WebAnswer Desk::answer(const hair::WebRequest& request) {

@@ -1,5 +1,5 @@
-// STAFF ONLY. The desk: answers the requests of its page, which a TA decides items with. What is decided is in
-// the record before an answer is sent.
+// STAFF ONLY. Answers the requests of the desk's page, with which a TA decides items. A decision is in the
+// record before its answer is sent.
 //
 //   GET               the page; class/... are the pages of the class, made from the record
 //   GET item/N/KEY    an item, and the rows of the list that changed since the page's stamp N

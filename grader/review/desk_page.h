@@ -20,10 +20,10 @@ struct DeskPeople {
   std::map<std::string, ClassLine> lines;  // by hand-in
 };
 
-// Holds what stands beside an item. The results have people's decisions.
+// Holds the texts beside an item. The results have people's decisions.
 struct OpenItem {
   Item item;
-  std::vector<SubmissionResult> results;  // of its people, or of the first ones
+  std::vector<SubmissionResult> results;  // the first of its people's
   std::vector<std::string> decisions;     // a line each
   std::vector<Comment> comments;          // used before
   std::string request;                    // is the student's text

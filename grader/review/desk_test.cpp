@@ -1,4 +1,5 @@
-// STAFF ONLY. Tests the desk over its server: what strangers get, and what is in the record when an answer comes.
+// STAFF ONLY. Tests the desk over its server: strangers get nothing, and a decision is in the record when its
+// answer comes.
 #include "grader/review/desk.h"
 
 #include <gtest/gtest.h>

@@ -19,8 +19,8 @@ std::string student_page(
     const NamesForPeople& people = {});  // writes NAME/report.html, without the staff's texts
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people = {});  // staff/NAME.html
 
-// Writes the part of the staff's page about an exercise; all of it if there is no such exercise. `pictures` is
-// their folder, from the page on.
+// Writes the part of the staff's page about an exercise, or all of it if there is no such exercise.
+// `pictures` is their folder, from the page on.
 Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures);
 
 // Writes NAME/study.html for both. `beside_itself` is the reference's study of itself: the noise.
@@ -60,7 +60,8 @@ Html alike_part(const std::vector<SubmissionResult>& results,
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Is a script that lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
+// Is a script with which a reader sorts a table of class "class" by its columns with data-sort, "text" or
+// "number".
 std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet

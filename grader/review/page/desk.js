@@ -39,21 +39,26 @@ function sort() {
   choose();
 }
 
-function mark() {
-  for (const link of list.querySelectorAll("[aria-current]")) link.removeAttribute("aria-current");
+// The Tab key reaches one row of the list.
+function mark(scrolls) {
+  for (const link of list.querySelectorAll("[aria-current]")) {
+    link.removeAttribute("aria-current");
+    link.tabIndex = -1;
+  }
   const row = rowOf(current());
   if (!row) return;
   row.firstElementChild.setAttribute("aria-current", "true");
-  // Only the list scrolls, not the page.
+  row.firstElementChild.tabIndex = 0;
+  if (!scrolls) return;
+  // The page does not scroll with it.
   const top = row.offsetTop - list.offsetTop;
   if (top < list.scrollTop || top + row.offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = top - list.clientHeight / 3;
 }
 
 // Keys of the rows after this one, then of those before it.
-function others(step = 1) {
+function others() {
   const all = shown().map((row) => row.dataset.key), at = all.indexOf(current());
-  const ring = [...all.slice(at + 1), ...all.slice(0, Math.max(at, 0))];
-  return step > 0 ? ring : ring.reverse();
+  return [...all.slice(at + 1), ...all.slice(0, Math.max(at, 0))];
 }
 
 function take(answer) {
@@ -75,7 +80,7 @@ function take(answer) {
     article().querySelector("h2").focus({ preventScroll: true });
   }
   choose();
-  mark();
+  mark(answer.item);
 }
 
 async function ask(path, body) {
@@ -214,6 +219,6 @@ setInterval(() => {
 }, POLL);
 
 choose();
-mark();
+mark(true);
 const wanted = decodeURIComponent(location.hash.slice(1));
 if (wanted && wanted !== current() && rowOf(wanted)) show(wanted);
