@@ -18,10 +18,11 @@ struct RowOfItem {
 };
 
 struct DeskRow {
-  std::string looks, who, at;  // when it was accepted; `who` "": nobody decided, and these looks are known
-  std::string owner;           // "": nobody's
-  std::string open_by;         // had it open last
-  std::int64_t open_at = 0;    // is in seconds since 1970
+  std::string looks = {}, who = {},
+              at = {};       // when it was accepted; `who` "": nobody decided, and these looks are known
+  std::string owner = {};    // "": nobody's
+  std::string open_by = {};  // had it open last
+  std::int64_t open_at = 0;  // is in seconds since 1970
 };
 
 // Is a result's version: another one means that it is to be read again.

@@ -103,6 +103,20 @@ const Item& ItemList::as_shown(const std::string& key, const std::string& versio
                                             : "This has changed meanwhile; look at it again");
 }
 
+// Accepting an item about a decision says that it holds for the present points, too. Where its place is gone,
+// it goes.
+void ItemList::keep_decision(const std::string& name, const Item& item) {
+  const ItemPerson& person = facts_.people.at(name);
+  for (const Decision& decision : person.decisions) {
+    if (place_of_conflict(decision) != item.place || conflicts(person.computed, {decision}).empty()) continue;
+    try {
+      record_.decide(name, decision);
+    } catch (const BadInput&) {
+      record_.undo(name, decision.kind, decision.place, decision.comment);
+    }
+  }
+}
+
 void ItemList::save(const std::string& key, const std::string& version, const Change& change) {
   const std::lock_guard lock(one_at_a_time_);
   open(key);  // makes its row: taking the decision back must not remove it
@@ -111,7 +125,10 @@ void ItemList::save(const std::string& key, const std::string& version, const Ch
     refresh();
     item = as_shown(key, version);
     for (const std::string& name : item.people)
-      if (change) change(record_, name);
+      if (change)
+        change(record_, name);
+      else if (item.kind == ItemKind::conflict)
+        keep_decision(name, item);
     rows_.accept(item.row(), item.looks, item.people, heading_of(item.kind) + ": " + item.why);
   });
   saved_.push_back({key, std::move(changes), item.people});

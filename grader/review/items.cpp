@@ -186,7 +186,7 @@ class Making {
     }
     for (const Decision& decision : person.decisions)
       for (const std::string& line : conflicts(result, {decision})) {
-        Item item{.kind = ItemKind::conflict, .place = decision.place, .people = {name}};
+        Item item{.kind = ItemKind::conflict, .place = place_of_conflict(decision), .people = {name}};
         at(item, decision.place);
         item.why = line;
         add(std::move(item), line);
@@ -315,6 +315,10 @@ std::optional<ItemKind> kind_from(const std::string& word) {
   const auto* found = std::ranges::find_if(kWords, [&](const KindWords& one) { return one.word == word; });
   if (found == kWords.end()) return {};
   return static_cast<ItemKind>(found - kWords.begin());
+}
+
+std::string place_of_conflict(const Decision& decision) {
+  return decision.place + (decision.comment == 0 ? "" : " comment " + std::to_string(decision.comment));
 }
 
 RowOfItem Item::row() const {
