@@ -178,6 +178,10 @@ bool Database::in_transaction() const {
   return sqlite3_get_autocommit(connection_.get()) == 0;
 }
 
+std::pair<std::int64_t, std::int64_t> Database::changes() {
+  return {number("PRAGMA data_version"), sqlite3_total_changes64(connection_.get())};
+}
+
 std::string Database::changes_of(const std::function<void()>& changes) {
   sqlite3_session* made = nullptr;
   if (const int code = sqlite3session_create(connection_.get(), "main", &made); code != SQLITE_OK) fail(code);

@@ -35,6 +35,8 @@ class DeskRows {
  public:
   explicit DeskRows(Record& record) : record_(record) {}
 
+  // Returns another value if anything in the record has changed.
+  std::pair<std::int64_t, std::int64_t> state();
   std::map<RowOfItem, DeskRow> all();
   std::map<std::string, Versions> versions();  // by name, of all who have a result
 

@@ -37,6 +37,8 @@ std::int64_t ItemList::seconds_now() {
 }
 
 void ItemList::refresh() {
+  const auto state = rows_.state();
+  if (state == state_) return;
   std::map<std::string, Versions> versions = rows_.versions();
   std::erase_if(facts_.people, [&](const auto& one) { return !versions.contains(one.first); });
   for (const auto& [name, now] : versions) {
@@ -58,6 +60,7 @@ void ItemList::refresh() {
   items_ = items_of(facts_);
   if (hidden)
     for (Item& item : items_) item.why = hidden->in(item.why);
+  state_ = state;
 }
 
 std::vector<Item> ItemList::items() {
@@ -119,7 +122,9 @@ void ItemList::keep_decision(const std::string& name, const Item& item) {
 
 void ItemList::save(const std::string& key, const std::string& version, const Change& change) {
   const std::lock_guard lock(one_at_a_time_);
-  open(key);  // makes its row: taking the decision back must not remove it
+  refresh();
+  // Taking the decision back must not remove the item's row, with its owner.
+  if (const Item* known = found(key); known && !facts_.rows.contains(known->row())) open(key);
   Item item;
   std::string changes = record_.in_one([&] {
     refresh();

@@ -69,6 +69,7 @@ class ItemList {
   std::string who_;
   std::function<std::int64_t()> clock_;
   std::recursive_mutex one_at_a_time_;
+  std::pair<std::int64_t, std::int64_t> state_{-1, -1};  // is the record's when it was read
   std::map<std::string, Versions> versions_;
   ItemFacts facts_;
   std::vector<ClassLine> lines_;

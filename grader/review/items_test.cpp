@@ -129,13 +129,13 @@ TEST(Items, AreInOrderAndAPersonInAGroupIsNoOther) {
                     {4, "b", "", "", "Why?", "", "", "So.", "eve", "then"}};
   const std::string all =
       "broke-rules/S1/j\n"
-      "request/3/a\n"
+      "request/H2.3/a\n"
       "near-threshold/H3.1 up to 10 times the limit/\n"
       "near-threshold/H3/h\n"
       "near-threshold/H2/far\n"
       "blown-up/H1/i\n"
       "alike/H2.3 up to 10 times the limit, H2.4 more than a million times the limit/\n"
-      "request/4/b by eve\n";
+      "request//b by eve\n";
   const std::vector<Item> items = items_of(facts);
   ASSERT_EQ(keys(items), all);
   const Item& group = items[6];

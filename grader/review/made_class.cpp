@@ -138,7 +138,7 @@ std::vector<Planted> put_made_class(Record& record, std::size_t size) {
   });
   expect(ItemKind::near_threshold, "late", name_of(16), "20 minutes: free, or a day");
   expect(ItemKind::conflict, "S2.2", name_of(15), "full points: unset it");
-  expect(ItemKind::request, "1", name_of(17), "an answer");
+  expect(ItemKind::request, "H1.2", name_of(17), "an answer");
   return planted;
 }
 
