@@ -178,6 +178,10 @@ bool Database::in_transaction() const {
   return sqlite3_get_autocommit(connection_.get()) == 0;
 }
 
+std::pair<std::int64_t, std::int64_t> Database::changes() {
+  return {number("PRAGMA data_version"), sqlite3_total_changes64(connection_.get())};
+}
+
 std::string Database::changes_of(const std::function<void()>& changes) {
   sqlite3_session* made = nullptr;
   if (const int code = sqlite3session_create(connection_.get(), "main", &made); code != SQLITE_OK) fail(code);
@@ -200,9 +204,21 @@ bool Database::take_back(const std::string& changes) {
   int code = sqlite3changeset_invert(static_cast<int>(changes.size()), changes.data(), &size, &bytes);
   if (code != SQLITE_OK) fail(code);
   const std::unique_ptr<void, decltype(&sqlite3_free)> owner(bytes, &sqlite3_free);
-  code = sqlite3changeset_apply(
-      connection_.get(), size, bytes, nullptr,
-      [](void*, int, sqlite3_changeset_iter*) -> int { return SQLITE_CHANGESET_ABORT; }, nullptr);
+  bool is_used = false;
+  const auto apply = [&](int (*takes_table)(void*, const char*)) {
+    return sqlite3changeset_apply(
+        connection_.get(), size, bytes, takes_table,
+        [](void* used, int conflict, sqlite3_changeset_iter*) -> int {
+          *static_cast<bool*>(used) = conflict == SQLITE_CHANGESET_FOREIGN_KEY;
+          return SQLITE_CHANGESET_ABORT;
+        },
+        &is_used);
+  };
+  code = apply(nullptr);
+  // A comment that came with these changes stays if others use it by now.
+  if (is_used)
+    code = apply(
+        [](void*, const char* table) { return static_cast<int>(std::string_view(table) != "comments"); });
   if (code != SQLITE_OK && (code & 0xff) != SQLITE_ABORT) fail(code);
   return code == SQLITE_OK;
 }

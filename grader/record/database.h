@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 struct sqlite3;
@@ -63,6 +64,8 @@ class Database {
   bool shred();
 
   bool in_transaction() const;
+  // Counts changes of others and own ones: the same number means that nothing has changed.
+  std::pair<std::int64_t, std::int64_t> changes();
 
   // Runs `changes`, and returns what they changed in all tables but the log, for take_back.
   std::string changes_of(const std::function<void()>& changes);

@@ -3,6 +3,11 @@
 
 namespace grader::inline record {
 
+std::pair<std::int64_t, std::int64_t> DeskRows::state() {
+  const std::lock_guard lock(record_.one_at_a_time_);
+  return record_.database_.changes();
+}
+
 std::map<RowOfItem, DeskRow> DeskRows::all() {
   const std::lock_guard lock(record_.one_at_a_time_);
   std::map<RowOfItem, DeskRow> rows;

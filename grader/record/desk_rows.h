@@ -18,10 +18,11 @@ struct RowOfItem {
 };
 
 struct DeskRow {
-  std::string looks, who, at;  // when it was accepted; `who` "": nobody decided, and these looks are known
-  std::string owner;           // "": nobody's
-  std::string open_by;         // had it open last
-  std::int64_t open_at = 0;    // is in seconds since 1970
+  std::string looks = {}, who = {},
+              at = {};       // when it was accepted; `who` "": nobody decided, and these looks are known
+  std::string owner = {};    // "": nobody's
+  std::string open_by = {};  // had it open last
+  std::int64_t open_at = 0;  // is in seconds since 1970
 };
 
 // Is a result's version: another one means that it is to be read again.
@@ -34,6 +35,8 @@ class DeskRows {
  public:
   explicit DeskRows(Record& record) : record_(record) {}
 
+  // Returns another value if anything in the record has changed.
+  std::pair<std::int64_t, std::int64_t> state();
   std::map<RowOfItem, DeskRow> all();
   std::map<std::string, Versions> versions();  // by name, of all who have a result
 

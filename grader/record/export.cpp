@@ -80,11 +80,24 @@ std::string Record::export_json() {
                          {"reason", text(row, 2)},
                          {"whose", text(row, 3)}});
       });
+  OrderedJson desk = OrderedJson::array();
+  database_.each(
+      "SELECT what, coalesce(name, ''), who, at, owner FROM desk_items LEFT JOIN people ON people.id = "
+      "person "
+      "WHERE assignment = ? ORDER BY desk_items.id",
+      {assignment}, [&](const DatabaseRow& row) {
+        desk.push_back({{"item", text(row, 0)},
+                        {"whose", text(row, 1)},
+                        {"accepted_by", text(row, 2)},
+                        {"at", text(row, 3)},
+                        {"owner", text(row, 4)}});
+      });
   OrderedJson all = {{"version", database_.number("PRAGMA user_version")}};
   if (!hand_in_.empty()) all["hand_in"] = hand_in_;
   all["made_by"] = json_or_null(database_.text("SELECT made_by FROM assignments WHERE id = ?", {assignment}));
   all["people"] = people;
   all["listed_files"] = files;
+  all["desk"] = desk;
   return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -37,6 +37,8 @@ std::int64_t ItemList::seconds_now() {
 }
 
 void ItemList::refresh() {
+  const auto state = rows_.state();
+  if (state == state_) return;
   std::map<std::string, Versions> versions = rows_.versions();
   std::erase_if(facts_.people, [&](const auto& one) { return !versions.contains(one.first); });
   for (const auto& [name, now] : versions) {
@@ -58,6 +60,7 @@ void ItemList::refresh() {
   items_ = items_of(facts_);
   if (hidden)
     for (Item& item : items_) item.why = hidden->in(item.why);
+  state_ = state;
 }
 
 std::vector<Item> ItemList::items() {
@@ -103,15 +106,34 @@ const Item& ItemList::as_shown(const std::string& key, const std::string& versio
                                             : "This has changed meanwhile; look at it again");
 }
 
+// Accepting an item about a decision says that it holds for the present points, too. Where its place is gone,
+// it goes.
+void ItemList::keep_decision(const std::string& name, const Item& item) {
+  const ItemPerson& person = facts_.people.at(name);
+  for (const Decision& decision : person.decisions) {
+    if (place_of_conflict(decision) != item.place || conflicts(person.computed, {decision}).empty()) continue;
+    try {
+      record_.decide(name, decision);
+    } catch (const BadInput&) {
+      record_.undo(name, decision.kind, decision.place, decision.comment);
+    }
+  }
+}
+
 void ItemList::save(const std::string& key, const std::string& version, const Change& change) {
   const std::lock_guard lock(one_at_a_time_);
-  open(key);  // makes its row: taking the decision back must not remove it
+  refresh();
+  // Taking the decision back must not remove the item's row, with its owner.
+  if (const Item* known = found(key); known && !facts_.rows.contains(known->row())) open(key);
   Item item;
   std::string changes = record_.in_one([&] {
     refresh();
     item = as_shown(key, version);
     for (const std::string& name : item.people)
-      if (change) change(record_, name);
+      if (change)
+        change(record_, name);
+      else if (item.kind == ItemKind::conflict)
+        keep_decision(name, item);
     rows_.accept(item.row(), item.looks, item.people, heading_of(item.kind) + ": " + item.why);
   });
   saved_.push_back({key, std::move(changes), item.people});

@@ -31,8 +31,8 @@ class ItemList {
   const std::string& who() const { return who_; }
 
   // Saves a decision about an item, in one transaction: `change` runs for each of its people, and the item
-  // is accepted. Without `change` it is accepted as it is. Throws ChangedMeanwhile if it is not as `version`
-  // says, and what `change` throws: then nothing is saved.
+  // is accepted. Without `change` it is accepted as it is, and a decision that it is about holds. Throws
+  // ChangedMeanwhile if it is not as `version` says, and what `change` throws: then nothing is saved.
   using Change = std::function<void(Record& record, const std::string& name)>;
   void save(const std::string& key, const std::string& version, const Change& change = {});
 
@@ -60,6 +60,7 @@ class ItemList {
 
   static std::int64_t seconds_now();
   void refresh();
+  void keep_decision(const std::string& name, const Item& item);
   const Item* found(const std::string& key) const;  // null: there is none
   const Item& as_shown(const std::string& key, const std::string& version) const;
 
@@ -68,6 +69,7 @@ class ItemList {
   std::string who_;
   std::function<std::int64_t()> clock_;
   std::recursive_mutex one_at_a_time_;
+  std::pair<std::int64_t, std::int64_t> state_{-1, -1};  // is the record's when it was read
   std::map<std::string, Versions> versions_;
   ItemFacts facts_;
   std::vector<ClassLine> lines_;

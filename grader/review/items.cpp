@@ -101,7 +101,7 @@ class Making {
       whole(name, person);
       for (const ExerciseResult& exercise : person.computed.exercises) one(name, exercise);
     }
-    for (const Request& request : facts_.requests) ask(request);
+    requests();
     std::ranges::sort(items_, [](const Item& a, const Item& b) {
       return a.is_decided() != b.is_decided() ? b.is_decided() : comes_before(a, b);
     });
@@ -186,7 +186,7 @@ class Making {
     }
     for (const Decision& decision : person.decisions)
       for (const std::string& line : conflicts(result, {decision})) {
-        Item item{.kind = ItemKind::conflict, .place = decision.place, .people = {name}};
+        Item item{.kind = ItemKind::conflict, .place = place_of_conflict(decision), .people = {name}};
         at(item, decision.place);
         item.why = line;
         add(std::move(item), line);
@@ -280,14 +280,23 @@ class Making {
             " is off by FLIP " + shown_number(worst.flip));
   }
 
-  // An answer decides it, and nothing else does.
-  void ask(const Request& request) {
-    Item item{.kind = ItemKind::request, .place = std::to_string(request.id), .people = {request.name}};
-    at(item, request.place);
-    item.why = (request.place.empty() ? "" : request.place + ": ") + request.text;
-    add(std::move(item), request.text + request.answered);
-    items_.back().decided_by = request.answered_by;
-    items_.back().decided_at = request.answered;
+  // What a person asks about a place is one item. Answers decide it, and nothing else does.
+  void requests() {
+    std::map<std::pair<std::string, std::string>, std::vector<const Request*>> asked;
+    for (const Request& request : facts_.requests) asked[{request.name, request.place}].push_back(&request);
+    for (const auto& [where, all] : asked) {
+      Item item{.kind = ItemKind::request, .place = where.second, .people = {where.first}};
+      at(item, where.second);
+      const bool is_open = std::ranges::any_of(all, &Request::is_open);
+      std::string look;
+      for (const Request* request : all) {
+        look += request->text + request->answered + "\n";
+        if (request->is_open() == is_open) item.why += (item.why.empty() ? "" : "\n") + request->text;
+      }
+      add(std::move(item), look);
+      items_.back().decided_by = is_open ? "" : all.back()->answered_by;
+      items_.back().decided_at = is_open ? "" : all.back()->answered;
+    }
   }
 
   static void at(Item& item, const std::string& place) {
@@ -315,6 +324,10 @@ std::optional<ItemKind> kind_from(const std::string& word) {
   const auto* found = std::ranges::find_if(kWords, [&](const KindWords& one) { return one.word == word; });
   if (found == kWords.end()) return {};
   return static_cast<ItemKind>(found - kWords.begin());
+}
+
+std::string place_of_conflict(const Decision& decision) {
+  return decision.place + (decision.comment == 0 ? "" : " comment " + std::to_string(decision.comment));
 }
 
 RowOfItem Item::row() const {
