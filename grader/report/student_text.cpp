@@ -29,6 +29,14 @@ std::string about(const Said& said, const ExerciseResult& exercise) {
   return said.place + " " + exercise.cases.at(std::stoul(number) - 1).name + ": ";
 }
 
+std::string said_of_exercise(const ExerciseResult& exercise) {
+  std::string all = exercise.feedback;
+  for (const Said& said : exercise.said)
+    all += (all.empty() ? "" : "\n") + about(said, exercise) + (said.code.empty() ? "" : said.code + "\n") +
+           said.text;
+  return all;
+}
+
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
 }
@@ -47,11 +55,8 @@ std::string student_text(const SubmissionResult& whole) {
   if (const std::string said = said_of_the_whole(result); !said.empty()) text += hair::readable(said) + "\n";
   for (const ExerciseResult& exercise : result.exercises) {
     text += "\n" + line_of(exercise) + "\n";
-    if (!exercise.feedback.empty()) text += hair::readable(exercise.feedback) + "\n";
-    for (const Said& said : exercise.said)
-      text +=
-          hair::readable(about(said, exercise) + (said.code.empty() ? "" : said.code + "\n") + said.text) +
-          "\n";
+    if (const std::string said = said_of_exercise(exercise); !said.empty())
+      text += hair::readable(said) + "\n";
     if (!exercise.compiler_messages.empty()) text += hair::readable(exercise.compiler_messages) + "\n";
     std::size_t number = 0;
     for (const CaseResult& one : exercise.cases) {

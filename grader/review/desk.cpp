@@ -190,7 +190,7 @@ hair::WebAnswer Desk::save(const std::string& body) {
 }
 
 hair::WebAnswer Desk::page_of_class(const std::string& path) {
-  std::string rest = path;
+  std::string rest = path.ends_with('/') ? "" : path;
   const std::string first = take(rest), second = take(rest);
   const NamesForPeople people = record_.names_for_people();
   const auto recorded = [&](const std::string& name) {

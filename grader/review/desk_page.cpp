@@ -170,7 +170,8 @@ Html row_of(const Item& item, const DeskPeople& people) {
   }
   return html(
       "<li data-key=\"{}\" data-kind=\"{}\" data-exercise=\"{}\" data-section=\"{}\" data-owner=\"{}\" "
-      "data-lost=\"{}\" data-words=\"{}\"{}><a href=\"#\" tabindex=\"-1\"><span class=\"name\">{}</span><span "
+      "data-lost=\"{}\" data-words=\"{}\"{}><a href=\"#\" tabindex=\"-1\"><span "
+      "class=\"name\">{}</span><span "
       "class=\"number\">{}</span><span class=\"quiet\">{}{}</span><span class=\"quiet "
       "number\">{}</span></a></li>\n",
       {item.key(), word_of(item.kind), item.exercise, section, item.owner, std::to_string(item.lost), words,

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "grader/report/facts/sample_results.h"
+#include "grader/review/made_class.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/serve/test_client.h"
 
@@ -16,9 +16,11 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kPeople = 30;
+
 std::filesystem::path class_in(const std::filesystem::path& folder) {
   Record record(folder);
-  for (const SubmissionResult& result : sample_class(8)) record.put({result});
+  put_made_class(record, kPeople);
   return folder;
 }
 
@@ -34,11 +36,15 @@ struct Ta {
   std::string save_text(const std::string& body) const {
     return client.answer("POST " + client.base + "save", client.own(), body);
   }
-  Item first(const std::string& name) {
-    for (const Item& item : desk.list().items())
-      if (item.people == std::vector{name} && !item.exercise.empty() && !item.is_decided()) return item;
-    ADD_FAILURE() << "no item of " << name;
-    return {};
+  // Returns undecided items of one person and exercise each.
+  std::vector<Item> some() {
+    std::vector<Item> all = desk.list().items();
+    std::erase_if(all, [](const Item& one) {
+      return one.people.size() != 1 || one.exercise.empty() || one.is_decided() ||
+             one.kind == ItemKind::request;
+    });
+    EXPECT_GT(all.size(), 2U);
+    return all;
   }
 
   Record record;
@@ -69,13 +75,13 @@ class DeskTest : public testing::Test {
 TEST_F(DeskTest, ShowsItsPagesAndNoOtherFile) {
   Ta ada(folder_, "ada");
   hair::write_file(folder_ / "grades.csv", "planted");
-  for (const char* path : {"", "class/index.html", "class/staff/alice.html", "class/bob/report.html"})
+  for (const char* path : {"", "class/index.html", "class/staff/p001.html", "class/p002/report.html"})
     EXPECT_EQ(status_of(ada.get(path)), 200) << path;
   for (const char* path :
        {"class/class.sqlite", "class/../class.sqlite", "class/staff/../../class.sqlite", "../class.sqlite",
         "class/%2e%2e/grades.csv", "class/staff/pictures/../../grades.csv", "class/grades.csv",
         "class/staff/pictures/..%2f..%2fgrades.csv", "class/staff/pictures/%00.png",
-        "class/staff/nobody.html", "class/staff/alice.html/", "class/alice/study.html", "class//etc/passwd",
+        "class/staff/nobody.html", "class/staff/p001.html/", "class/p001/study.html", "class//etc/passwd",
         "item", "save", "news/", "item/9999999999999999999999/x", "x"}) {
     const std::string answer = ada.get(path);
     const bool is_list = status_of(answer) == 200 && body_of(answer).contains("rows");
@@ -87,7 +93,8 @@ TEST_F(DeskTest, ShowsItsPagesAndNoOtherFile) {
 
 TEST_F(DeskTest, TakesOnlyWhatItsPageSends) {
   Ta ada(folder_, "ada");
-  const Item item = ada.first("bob");
+  const Item item = ada.some().front();
+  const std::string name = item.people.front();
   const auto with = [&](const std::string& field, const json& value) {
     json fields = fields_of(item, "points");
     fields["number"] = "1";
@@ -119,7 +126,7 @@ TEST_F(DeskTest, TakesOnlyWhatItsPageSends) {
     const std::string answer = ada.save_text(body);
     EXPECT_EQ(status_of(answer) / 100, 4) << body.substr(0, 80) << "\n" << answer.substr(0, 300);
   }
-  EXPECT_TRUE(Record(folder_).decisions("bob").empty());
+  EXPECT_TRUE(Record(folder_).decisions(name).empty());
   EXPECT_FALSE(ada.desk.list().find(item.key())->is_decided());
 }
 
@@ -135,37 +142,40 @@ TEST_F(DeskTest, HasSavedWhenItAnswers) {
                                        {"points", "points ada why;"},
                                        {"comment", "comment ada why;"},
                                        {"excuse", "excuse ada why;"}}) {
-    const Item item = ada.first("bob");
+    const Item item = ada.some().front();
+    const std::string name = item.people.front();
     json fields = fields_of(item, action);
     fields["text"] = "why";
     fields["number"] = std::string(action) == "points" ? "1" : "";
-    const std::string before = kinds("bob"), answer = ada.save(fields);
+    const std::string before = kinds(name), answer = ada.save(fields);
     EXPECT_EQ(status_of(answer), 200) << answer;
-    EXPECT_EQ(kinds("bob"), before + wanted);
+    EXPECT_EQ(kinds(name), before + wanted);
     const std::optional<Item> now = Ta(folder_, "ben").desk.list().find(item.key());
     EXPECT_TRUE(!now || now->decided_by == "ada") << "another TA sees it";
     EXPECT_EQ(status_of(ada.save({{"do", "undo"}})), 200);
-    EXPECT_EQ(kinds("bob"), before);
+    EXPECT_EQ(kinds(name), before);
   }
 }
 
 TEST_F(DeskTest, AnswersARequestOnce) {
-  Record(folder_).ask("bob", "S1", "Please look at <b>line 3</b>");
+  Record(folder_).ask("p001", "S1", "Please look at <b>line 3</b>");
   Ta ada(folder_, "ada");
   const std::vector<Item> items = ada.desk.list().items();
-  const auto item = std::ranges::find(items, ItemKind::request, &Item::kind);
+  const auto item = std::ranges::find_if(
+      items, [](const Item& one) { return one.kind == ItemKind::request && one.people.front() == "p001"; });
   ASSERT_NE(item, items.end());
   json fields = fields_of(*item, "answer");
   fields["text"] = "It is wrong there.";
   EXPECT_NE(ada.get("item/0/" + item->key()).find("&lt;b&gt;line 3"), std::string::npos);
   EXPECT_EQ(status_of(ada.save(fields)), 200);
-  EXPECT_EQ(Record(folder_).requests().front().answer, "It is wrong there.");
+  EXPECT_EQ(Record(folder_).requests().back().answer, "It is wrong there.");
   EXPECT_EQ(status_of(ada.save(fields)), 409) << "it is answered";
 }
 
 TEST_F(DeskTest, TellsTheSecondOfTwoWhoSaveAtOnce) {
   Ta ada(folder_, "ada"), ben(folder_, "ben");
-  const Item item = ada.first("bob");
+  const Item item = ada.some().front();
+  const std::string name = item.people.front();
   std::string answers[2];
   {
     const auto saves = [&](const Ta& ta, const char* points, std::string& answer) {
@@ -181,7 +191,7 @@ TEST_F(DeskTest, TellsTheSecondOfTwoWhoSaveAtOnce) {
   EXPECT_EQ(status_of(answers[1 - first]), 409) << answers[1 - first];
   const json told = body_of(answers[1 - first]);
   EXPECT_NE(std::string(told["told"]).find(first == 0 ? "ada" : "ben"), std::string::npos) << told["told"];
-  const std::vector<Decision> decisions = Record(folder_).decisions("bob");
+  const std::vector<Decision> decisions = Record(folder_).decisions(name);
   ASSERT_EQ(decisions.size(), 1U);
   EXPECT_EQ(decisions.front().who, first == 0 ? "ada" : "ben");
   // The second one knows now, and may save over it.
@@ -194,7 +204,8 @@ TEST_F(DeskTest, TellsTheSecondOfTwoWhoSaveAtOnce) {
 
 TEST_F(DeskTest, GoesOnWithOneThatNobodyElseHasOpen) {
   Ta ada(folder_, "ada"), ben(folder_, "ben");
-  const Item item = ada.first("bob"), taken = ada.first("dave"), next = ada.first("erin");
+  const std::vector<Item> some = ada.some();
+  const Item &item = some[0], &taken = some[1], &next = some[2];
   EXPECT_EQ(status_of(ben.get("item/0/" + taken.key())), 200);
   json fields = fields_of(item, "accept");
   fields["then"] = {taken.key(), next.key()};

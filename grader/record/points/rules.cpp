@@ -64,7 +64,8 @@ void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, c
 
 // Ids are places, columns and parts of pages' links.
 bool is_id(const std::string& id) {
-  return !id.empty() && id.size() <= 20 && std::isalpha(static_cast<unsigned char>(id.front())) != 0 &&
+  return !id.empty() && id != "all" && id.size() <= 20 &&
+         std::isalpha(static_cast<unsigned char>(id.front())) != 0 &&
          std::ranges::all_of(id,
                              [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
 }

@@ -52,7 +52,7 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 .good { color: var(--good); background: var(--good-soft); } .part { color: var(--part); background: var(--part-soft); }
 .bad { color: var(--bad); background: var(--bad-soft); } .none { color: var(--none); background: var(--none-soft); }
 .note, .stamp { max-width: none; margin: 1.25rem 0; padding: .75rem 1rem; border-left: .25rem solid; border-radius: .25rem; }
-.note { color: var(--part); background: var(--part-soft); }
+.note { color: var(--part); background: var(--part-soft); white-space: pre-line; overflow-wrap: anywhere; }
 .stamp { color: var(--bad); background: var(--bad-soft); font-weight: 600; }
 .bars { display: flex; align-items: flex-end; gap: .25rem; height: 8rem; margin: .75rem 0 0; padding: 0; list-style: none; }
 .bars li { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; height: 100%; text-align: center;
