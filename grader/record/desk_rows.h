@@ -5,45 +5,53 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "grader/record/points/decisions.h"
+#include "grader/record/record.h"
 
 namespace grader::inline record {
 
-class Record;
-
 struct RowOfItem {
-  std::string what;    // is the item's kind and place: "near H2.3"
-  std::string person;  // is the name of a row; "": of several people
+  std::string what;    // is the item's kind and place: "near-threshold H2"
+  std::string person;  // is the name of a row; "": the item is of several people
 
   auto operator<=>(const RowOfItem&) const = default;
 };
 
 struct DeskRow {
-  std::string looks, who, at;  // when it was accepted; "": nobody has
-  std::string owner;           // "": nobody's
-  std::string open_by;         // had it open last
-  std::int64_t open_at = 0;    // are seconds since 1970
+  std::string looks = {}, who = {},
+              at = {};       // when it was accepted; `who` "": nobody decided, and these looks are known
+  std::string owner = {};    // "": nobody's
+  std::string open_by = {};  // had it open last
+  std::int64_t open_at = 0;  // is in seconds since 1970
 };
 
-// Each change is one transaction, and a part of the one of Record::in_one.
+// Is a result's version: another one means that it is to be read again.
+struct Versions {
+  std::int64_t result = 0, all = 0;  // all: also of decisions
+};
+
+// Each change is one transaction, or a part of that of Record::in_one.
 class DeskRows {
  public:
   explicit DeskRows(Record& record) : record_(record) {}
 
+  // Returns another value if anything in the record has changed.
+  std::pair<std::int64_t, std::int64_t> state();
   std::map<RowOfItem, DeskRow> all();
-  // Stores who accepted it; the log has it. `looks` "": takes that back.
-  void accept(const RowOfItem& row, const std::string& looks);
-  // Stores looks of several without a log entry: nobody decided.
+  std::map<std::string, Versions> versions();  // by name, of all who have a result
+
+  // Stores that the record's user accepts it, and adds that to the log of its people, with `detail`. Looks
+  // "": that nobody has accepted it.
+  void accept(const RowOfItem& row, const std::string& looks, const std::vector<std::string>& people,
+              const std::string& detail);
   void know(const std::map<RowOfItem, std::string>& looks);
   void give(const std::map<RowOfItem, std::string>& owners);
-  // Tells others that this one has it open; "" as `who`: not any more.
-  void open(const RowOfItem& row, const std::string& who, std::int64_t now);
-  // Puts a person's decisions of a place back to what they were.
-  void put_back(const std::string& name, const std::vector<Decision>& decisions);
+  // Says that the record's user has it open, and no other item.
+  void open(const std::optional<RowOfItem>& row, std::int64_t now);
 
  private:
+  std::int64_t id_of(const RowOfItem& row);  // makes it
+
   Record& record_;
 };
 

@@ -92,6 +92,18 @@ std::string Record::export_json() {
                          {"reason", text(row, 2)},
                          {"whose", text(row, 3)}});
       });
+  OrderedJson desk = OrderedJson::array();
+  database_.each(
+      "SELECT what, coalesce(name, ''), who, at, owner FROM desk_items LEFT JOIN people ON people.id = "
+      "person "
+      "WHERE assignment = ? ORDER BY desk_items.id",
+      {assignment}, [&](const DatabaseRow& row) {
+        desk.push_back({{"item", text(row, 0)},
+                        {"whose", text(row, 1)},
+                        {"accepted_by", text(row, 2)},
+                        {"at", text(row, 3)},
+                        {"owner", text(row, 4)}});
+      });
   OrderedJson comments = OrderedJson::array();
   for (const Comment& one : read_comments())
     comments.push_back({{"id", one.id}, {"text", one.text}, {"points", one.points}});
@@ -101,6 +113,7 @@ std::string Record::export_json() {
   all["people"] = people;
   all["comments"] = comments;
   all["listed_files"] = files;
+  all["desk"] = desk;
   return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -52,7 +52,7 @@ bool Record::is_in(const fs::path& folder) {
 Record::Record(const fs::path& folder, Journal journal) : Record(folder, "", journal) {}
 
 Record::Record(const fs::path& folder, std::string hand_in, Journal journal)
-    : hand_in_(std::move(hand_in)), database_(folder / kRecordFile, journal) {
+    : hand_in_(std::move(hand_in)), who_(user()), database_(folder / kRecordFile, journal) {
   migrate(database_);
 }
 
@@ -95,7 +95,25 @@ void Record::add_to_log(std::optional<std::int64_t> person, const std::string& d
   database_.run(
       "INSERT INTO log (at, who, assignment, person, did, detail) VALUES (strftime('%Y-%m-%d %H:%M:%S', "
       "'now'), ?, ?, ?, ?, ?)",
-      {user(), assignment(), person ? Value(*person) : Value(nullptr), did, detail});
+      {who_, assignment(), person ? Value(*person) : Value(nullptr), did, detail});
+}
+
+std::string Record::in_one(const std::function<void()>& changes) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  std::string made = database_.changes_of(changes);
+  transaction.commit();
+  return made;
+}
+
+bool Record::take_back(const std::string& changes, const std::vector<std::string>& people,
+                       const std::string& what) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  if (!database_.take_back(changes)) return false;
+  for (const std::string& name : people) add_to_log(known_person(name), "took back", what);
+  transaction.commit();
+  return true;
 }
 
 std::string Record::now() {
@@ -199,6 +217,12 @@ std::optional<Recorded> Record::find(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   return read(name);
+}
+
+std::optional<SubmissionResult> Record::find_without_pictures(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  std::optional<Recorded> found = read(name, false);
+  return found ? std::optional(std::move(found->result)) : std::nullopt;
 }
 
 std::optional<Recorded> Record::read(const std::string& name, bool with_pictures) {

@@ -65,6 +65,13 @@ class Record {
   explicit Record(const std::filesystem::path& folder, Journal journal = Journal::best);
   Record(const std::filesystem::path& folder, std::string hand_in, Journal journal = Journal::best);
 
+  // Names who changes it from now on, in place of this process's user.
+  void act_as(std::string who) { who_ = std::move(who); }
+  // Makes all changes of `changes` one transaction: nothing is changed if it throws. Returns them for
+  // take_back, which returns false, and changes nothing, if others have changed the same rows since.
+  std::string in_one(const std::function<void()>& changes);
+  bool take_back(const std::string& changes, const std::vector<std::string>& people, const std::string& what);
+
   const std::string& hand_in() const { return hand_in_; }
   std::filesystem::path pages() const;        // is the folder of its pages: the record's, or one below
   std::vector<std::string> named_hand_ins();  // lists the record's, in the order of their due dates
@@ -121,6 +128,8 @@ class Record {
   // BadInput if it is damaged.
   std::optional<Recorded> find(const std::string& name);
   std::optional<Recorded> find_decided(const std::string& name);
+  // Does as find, without the bytes of pictures.
+  std::optional<SubmissionResult> find_without_pictures(const std::string& name);
 
   // Uses other rules; `change` may change points before these apply.
   using ChangePoints = std::function<void(SubmissionResult&)>;
@@ -182,6 +191,7 @@ class Record {
   std::string export_json();  // returns all data except pictures' bytes
 
  private:
+  friend class DeskRows;
   struct Dated;  // another hand-in of the record, with a due date
 
   std::int64_t assignment();
@@ -217,8 +227,8 @@ class Record {
   std::string picture(const std::string& digest);
   void remove_pictures_that_none_shows();
 
-  std::string hand_in_;
-  std::mutex one_at_a_time_;
+  std::string hand_in_, who_;
+  std::recursive_mutex one_at_a_time_;  // in_one holds it, too
   Database database_;
 };
 

@@ -72,7 +72,7 @@ void Record::put_comment(std::int64_t person, Decision& decision) {
   }
   database_.run(
       "INSERT OR REPLACE INTO commented VALUES (?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', 'now'))",
-      {decision.comment, person, decision.place, decision.code, user()});
+      {decision.comment, person, decision.place, decision.code, who_});
 }
 
 Comment Record::change_comment(std::int64_t id, const std::string& text, double points) {
@@ -125,7 +125,7 @@ std::int64_t Record::ask(const std::string& name, const std::string& place, cons
   database_.run(
       "INSERT INTO requests (assignment, person, place, code, text, who, at) VALUES (?, ?, ?, ?, ?, ?, "
       "strftime('%Y-%m-%d %H:%M:%S', 'now'))",
-      {assignment(), id, place, code, text, user()});
+      {assignment(), id, place, code, text, who_});
   const std::int64_t made = database_.number("SELECT last_insert_rowid()");
   add_to_log(id, "asked", place + (place.empty() ? "" : ": ") + text);
   transaction.commit();
@@ -144,7 +144,7 @@ Request Record::answer(std::int64_t id, const std::string& text) {
       "UPDATE requests SET answer = ?, answered_by = ?, answered = strftime('%Y-%m-%d %H:%M:%S', 'now') "
       "WHERE "
       "id = ?",
-      {text, user(), id});
+      {text, who_, id});
   add_to_log(known_person(request.name), "answered", std::to_string(id) + ": " + text);
   transaction.commit();
   return request;

@@ -135,7 +135,7 @@ void Record::decide(const std::string& name, Decision decision) {
         "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "
         "'now'))",
         {assignment(), id, to_string(decision.kind), decision.place, decision.number, decision.computed,
-         decision.why, user()});
+         decision.why, who_});
   add_to_log(id, "decided", decision_text(decision));
   transaction.commit();
 }

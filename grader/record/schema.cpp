@@ -110,6 +110,22 @@ UPDATE class SET all_extra_credit = EXISTS (SELECT 1 FROM assignments WHERE made
   OR EXISTS (SELECT 1 FROM people);
 )";
 
+constexpr const char* kDesk = R"(
+CREATE TABLE desk_items (
+  id INTEGER PRIMARY KEY,
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER REFERENCES people ON DELETE CASCADE,  -- null: of several people
+  what TEXT NOT NULL,             -- kind and place, see grader/record/desk_rows.h
+  looks TEXT NOT NULL DEFAULT '', -- when it was accepted
+  who TEXT NOT NULL DEFAULT '',   -- accepted it
+  at TEXT NOT NULL DEFAULT '',
+  owner TEXT NOT NULL DEFAULT '',
+  open_by TEXT NOT NULL DEFAULT '',
+  open_at INTEGER NOT NULL DEFAULT 0
+) STRICT;
+CREATE UNIQUE INDEX desk_item ON desk_items (assignment, ifnull(person, 0), what);
+)";
+
 // Comments were decisions with a text of their own; equal ones become one.
 constexpr const char* kComments = R"(
 CREATE TABLE comments (
@@ -152,7 +168,7 @@ CREATE INDEX requests_of_person ON requests (person);
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kBase, kExtraCredit, kComments};
+  static const std::vector<std::string> all = {kBase, kExtraCredit, std::string(kComments) + kDesk};
   return all;
 }
 

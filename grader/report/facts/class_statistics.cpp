@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kFewest = 10;  // fewer people have no strong and weak ones
 constexpr double kEnds = 0.27;       // is a share of the class
-constexpr std::size_t kFewestAlike = 3, kFewestLost = 2;
 
 using Results = std::vector<SubmissionResult>;
 
@@ -147,26 +146,6 @@ std::vector<SectionStatistics> section_statistics(const Results& results,
                    quantile(reached, 0.75)});
   }
   return all;
-}
-
-std::vector<FailAlike> who_fail_alike(const Results& results) {
-  std::map<std::pair<std::string, std::vector<std::string>>, std::vector<std::string>> found;
-  for (const SubmissionResult& result : results)
-    for (const ExerciseResult& exercise : result.exercises) {
-      std::vector<std::string> lost;
-      for (std::size_t i = 0; i < exercise.cases.size(); ++i)
-        if (exercise.cases[i].status != Status::passed) lost.push_back(number(exercise, i));
-      // A person who loses all categories shows no single misunderstanding.
-      if (exercise.status != Status::excused && lost.size() >= kFewestLost &&
-          lost.size() < exercise.cases.size())
-        found[{exercise.id, std::move(lost)}].push_back(result.name);
-    }
-  std::vector<FailAlike> groups;
-  for (auto& [key, people] : found)
-    if (people.size() >= kFewestAlike) groups.push_back({key.first, key.second, std::move(people)});
-  std::stable_sort(groups.begin(), groups.end(),
-                   [](const auto& a, const auto& b) { return a.people.size() > b.people.size(); });
-  return groups;
 }
 
 }  // namespace grader::report

@@ -1,8 +1,8 @@
 // STAFF ONLY. Writes the class's page.
 #include <algorithm>
-#include <map>
 #include <utility>
 
+#include "grader/report/facts/alike.h"
 #include "grader/report/facts/class_statistics.h"
 #include "grader/report/facts/columns.h"
 #include "grader/report/facts/text.h"
@@ -20,18 +20,18 @@ struct Readers {
   bool are_public;
   const NamesForPeople& people;
 
-  std::string page_of(const SubmissionResult& result) const {
-    return are_public ? result.name + "/report.html" : "staff/" + result.name + ".html";
+  std::string page_of(const std::string& name) const {
+    return are_public ? name + "/report.html" : "staff/" + name + ".html";
   }
-  Html link(const SubmissionResult& result, const std::string& exercise, const std::string& text) const {
-    return html("<a href=\"{}{}{}\">{}</a>", {page_of(result), exercise.empty() ? "" : "#", exercise, text});
+  Html link(const std::string& name, const std::string& exercise, const std::string& text) const {
+    return html("<a href=\"{}{}{}\">{}</a>", {page_of(name), exercise.empty() ? "" : "#", exercise, text});
   }
   // Leads to the first exercise that it is about.
   Html decided_link(const SubmissionResult& result, const Decided& decided) const {
-    return link(result, decided.place.substr(0, decided.place.find('.')), in_short(decided));
+    return link(result.name, decided.place.substr(0, decided.place.find('.')), in_short(decided));
   }
   Html person_link(const SubmissionResult& result) const {
-    return link(result, "", shown_name(result.name, people)) += folder_beside(result.name, people);
+    return link(result.name, "", shown_name(result.name, people)) += folder_beside(result.name, people);
   }
 };
 
@@ -68,7 +68,7 @@ Html to_look_at(const Results& results, const Readers& readers) {
       for (const ExerciseResult& one : result.exercises)
         // A note stands above, whatever the exercises' status.
         if (one.status == status && !one.points_set && result.note.empty())
-          all += html("{}{}", {all.text.empty() ? "" : " ", readers.link(result, one.id, one.id)});
+          all += html("{}{}", {all.text.empty() ? "" : " ", readers.link(result.name, one.id, one.id)});
       return all;
     });
   if (groups.text.empty()) groups = html("<p>Nothing stands out: all passed, at least in part.</p>\n");
@@ -76,21 +76,22 @@ Html to_look_at(const Results& results, const Readers& readers) {
 }
 
 Html alike_part(const Results& results, const Readers& readers) {
-  std::map<std::string, const SubmissionResult*> named;
-  for (const SubmissionResult& result : results) named[result.name] = &result;
   Html items;
   for (const FailAlike& group : who_fail_alike(results)) {
     Html people;
     for (const std::string& name : group.people)
       people += html("{}{}", {people.text.empty() ? "" : ", ",
-                              readers.link(*named.at(name), group.exercise, called(name, readers.people))});
+                              readers.link(name, group.exercise, called(name, readers.people))});
+    std::vector<std::string> lost = group.categories;
+    for (std::size_t i = 0; i < lost.size(); ++i)
+      if (const std::string size = in_words(group.sizes[i]); !size.empty()) lost[i] += " (" + size + ")";
     items += html("<details><summary>{} people lose {}</summary><p>{}</p></details>\n",
-                  {group.people.size(), in_a_row(group.categories), people});
+                  {group.people.size(), in_a_row(lost), people});
   }
   if (items.text.empty()) return {};
   return html(R"(<section id="alike">
 <h2>Who fail alike</h2>
-<p class="quiet">The same categories of an exercise, two at least: one misunderstanding, or one source (hairgrade similar).</p>
+<p class="quiet">The same categories of an exercise, by errors of the same size: one misunderstanding, one source (hairgrade similar), or a limit of ours that is wrong.</p>
 {}</section>
 )",
               {items});
@@ -112,7 +113,7 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
     row += html(
         "<td class=\"number\" data-id=\"{}\" data-value=\"{}\"><a class=\"badge {}\" "
         "href=\"{}#{}\" title=\"{}: {}{}\">{}</a></td>",
-        {column.id, shown_points(exercise->points), look_of(exercise->status), readers.page_of(result),
+        {column.id, shown_points(exercise->points), look_of(exercise->status), readers.page_of(result.name),
          column.id, column.id, to_string(exercise->status),
          exercise->points_set ? "; a person set points" : "", in_short(*exercise)});
   }
@@ -164,7 +165,9 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   const Html alike = alike_part(results, readers);
   const Html files = html(
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a href=\"costs.html\">what grading "
-      "cost</a></p>\n");
+      "cost</a></p>\n<p "
+      "class=\"quiet\"><code>hairgrade review</code> with the "
+      "name of this folder opens a desk for the decisions.</p>\n");
   Html body = stamps(least_isolation(results), all_with_images(results));
   body += run_section(facts.run);
   body += html(

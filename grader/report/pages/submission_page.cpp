@@ -99,7 +99,7 @@ Html words_of_staff(const ExerciseResult& exercise) {
   return all;
 }
 
-Html exercise_section(const ExerciseResult& exercise, Reader reader) {
+Html exercise_section(const ExerciseResult& exercise, Reader reader, const PicturePlace& place) {
   Html section =
       html(R"(<section id="{}">
 <h2>{} {}</h2>
@@ -112,9 +112,8 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
   section += words_of_staff(exercise);
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
-  section +=
-      moments(exercise.pictures, "The whole run in pictures",
-              run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place_of(reader));
+  section += moments(exercise.pictures, "The whole run in pictures",
+                     run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place);
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
@@ -151,6 +150,24 @@ Html total_line(const SubmissionResult& result) {
   return all;
 }
 
+Html sections_of(const SubmissionResult& result, Reader reader, const PicturePlace& place) {
+  Html body;
+  for (const Decided& decided : result.decided)
+    if (!decided.conflict.empty()) body += html("<p class=\"stamp\">{}</p>\n", {decided.conflict});
+  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
+  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
+  body += overview(result);
+  // The overview has the course's order; below it exercises that lost points come first.
+  using enum Status;
+  for (const bool later : {false, true})
+    for (const ExerciseResult& exercise : result.exercises) {
+      const Status status = exercise.status;
+      if ((status == passed || status == excused || status == given || status == not_given) == later)
+        body += exercise_section(exercise, reader, place);
+    }
+  return body;
+}
+
 Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople& people) {
   Html body = stamps(result.isolation, result.images);
   body += html("<header>\n<h1>{}</h1>\n", {shown_name(result.name, people)});
@@ -163,19 +180,7 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
          result.fingerprint.substr(0, 16)});
   }
   body += html("</header>\n<main>\n");
-  for (const Decided& decided : result.decided)
-    if (!decided.conflict.empty()) body += html("<p class=\"stamp\">{}</p>\n", {decided.conflict});
-  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
-  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
-  body += overview(result);
-  // The overview has the course's order; below it exercises that lost points come first.
-  using enum Status;
-  for (const bool later : {false, true})
-    for (const ExerciseResult& exercise : result.exercises) {
-      const Status status = exercise.status;
-      if ((status == passed || status == excused || status == given || status == not_given) == later)
-        body += exercise_section(exercise, reader);
-    }
+  body += sections_of(result, reader, place_of(reader));
   if (result.studied)
     body += html("<p><a href=\"{}study.html\">Error against run time</a> of small scenes, beside ours.</p>\n",
                  {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
@@ -231,6 +236,12 @@ std::string student_page(const SubmissionResult& result, const NamesForPeople& p
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
   return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people), {},
                    Pictures::beside);
+}
+
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures) {
+  const ExerciseResult* one = find_exercise(result, exercise);
+  return one ? exercise_section(*one, Reader::staff, {pictures})
+             : sections_of(result, Reader::staff, {pictures});
 }
 
 }  // namespace grader::report

@@ -30,7 +30,7 @@ MHD_Result send(MHD_Connection* to, unsigned status, MHD_Response* response, con
 
 struct Stream {
   std::function<std::optional<std::string>()> next;
-  std::string rest = {};  // of the last piece
+  std::string rest = {};  // the last piece's
 };
 
 MHD_Result send(MHD_Connection* to, WebAnswer answer) {
