@@ -210,7 +210,7 @@ class Record {
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
   SubmissionResult computed(const std::string& name);  // with places for points by hand
-  void put_comment(std::int64_t person, Decision& decision);
+  void put_comment(std::int64_t person, Decision& decision, const std::string& title);
   std::vector<Comment> read_comments();
   Comment known_comment(std::int64_t id);
   std::vector<Request> read_requests(const std::string& name = "");  // "": everybody's

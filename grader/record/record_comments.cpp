@@ -34,7 +34,7 @@ std::vector<Comment> Record::read_comments() {
   std::vector<Comment> all;
   database_.each(
       "SELECT comments.id, text, points, name, place, code, who, at FROM comments LEFT JOIN commented ON "
-      "comment = comments.id LEFT JOIN people ON people.id = person WHERE assignment = ? ORDER BY "
+      "comment = comments.id LEFT JOIN people ON people.id = person WHERE comments.assignment = ? ORDER BY "
       "comments.id, name, place",
       {assignment()}, [&](const DatabaseRow& row) {
         if (all.empty() || all.back().id != row.number(0))
@@ -60,7 +60,7 @@ Comment Record::comment(std::int64_t id) {
 }
 
 // Finds the comment by its id, or by text and points, or makes it.
-void Record::put_comment(std::int64_t person, Decision& decision) {
+void Record::put_comment(std::int64_t person, Decision& decision, const std::string& title) {
   if (decision.comment == 0)
     decision.comment =
         database_.number("SELECT min(id) FROM comments WHERE assignment = ? AND text = ? AND points = ?",
@@ -71,8 +71,8 @@ void Record::put_comment(std::int64_t person, Decision& decision) {
     decision.comment = database_.number("SELECT last_insert_rowid()");
   }
   database_.run(
-      "INSERT OR REPLACE INTO commented VALUES (?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', 'now'))",
-      {decision.comment, person, decision.place, decision.code, who_});
+      "INSERT OR REPLACE INTO commented VALUES (?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', 'now'))",
+      {assignment(), decision.comment, person, decision.place, title, decision.code, who_});
 }
 
 Comment Record::change_comment(std::int64_t id, const std::string& text, double points) {
@@ -118,14 +118,16 @@ std::int64_t Record::ask(const std::string& name, const std::string& place, cons
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
-  const std::string code = check_place(place, computed(name));
+  const SubmissionResult result = computed(name);
+  const std::string code = check_place(place, result);
   check_text(text, "request");
   for (const Request& one : read_requests(name))
     if (one.place == place && one.text == text) return 0;
   database_.run(
-      "INSERT INTO requests (assignment, person, place, code, text, who, at) VALUES (?, ?, ?, ?, ?, ?, "
+      "INSERT INTO requests (assignment, person, place, title, code, text, who, at) VALUES (?, ?, ?, ?, ?, "
+      "?, ?, "
       "strftime('%Y-%m-%d %H:%M:%S', 'now'))",
-      {assignment(), id, place, code, text, who_});
+      {assignment(), id, place, category_at(place, result), code, text, who_});
   const std::int64_t made = database_.number("SELECT last_insert_rowid()");
   add_to_log(id, "asked", place + (place.empty() ? "" : ": ") + text);
   transaction.commit();

@@ -17,7 +17,7 @@ std::vector<Decision> Record::decisions_of(const std::string& name) {
       "SELECT kind, place, number, computed, why, who, at, 0 AS comment, '' FROM decisions JOIN people ON "
       "people.id = person WHERE assignment = ? AND name = ? UNION ALL SELECT ?, place, points, 0, text, who, "
       "at, comment, code FROM commented JOIN comments ON comments.id = comment JOIN people ON people.id = "
-      "person WHERE assignment = ? AND name = ? ORDER BY 1, place, comment",
+      "person WHERE commented.assignment = ? AND name = ? ORDER BY 1, place, comment",
       {assignment(), name, to_string(DecisionKind::comment), assignment(), name},
       [&](const DatabaseRow& row) {
         const std::optional<DecisionKind> kind = decision_kind_from(row.text(0));
@@ -129,7 +129,7 @@ void Record::decide(const std::string& name, Decision decision) {
   }
   check(decision, computed(name));
   if (decision.kind == DecisionKind::comment)
-    put_comment(id, decision);
+    put_comment(id, decision, category_at(decision.place, computed(name)));
   else
     database_.run(
         "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "

@@ -135,9 +135,11 @@ CREATE TABLE comments (
   points REAL NOT NULL            -- given at each of its places, or below 0 taken
 ) STRICT;
 CREATE TABLE commented (
+  assignment INTEGER NOT NULL REFERENCES assignments,
   comment INTEGER NOT NULL REFERENCES comments,
   person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
   place TEXT NOT NULL,            -- as of decisions, or 'H2:17', a line of its file
+  title TEXT NOT NULL,            -- of its category
   code TEXT NOT NULL,             -- that line
   who TEXT NOT NULL,
   at TEXT NOT NULL,
@@ -146,14 +148,15 @@ CREATE TABLE commented (
 CREATE INDEX commented_with ON commented (comment);
 INSERT INTO comments (assignment, text, points)
   SELECT assignment, why, 0 FROM decisions WHERE kind = 'comment' GROUP BY assignment, why ORDER BY min(at);
-INSERT INTO commented SELECT comments.id, person, place, '', who, at FROM decisions
-  JOIN comments ON comments.assignment = decisions.assignment AND text = why WHERE kind = 'comment';
+INSERT INTO commented SELECT assignment, comments.id, person, place, '', '', who, at FROM decisions
+  JOIN comments USING (assignment) WHERE text = why AND kind = 'comment';
 DELETE FROM decisions WHERE kind = 'comment';
 CREATE TABLE requests (
   id INTEGER PRIMARY KEY,
   assignment INTEGER NOT NULL REFERENCES assignments,
   person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
   place TEXT NOT NULL,
+  title TEXT NOT NULL,
   code TEXT NOT NULL,
   text TEXT NOT NULL,
   who TEXT NOT NULL,              -- entered it

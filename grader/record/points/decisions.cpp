@@ -177,6 +177,11 @@ std::string check_place(const std::string& place, const SubmissionResult& comput
   return text;
 }
 
+std::string category_at(const std::string& place, SubmissionResult result) {
+  const CaseResult* category = find(result, place).category;
+  return category ? category->name : "";
+}
+
 void check(Decision& decision, const SubmissionResult& computed) {
   SubmissionResult result = computed;
   const bool is_comment = decision.kind == DecisionKind::comment;

@@ -37,6 +37,9 @@ struct Decision {
 // Throws BadInput for a place that is not in the result. Returns the line of "H2:17", "" for other places.
 std::string check_place(const std::string& place, const SubmissionResult& computed);
 
+// Returns the title of a category; "" for other places.
+std::string category_at(const std::string& place, SubmissionResult result);
+
 // Throws BadInput, a line that says what would be right: for a place that the result does not have, for
 // points that the place is not worth, and for a missing reason. Sets `computed` and `code`.
 void check(Decision& decision, const SubmissionResult& computed);
