@@ -7,6 +7,8 @@
 namespace grader::inline report {
 namespace {
 
+using hair::escaped;
+
 // Counts test cases by element; "" are those that passed.
 using Counts = std::map<std::string, std::size_t>;
 
@@ -30,30 +32,16 @@ std::string element_of(Status status) {
   }
 }
 
-// Line breaks and tabs would become spaces in an attribute.
-std::string attribute(const std::string& bytes) {
-  std::string text;
-  for (const char c : hair::escaped(bytes)) {
-    if (c == '\n')
-      text += "&#10;";
-    else if (c == '\t')
-      text += "&#9;";
-    else
-      text += c;
-  }
-  return text;
-}
-
 std::string test_case(Counts& counts, const std::string& suite, const std::string& name, Status status,
                       const std::string& message) {
   const std::string element = element_of(status);
   ++counts[element];
   const std::string head =
-      "    <testcase classname=\"" + attribute(suite) + "\" name=\"" + attribute(name) + "\"";
+      "    <testcase classname=\"" + escaped(suite) + "\" name=\"" + escaped(name) + "\"";
   if (element.empty()) return head + "/>\n";
   const std::string type = element == "skipped" ? "" : "\" type=\"" + to_string(status);
   return head + ">\n      <" + element + " message=\"" +
-         attribute(message.empty() ? to_string(status) : message) + type + "\"/>\n    </testcase>\n";
+         escaped(message.empty() ? to_string(status) : message) + type + "\"/>\n    </testcase>\n";
 }
 
 std::string suite_of(const SubmissionResult& result) {
@@ -72,7 +60,7 @@ std::string suite_of(const SubmissionResult& result) {
   }
   std::size_t tests = 0;
   for (const auto& [element, count] : counts) tests += count;
-  return "  <testsuite name=\"" + attribute(result.name) + "\" tests=\"" + std::to_string(tests) +
+  return "  <testsuite name=\"" + escaped(result.name) + "\" tests=\"" + std::to_string(tests) +
          "\" failures=\"" + std::to_string(counts["failure"]) + "\" errors=\"" +
          std::to_string(counts["error"]) + "\" skipped=\"" + std::to_string(counts["skipped"]) + "\">\n" +
          cases + "  </testsuite>\n";

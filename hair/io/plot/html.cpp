@@ -99,8 +99,8 @@ body:has(.overview) { max-width: 130rem; } main:has(.overview) { display: grid; 
 main:has(.overview) > * { grid-column: 2; } main > :has(> .overview) { grid-area: 1 / 1 / span 99; position: sticky; top: 1rem; } .category { width: 20%; } .saw { width: 55%; }
 }
 @media screen and (min-width: 100rem) {
-main:has(.class):not(:has(> .fold)) { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 3rem; align-items: start; }
-main:has(.class) > :is([id=submissions], [id=hand-ins], [id=pictures]) { grid-column: 1 / -1; }
+main:has(.class):not(:has(> .fold :checked)) { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 3rem; align-items: start; }
+main:has(.class) > :is(.fold, [id=submissions], [id=hand-ins], [id=pictures]) { grid-column: 1 / -1; }
 }
 /* A row is a card: it fits a telephone and a sheet of paper. */
 @media (max-width: 40rem), print {
