@@ -82,7 +82,7 @@ TEST(Items, AreOfTheseKinds) {
       {"a decision for other points", points(3, 5, "H2"), "conflict/H2/ann\n", "bob set H2 to 3"},
       {"a place that is gone", points(1, 1, "H2.9"), "conflict/H2.9/ann\n", "now there is no H2.9"},
       {"below 10 times the limit", becomes(made_exercise("H2", {{3, 6.6}, {5, 1e7}})),
-       "near-threshold/H2/ann\n", "H2 is nearly right: H2.3 (Ill-conditioned): 6.60 times the limit"},
+       "near-threshold/H2/ann\n", "H2 is nearly right: H2.3 (Ill-conditioned): 6.6 times the limit"},
       {"10 times the limit", becomes(made_exercise("H2", {{3, 10.5}})), ""},
       {"all but one of the cases", held(12, 11), "near-threshold/H2/ann\n", "11 of 12 cases hold"},
       {"all but two", held(12, 10), ""},
