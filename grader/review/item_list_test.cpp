@@ -70,7 +70,7 @@ TEST_F(Lists, DecideForAllOrForNobody) {
   EXPECT_EQ(last.who + " " + last.did + " " + last.detail.substr(0, 10), "ada accepted fail alike");
 }
 
-// Of two who save at once, one is told, and loses nothing.
+// Two save at once: one of them is told, and nothing is lost.
 TEST_F(Lists, TellTheSecond) {
   const std::string shown = version_of(bob_, kNear), group = version_of(bob_, kGroup);
   ada_.save(kNear, version_of(ada_, kNear), points("H2.3", 2));
@@ -143,6 +143,7 @@ TEST_F(Lists, GoOnToWhatNobodyHasOpen) {
   EXPECT_EQ(ada_.next(kNear, {.exercise = "H2"}), "") << "there is only this one";
 
   EXPECT_EQ(bob_.open(kNear), "");
+  EXPECT_EQ(bob_.open(kNear), "") << "it is his own";
   EXPECT_EQ(ada_.open(kNear), "bob");
   EXPECT_EQ(ada_.next(flo, {}), kGroup);
   now_ += kOpenFor.count();

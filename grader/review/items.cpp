@@ -280,7 +280,7 @@ class Making {
             " is off by FLIP " + shown_number(worst.flip));
   }
 
-  // What a person asks about a place is one item. Answers decide it, and nothing else does.
+  // A person's requests about a place are one item. Answers decide it, and nothing else does.
   void requests() {
     std::map<std::pair<std::string, std::string>, std::vector<const Request*>> asked;
     for (const Request& request : facts_.requests) asked[{request.name, request.place}].push_back(&request);

@@ -57,7 +57,8 @@ TEST(Items, AreOfTheseKinds) {
   two_files.id = "S2";
   two_files.status = Status::not_taken;
   two_files.feedback = "There are two versions of S2.cpp.";
-  const ExerciseResult right = made_exercise("H2");
+  const ExerciseResult right = made_exercise("H2"),
+                       all_lost = made_exercise("H6", {{1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}});
   const auto points = [](double number, double computed, const char* place) {
     return [=](ItemPerson& person) {
       person.decisions = {
@@ -97,6 +98,7 @@ TEST(Items, AreOfTheseKinds) {
       {"a picture that is far off",
        becomes(with_picture(made_exercise("H6", {{1, 1e7}, {8, 50}}), 0.2, true)),
        "far-in-pictures/H6/ann\n"},
+      {"nothing but a picture that is far off", becomes(with_picture(all_lost, 0.2, true)), ""},
       {"a picture near ours", becomes(with_picture(made_exercise("H6", {{1, 1e7}, {8, 50}}), 0.2, false)),
        ""},
       {"in time", late("2025-03-04 23:59:10"), ""},
@@ -146,7 +148,7 @@ TEST(Items, AreInOrderAndAPersonInAGroupIsNoOther) {
   EXPECT_NEAR(*group.times, 5e7, 1);
 }
 
-// What was accepted stays so while it looks the same, whatever else changes; its version says if a decision
+// An accepted item stays so while it looks the same, whatever else changes; its version says if a decision
 // about it was made since it was shown.
 TEST(Items, ComeBackWhenTheyLookOtherwise) {
   ItemFacts facts = facts_of({made_result("ann", {made_exercise("H2", {{3, 2}}), made_exercise("S1")}),
@@ -188,6 +190,12 @@ TEST(Items, ComeBackWhenTheyLookOtherwise) {
       {"points of another", decide("ben", "H2.3"), true, true, single},
       {"one more person",
        [](ItemFacts& now) {
+         now.people["flo"] = {made_result("flo", {made_exercise("H3", {{1, 60}})})};
+       },
+       false, false, group},
+      {"another person in place of one",
+       [](ItemFacts& now) {
+         now.people.erase("ed");
          now.people["flo"] = {made_result("flo", {made_exercise("H3", {{1, 60}})})};
        },
        false, false, group},
