@@ -180,9 +180,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   record.set_run(reference, run);
   batch.results = write_class_files(settings.out, record, written);
   for (const std::string& name : record.names())
-    if (const std::vector<Decision> decisions = record.decisions(name); !decisions.empty())
-      for (std::string& line : conflicts(record.find(name).value_or(Recorded{}).result, decisions))
-        batch.conflicts.push_back(std::move(line));
+    std::ranges::move(record.conflicts(name), std::back_inserter(batch.conflicts));
   batch.kept = static_cast<int>(batch.results.size()) - batch.graded;
   return batch;
 }

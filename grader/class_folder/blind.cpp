@@ -67,6 +67,9 @@ void hide(const HiddenNames& names, SubmissionResult& result) {
   for (ExerciseResult& exercise : result.exercises) {
     for (std::string* text : {&exercise.feedback, &exercise.compiler_messages, &exercise.staff_log})
       cover(*text);
+    for (Said& said : exercise.said)
+      for (std::string* text : {&said.code, &said.text}) cover(*text);
+    cover(exercise.source);
     for (CaseResult& one : exercise.cases)
       for (std::string* text : {&one.feedback, &one.detail, &one.memory_error}) cover(*text);
   }

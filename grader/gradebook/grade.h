@@ -16,7 +16,7 @@ struct Grade {
   double points = 0, max_points = 0;
   std::vector<std::pair<std::string, double>> exercises{};  // id, points
   bool excused = false;
-  bool not_final = false;              // a part of it ended by wall time
+  std::string not_final{};             // why, "the clock ended a part of it"; "": it is final
   std::vector<std::string> entered{};  // are cells that gradebooks got so far
 };
 

@@ -5,6 +5,7 @@
 
 #include "grader/course/input.h"
 #include "grader/record/record.h"
+#include "grader/report/facts/columns.h"
 
 namespace grader::inline gradebook {
 
@@ -24,10 +25,11 @@ std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& 
                                                [](const Decision& one) {
                                                  return one.kind == DecisionKind::excuse && one.place.empty();
                                                }),
-                .not_final = !result.ended_by_the_clock.empty(),
+                .not_final = result.ended_by_the_clock.empty() ? not_given_yet(result)
+                                                               : "the clock ended a part of it",
                 .entered = record.entered(hand_in.name)};
     for (const ExerciseResult& exercise : result.exercises)
-      grade.exercises.emplace_back(exercise.id, exercise.points);
+      if (is_given(exercise)) grade.exercises.emplace_back(exercise.id, exercise.points);
     grades.push_back(std::move(grade));
   }
   if (grades.empty()) throw BadInput(where + ": its record has no grades yet; grade first");

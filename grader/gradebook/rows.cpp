@@ -155,7 +155,7 @@ Gradebook plain_rows(const std::string& system, const Csv* exported, const std::
     if (grade) {
       cells[3] = grade->excused ? "" : shown_points(grade->points);
       cells[4] = shown_points(grade->max_points);
-      cells[5] = grade->excused ? "excused" : grade->not_final ? "not final" : "graded";
+      cells[5] = grade->excused ? "excused" : !grade->not_final.empty() ? "not final" : "graded";
       ++book.written;
     }
     book.csv += csv_line(cells);

@@ -147,13 +147,15 @@ class Record {
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
+  std::vector<std::string> conflicts(const std::string& name);  // see decisions.h
   // Replaces an earlier decision of this kind and place, but adds a comment (comments.h). Throws BadInput as
   // check does, and for an unknown name; undo does so, too, if there is no such decision. undo takes back all
   // comments of a place, or one.
   void decide(const std::string& name, Decision decision);
   void undo(const std::string& name, DecisionKind kind, const std::string& place, std::int64_t comment = 0);
 
-  std::vector<Comment> comments();  // by id; also those that nobody has any more
+  std::vector<Comment> comments();   // by id; also those that nobody has any more
+  Comment comment(std::int64_t id);  // throws BadInput for an unknown id, as the others do
   // Changes it for all who have it, and returns it as it was. Throws BadInput for an unknown id, no text, and
   // points where it is not at a place.
   Comment change_comment(std::int64_t id, const std::string& text, double points);

@@ -54,6 +54,11 @@ Comment Record::known_comment(std::int64_t id) {
   return with_id(read_comments(), id, "comment");
 }
 
+Comment Record::comment(std::int64_t id) {
+  const std::lock_guard lock(one_at_a_time_);
+  return known_comment(id);
+}
+
 // Finds the comment by its id, or by text and points, or makes it.
 void Record::put_comment(std::int64_t person, Decision& decision) {
   if (decision.comment == 0)

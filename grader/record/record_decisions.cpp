@@ -33,6 +33,11 @@ std::vector<Decision> Record::decisions(const std::string& name) {
   return decisions_of(name);
 }
 
+std::vector<std::string> Record::conflicts(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  return grader::conflicts(computed(name), decisions_of(name));
+}
+
 HandInRules Record::rules_from(const std::string& text) const {
   return text.empty()
              ? HandInRules{}
@@ -73,7 +78,7 @@ SubmissionResult Record::under_rules(SubmissionResult result, HandInRules rules,
   const std::string name = result.name;
   const auto [time, files, marked_late] = handed_in(here, name);
   const MoreDays more{days_given(here, name), free_days_left(rules, name)};
-  result = decided(std::move(result), decisions_of(name));
+  result = decided(with_by_hand(rules, std::move(result)), decisions_of(name));
   for (const Request& one : read_requests(name)) {
     std::string text = "You asked on " + one.at.substr(0, kDate) + ": " + one.text + "\n";
     text += one.is_open() ? "The staff have not answered yet."
@@ -106,7 +111,8 @@ std::optional<SubmissionResult> Record::find_under(const std::string& name, cons
 }
 
 SubmissionResult Record::computed(const std::string& name) {
-  if (std::optional<Recorded> found = read(name, false)) return std::move(found->result);
+  if (std::optional<Recorded> found = read(name, false))
+    return with_by_hand(stored_rules(), std::move(found->result));
   SubmissionResult nothing;
   nothing.name = name;
   return nothing;

@@ -31,9 +31,11 @@ std::string test_case(Counts& counts, const std::string& suite, const std::strin
   std::string element;
   switch (status) {
     case Status::passed:
+    case Status::given:
       return head + "/>\n";
     case Status::missing:
     case Status::not_implemented:
+    case Status::not_given:
       element = "skipped";
       ++counts.skipped;
       break;

@@ -57,7 +57,7 @@ std::string grades_csv(const std::vector<SubmissionResult>& results, const std::
                                    result.images ? "yes" : "no"};
     for (const Column& column : columns) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
-      cells.push_back(exercise ? shown_points(exercise->points) : "");
+      cells.push_back(exercise && is_given(*exercise) ? shown_points(exercise->points) : "");
       cells.push_back(exercise ? to_string(exercise->status) : "");
     }
     cells.push_back(result.note);

@@ -71,7 +71,7 @@ Json test(const ExerciseResult& exercise, const std::string& number, const std::
                {"number", number},
                {"score", rounded_points(points)},
                {"max_score", rounded_points(max_points)},
-               {"status", status == Status::passed ? "passed" : "failed"}};
+               {"status", status == Status::passed || is_by_hand(exercise) ? "passed" : "failed"}};
   put_output(test, output, pictures);
   test.update(Json{{"tags", Json::array({exercise.id})},
                    {"visibility", "visible"},
@@ -85,7 +85,8 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
   for (const ExerciseResult& exercise : result.exercises) {
     if (exercise.cases.empty()) {
       tests.push_back(test(exercise, exercise.id, exercise.title, exercise.status, exercise.points,
-                           exercise.max_points, joined(exercise.feedback, exercise.compiler_messages)));
+                           exercise.max_points,
+                           joined(said_of_exercise(exercise), exercise.compiler_messages)));
     }
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
       const CaseResult& one = exercise.cases[i];
@@ -99,7 +100,7 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
                               {"score", rounded_points(exercise.points)},
                               {"max_score", rounded_points(exercise.max_points)},
                               {"extra_credit", exercise.extra_credit},
-                              {"output", text_of(exercise.feedback)}};
+                              {"output", text_of(said_of_exercise(exercise))}};
   }
   const std::string said = said_of(result.isolation);
   const std::string stamp =

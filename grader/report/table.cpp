@@ -1,6 +1,7 @@
 // STAFF ONLY. Prints the class's table on a terminal.
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <ostream>
 #include <set>
 #include <string_view>
@@ -80,10 +81,11 @@ Cells means(const std::vector<Column>& columns, const std::vector<SubmissionResu
     std::size_t count = 0;
     for (const SubmissionResult& result : results)
       if (const ExerciseResult* exercise = find_exercise(result, column.id)) {
+        if (!is_given(*exercise)) continue;
         sum += exercise->points;
         ++count;
       }
-    row.push_back(short_points(sum / static_cast<double>(count)));
+    row.push_back(count == 0 ? "" : short_points(sum / static_cast<double>(count)));
   }
   row.push_back(short_points(total / static_cast<double>(results.size())));
   return row;
@@ -130,6 +132,11 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
       out << "NOT FINAL, ended by the clock: "
           << (people.contains(result.name) ? called(result.name, people) : printable(result.name)) << ": "
           << in_a_row(result.ended_by_the_clock) << '\n';
+  std::map<std::string, std::size_t> to_come;
+  for (const SubmissionResult& result : results)
+    if (const std::string missing = not_given_yet(result); !missing.empty()) ++to_come[missing];
+  for (const auto& [missing, count] : to_come)
+    out << "NOT FINAL, " << count << " of " << results.size() << ": " << printable(missing) << '\n';
   std::string said = said_of(least_isolation(results));
   std::ranges::transform(said, said.begin(), [](unsigned char c) { return std::toupper(c); });
   if (!said.empty()) out << said << "\n";

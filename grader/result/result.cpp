@@ -71,6 +71,14 @@ std::string sentence_for(Status status) {
   return wording_of(status).sentence;
 }
 
+bool is_by_hand(const ExerciseResult& exercise) {
+  return exercise.status == Status::given || exercise.status == Status::not_given;
+}
+
+bool is_given(const ExerciseResult& exercise) {
+  return exercise.status != Status::not_given;
+}
+
 double points(const SubmissionResult& result) {
   double sum = extra_credit_counted(result);
   for (const ExerciseResult& exercise : result.exercises) sum += exercise.extra_credit ? 0 : exercise.points;

@@ -122,6 +122,9 @@ struct SubmissionResult {
   bool operator==(const SubmissionResult&) const = default;
 };
 
+bool is_by_hand(const ExerciseResult&);  // people give its points
+bool is_given(const ExerciseResult&);    // false: its points are still to come
+
 // True if its whole run ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
 

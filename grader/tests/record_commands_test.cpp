@@ -37,7 +37,7 @@ class RecordCommands : public testing::Test {
  protected:
   RecordCommands() {
     for (const char* name : {"alice", "bobwillgo", "carol", "dave"}) Record(out_).put({result_of(name, 2)});
-    EXPECT_EQ(run({"comment", "alice", "x"}).code, 0);  // makes the files
+    EXPECT_EQ(run({"comment", "alice", "all", "x"}).code, 0);  // makes the files
     EXPECT_EQ(run({"unset", "alice", "--kind", "comment"}).code, 0);
   }
   ProgramRun run(std::vector<string> words) const {
@@ -63,7 +63,7 @@ TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   EXPECT_EQ(nlohmann::json::parse(files().at("alice/results.json")).at("score"), 7.5);
   EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << files().at("grades.csv");
   Record(out_).put({result_of("alice", 3)});
-  ASSERT_EQ(run({"comment", "carol", "well done", "--at", "H2"}).code, 0);
+  ASSERT_EQ(run({"comment", "carol", "H2", "well done"}).code, 0);
   EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";
   const ProgramRun log = run({"log", "alice"});
   EXPECT_NE(log.output.find("points H2.1: 7.5 (computed: 2): the test <was> wrong"), string::npos)

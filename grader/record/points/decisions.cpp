@@ -54,10 +54,15 @@ std::string with_reason(const std::string& what, const Decision& decision) {
 }
 
 void set_points(const Place& place, const Decision& decision) {
-  place.tell(with_reason("The staff gave " + shown_number(decision.number) + " of " +
-                             shown_number(place.max_points()) + " points here, where " +
-                             shown_number(place.points()) + " had been computed",
-                         decision));
+  const std::string gave = "The staff gave " + shown_number(decision.number) + " of " +
+                           shown_number(place.max_points()) + " points";
+  if (is_by_hand(*place.exercise)) {
+    place.exercise->status = Status::given;
+    place.exercise->feedback = with_reason(gave, decision);
+  } else {
+    place.tell(
+        with_reason(gave + " here, where " + shown_number(place.points()) + " had been computed", decision));
+  }
   place.exercise->points += decision.number - place.points();
   if (place.category) place.category->points = decision.number;
 }
@@ -66,6 +71,7 @@ void excuse(ExerciseResult& exercise, const Decision& decision) {
   Place{&exercise, nullptr}.tell(
       with_reason("The staff excused you from this exercise: it does not count", decision));
   exercise.points = exercise.max_points = 0;
+  if (!is_given(exercise)) exercise.status = Status::given;
   for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
 }
 
@@ -81,7 +87,7 @@ void add_points_of_comments(SubmissionResult& result, const std::vector<Decision
     if (one.kind == DecisionKind::comment) by_place[one.place.substr(0, one.place.find(':'))] += one.number;
   for (const auto& [where, number] : by_place) {
     const Place place = find(result, where);
-    if (!place.exercise || place.exercise->status == Status::not_given) continue;
+    if (!place.exercise || !is_given(*place.exercise)) continue;
     const double before = place.points(), after = std::clamp(before + number, 0.0, place.max_points());
     if (place.category) place.category->points = after;
     double& all = place.exercise->points;
@@ -161,7 +167,8 @@ void check(Decision& decision, const SubmissionResult& computed) {
   if (decision.kind == DecisionKind::excuse && place.category)
     throw BadInput(decision.place + ": a category can't be excused alone; excuse " + place.exercise->id +
                    ", or set points");
-  if (decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
+  const bool needs_no_reason = place.exercise && is_by_hand(*place.exercise) && !is_comment;
+  if (!needs_no_reason && decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
     throw BadInput(is_comment ? "the comment is empty; write one"
                               : "there is no reason; add --why TEXT, which the student sees");
   if (decision.kind == DecisionKind::points) {
@@ -222,6 +229,9 @@ std::vector<std::string> conflicts(const SubmissionResult& computed, const std::
                           shown_number(decision.computed) + " points had been computed");
     if (!place.exercise)
       lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
+    else if (!is_comment && decision.number > place.max_points() + kSamePoints)
+      lines.push_back(begin + ", and now it is worth " + shown_number(place.max_points()) +
+                      "; set it again, or unset it");
     else if (!is_comment && std::abs(place.points() - decision.computed) > kSamePoints)
       lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
                       "; set it again, or unset it");

@@ -110,7 +110,7 @@ TEST_F(Decisions, CommentAPlaceOrTheWhole) {
   decide(DecisionKind::comment, "S1", 0, "nicely short");
   decide(DecisionKind::comment, "", 0, "well done");
   decide(DecisionKind::late_days, "", 2, "ill");
-  EXPECT_EQ(now().exercises[0].feedback, sentence_for(Status::missing) + " The staff say: nicely short");
+  EXPECT_EQ(now().exercises[0].said, (std::vector<Said>{{"S1", "", "The staff say: nicely short"}}));
   EXPECT_EQ(now().remarks,
             (std::vector<std::string>{"The staff say: well done", "The staff gave you 2 more days: ill"}));
   EXPECT_EQ(points(now()), points(alice()));

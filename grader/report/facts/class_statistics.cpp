@@ -57,7 +57,7 @@ std::vector<ExerciseStatistics> exercise_statistics(const Results& results) {
     ExerciseStatistics one{column, {}};
     for (const SubmissionResult& result : results) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
-      if (!exercise) continue;
+      if (!exercise || !is_given(*exercise)) continue;
       one.points.push_back(exercise->points);
       one.passed += exercise->status == Status::passed;
       ++one.tenths[tenth(exercise->points, column.max_points)];

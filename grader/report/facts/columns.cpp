@@ -33,6 +33,10 @@ std::string word(Status status) {
       return "look";
     case Status::unreadable:
       return "file";
+    case Status::given:
+      return "0";
+    case Status::not_given:
+      return "";
   }
   return "";
 }
@@ -60,8 +64,16 @@ const ExerciseResult* find_exercise(const SubmissionResult& result, const std::s
 
 std::string in_short(const ExerciseResult& exercise) {
   if (exercise.points <= 0) return word(exercise.status);
-  const bool to_its_end = exercise.status == Status::passed || exercise.status == Status::partly;
+  const bool to_its_end =
+      exercise.status == Status::passed || exercise.status == Status::partly || is_by_hand(exercise);
   return short_points(exercise.points) + (to_its_end ? "" : "!");
+}
+
+std::string not_given_yet(const SubmissionResult& result) {
+  std::vector<std::string> titles;
+  for (const ExerciseResult& exercise : result.exercises)
+    if (!is_given(exercise)) titles.push_back(exercise.title);
+  return titles.empty() ? "" : in_a_row(titles) + (titles.size() > 1 ? " are" : " is") + " not given yet";
 }
 
 std::string in_a_row(const std::vector<std::string>& words) {

@@ -22,6 +22,9 @@ const ExerciseResult* find_exercise(const SubmissionResult& result,
 // crashed, ran into a limit or broke the rules.
 std::string in_short(const ExerciseResult& exercise);
 
+// Writes "Oral examination is not given yet"; "" if all points by hand are given: else the total is not final.
+std::string not_given_yet(const SubmissionResult& result);
+
 std::string in_a_row(const std::vector<std::string>& words);  // "S1, H4"
 
 Isolation least_isolation(const std::vector<SubmissionResult>& results);

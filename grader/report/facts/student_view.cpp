@@ -72,6 +72,7 @@ SubmissionResult for_student(const SubmissionResult& result) {
   SubmissionResult view = result;
   for (ExerciseResult& exercise : view.exercises) {
     exercise.staff_log.clear();
+    exercise.source.clear();
     if (exercise.feedback.empty()) exercise.feedback = sentence_for(exercise.status);
     exercise.feedback += next_step(exercise);
     const bool stub = is_stub(exercise);

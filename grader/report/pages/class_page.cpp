@@ -136,7 +136,9 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
   const Html files = html(
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
-      "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n");
+      "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n<p "
+      "class=\"quiet\"><code>hairgrade review</code> with the "
+      "name of this folder opens a desk for the decisions.</p>\n");
   Html body = stamps(least_isolation(results), all_with_images(results));
   body += run_section(facts.run);
   body += html(
@@ -164,8 +166,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   body += alike_part(results, people);
   body += about_section(results);
   body += html("</main>\n");
-  body += sort_script();
-  return html_page("Grades of the class", body, Scripts::on, Pictures::beside);
+  return html_page("Grades of the class", body, {{sort_script()}}, Pictures::beside);
 }
 
 }  // namespace grader::report

@@ -192,8 +192,7 @@ std::string costs_page(const Costs& costs, const NamesForPeople& people) {
   body += by_part(costs);
   body += by_submission(costs, whole, people);
   body += html("</main>\n");
-  body += sort_script();
-  return html_page("What grading cost", body, Scripts::on);
+  return html_page("What grading cost", body, {{sort_script()}});
 }
 
 }  // namespace grader::report

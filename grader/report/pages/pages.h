@@ -19,6 +19,10 @@ std::string student_page(
     const NamesForPeople& people = {});  // writes NAME/report.html, without the staff's texts
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people = {});  // staff/NAME.html
 
+// Writes the part of the staff's page about an exercise, or all of it if there is no such exercise.
+// `pictures` is their folder, from the page on.
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures);
+
 // Writes NAME/study.html for both. `beside_itself` is the reference's study of itself: the noise.
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself, const NamesForPeople& people = {});
@@ -56,8 +60,9 @@ Html alike_part(const std::vector<SubmissionResult>& results,
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
-Html sort_script();
+// Is a script with which a reader sorts a table of class "class" by its columns with data-sort, "text" or
+// "number".
+std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet
 Html badge(Status status);           // writes the status in words, coloured

@@ -1,4 +1,4 @@
-// STAFF ONLY. `hairgrade set`, `excuse`, `comment`, `late-days` and `unset`: decisions of people, which
+// STAFF ONLY. `hairgrade set`, `excuse`, `late-days` and `unset`: decisions of people, which
 // survive each regrade.
 #include <iostream>
 
@@ -54,16 +54,6 @@ Command add_excuse(CLI::App& hairgrade) {
                           DecisionKind::excuse, options);
   add_place(*command, *options, false);
   add_why(*command, *options);
-  return {command, [options] { return decide(*options); }};
-}
-
-Command add_comment(CLI::App& hairgrade) {
-  const auto options = std::make_shared<DecideOptions>();
-  CLI::App* command =
-      add(hairgrade, "comment", "Say something on a student's report", DecisionKind::comment, options);
-  command->add_option("TEXT", options->decision.why, "For the student")->required();
-  command->add_option("--at", options->decision.place,
-                      "An exercise, \"H2\", or its third category, \"H2.3\"");
   return {command, [options] { return decide(*options); }};
 }
 

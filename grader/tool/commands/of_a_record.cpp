@@ -24,6 +24,14 @@ void add_name(CLI::App& command, OfARecord& options) {
   command.add_option("NAME", options.name, "A student, as the folders of reports are called")->required();
 }
 
+void add_place_of_words(CLI::App& command, std::string& place) {
+  command
+      .add_option(
+          "PLACE", place,
+          "An exercise, \"H2\"; its third category, \"H2.3\"; line 17 of its file, \"H2:17\"; or \"all\"")
+      ->required();
+}
+
 namespace {
 
 void check_record(const std::filesystem::path& folder) {

@@ -22,6 +22,9 @@ struct OfARecord {
 void add_folder(CLI::App& command, OfARecord& options);  // also adds the hand-in
 void add_hand_in(CLI::App& command, std::string& hand_in);
 void add_name(CLI::App& command, OfARecord& options);
+// Adds the place of a comment or a request.
+inline constexpr const char* kWhole = "all";
+void add_place_of_words(CLI::App& command, std::string& place);
 
 // Throws BadInput, with a way out, for a folder without a record, and for a hand-in that its record lacks.
 std::unique_ptr<Record> open_record(const std::filesystem::path& folder, const std::string& hand_in);

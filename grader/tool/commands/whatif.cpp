@@ -24,10 +24,11 @@ void weigh(const Course& course, SubmissionResult& result) {
     const bool there = found != course.exercises.end() && course.asks_for(*found);
     return there ? &*found : nullptr;
   };
-  std::erase_if(result.exercises, [&](const ExerciseResult& one) { return !asked_for(one.id); });
+  std::erase_if(result.exercises,
+                [&](const ExerciseResult& one) { return !is_by_hand(one) && !asked_for(one.id); });
   for (ExerciseResult& one : result.exercises) {
+    if (one.max_points <= 0 || is_by_hand(one)) continue;  // is excused, or has its points already
     const Exercise& exercise = *asked_for(one.id);
-    if (one.max_points <= 0) continue;  // is excused
     one.points *= exercise.points / one.max_points;
     one.max_points = exercise.points;
     one.extra_credit = exercise.role == Role::optional;

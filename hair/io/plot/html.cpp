@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
+#include "hair/io/plot/base64.h"
 #include "hair/io/plot/readable.h"
+#include "hair/io/plot/sha256.h"
 
 namespace hair {
 
@@ -50,7 +52,7 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 .good { color: var(--good); background: var(--good-soft); } .part { color: var(--part); background: var(--part-soft); }
 .bad { color: var(--bad); background: var(--bad-soft); } .none { color: var(--none); background: var(--none-soft); }
 .note, .stamp { max-width: none; margin: 1.25rem 0; padding: .75rem 1rem; border-left: .25rem solid; border-radius: .25rem; }
-.note { color: var(--part); background: var(--part-soft); }
+.note { color: var(--part); background: var(--part-soft); white-space: pre-line; overflow-wrap: anywhere; }
 .stamp { color: var(--bad); background: var(--bad-soft); font-weight: 600; }
 .bars { display: flex; align-items: flex-end; gap: .25rem; height: 8rem; margin: .75rem 0 0; padding: 0; list-style: none; }
 .bars li { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; height: 100%; text-align: center;
@@ -126,13 +128,18 @@ Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
   return result;
 }
 
-std::string html_page(const std::string& title, const Html& body, Scripts scripts, Pictures pictures) {
+std::string html_page(const std::string& title, const Html& body, const Scripts& scripts, Pictures pictures) {
   // For a page that is a file, not every browser accepts the page's own folder as 'self'.
-  const std::string policy = std::string("default-src 'none'; img-src ") +
-                             (pictures == Pictures::inside ? "data:" : "'self' file:") +
-                             "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
-                             (scripts == Scripts::off ? "" : "; script-src 'unsafe-inline'") +
-                             (scripts == Scripts::on_and_asks_its_server ? "; connect-src 'self'" : "");
+  std::string policy = std::string("default-src 'none'; img-src ") +
+                       (pictures == Pictures::inside ? "data:" : "'self' file:") +
+                       "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
+                       (scripts.texts.empty() ? "" : "; script-src");
+  Html elements;
+  for (const std::string& text : scripts.texts) {
+    policy += " 'sha256-" + base64(sha256_bytes(text)) + "'";
+    elements += html("<script>{}</script>\n", {Html{text}});
+  }
+  if (scripts.asks) policy += "; connect-src 'self'";
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -143,10 +150,10 @@ std::string html_page(const std::string& title, const Html& body, Scripts script
 <style>{}</style>
 </head>
 <body>
-{}</body>
+{}{}</body>
 </html>
 )",
-              {policy, title, Html{std::string(style)}, body})
+              {policy, title, Html{std::string(style)}, body, elements})
       .text;
 }
 
