@@ -52,7 +52,7 @@ std::string Record::export_json() {
         people[text(row, 0)]["costs"] = json_or_null(row.text(2));
       });
   database_.each(
-      "SELECT name, kind, place, number, computed, why, who, at FROM decisions JOIN people ON "
+      "SELECT name, kind, place, number, computed, why, who, at, title FROM decisions JOIN people ON "
       "people.id = person WHERE assignment = ? ORDER BY kind, place",
       {assignment}, [&](const DatabaseRow& row) {
         people[text(row, 0)]["decisions"].push_back({{"kind", text(row, 1)},
@@ -61,7 +61,8 @@ std::string Record::export_json() {
                                                      {"computed", row.real(4)},
                                                      {"why", text(row, 5)},
                                                      {"who", text(row, 6)},
-                                                     {"at", text(row, 7)}});
+                                                     {"at", text(row, 7)},
+                                                     {"title", text(row, 8)}});
       });
   database_.each(
       "SELECT name, at, who, did, detail FROM log JOIN people ON people.id = person ORDER BY log.id", {},

@@ -110,10 +110,21 @@ UPDATE class SET all_extra_credit = EXISTS (SELECT 1 FROM assignments WHERE made
   OR EXISTS (SELECT 1 FROM people);
 )";
 
+// In another suite the number of a category may be another category's, so decisions remember the title.
+constexpr const char* kRegrades = R"(
+ALTER TABLE decisions ADD COLUMN title TEXT NOT NULL DEFAULT '';  -- '' unless it is about a category
+ALTER TABLE decisions ADD COLUMN worth REAL NOT NULL DEFAULT 0;   -- points of its place then; 0: unknown
+)";
+constexpr const char* kTitles = R"(UPDATE decisions SET title = now.title, worth = now.worth
+  FROM categories AS now
+  WHERE now.assignment = decisions.assignment AND now.person = decisions.person AND now.place = decisions.place;
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kBase, kExtraCredit};
+  static const std::vector<std::string> all = {kBase, kExtraCredit,
+                                               std::string(kRegrades) + kWithCategories + kTitles};
   return all;
 }
 

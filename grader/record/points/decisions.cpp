@@ -11,7 +11,7 @@
 namespace grader::inline record {
 namespace {
 
-constexpr std::array<const char*, 4> kKinds{"points", "excuse", "comment", "late-days"};
+constexpr std::array<const char*, 5> kKinds{"points", "excuse", "comment", "late-days", "hold"};
 constexpr double kSamePoints = 1e-9;  // points are sums of a few numbers near 1
 
 struct Place {
@@ -41,13 +41,15 @@ std::string with_reason(const std::string& what, const Decision& decision) {
   return what + (decision.why.empty() ? "" : ": " + decision.why);
 }
 
+// A place may be worth less than when it was decided.
 void set_points(const Place& place, const Decision& decision) {
-  place.tell(with_reason("The staff gave " + shown_number(decision.number) + " of " +
+  const double number = std::min(decision.number, place.max_points());
+  place.tell(with_reason("The staff gave " + shown_number(number) + " of " +
                              shown_number(place.max_points()) + " points here, where " +
                              shown_number(place.points()) + " had been computed",
                          decision));
-  place.exercise->points += decision.number - place.points();
-  if (place.category) place.category->points = decision.number;
+  place.exercise->points += number - place.points();
+  if (place.category) place.category->points = number;
 }
 
 void excuse(ExerciseResult& exercise, const Decision& decision) {
@@ -74,6 +76,9 @@ void apply(SubmissionResult& result, const Decision& decision) {
     case DecisionKind::late_days:
       result.remarks.push_back(
           with_reason("The staff gave you " + shown_number(decision.number) + " more days", decision));
+      return;
+    case DecisionKind::hold:
+      return;
   }
 }
 
@@ -85,6 +90,18 @@ std::string places_of(const SubmissionResult& result) {
       all += " (" + exercise.id + ".1 to " + exercise.id + "." + std::to_string(exercise.cases.size()) + ")";
   }
   return all.empty() ? "none" : all;
+}
+
+// Returns the points of the whole exercise beside one of its categories, or the other way round; else null.
+const Decision* contradicted(const Decision& one, const std::vector<Decision>& others) {
+  const auto is_part = [](const Decision& part, const Decision& whole) {
+    return part.place.starts_with(whole.place + ".");
+  };
+  const auto found = std::ranges::find_if(others, [&](const Decision& other) {
+    return one.kind == DecisionKind::points && other.kind == one.kind &&
+           (is_part(one, other) || is_part(other, one));
+  });
+  return found == others.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -99,7 +116,7 @@ std::optional<DecisionKind> decision_kind_from(const std::string& word) {
   return static_cast<DecisionKind>(found - kKinds.begin());
 }
 
-void check(Decision& decision, const SubmissionResult& computed) {
+void check(Decision& decision, const SubmissionResult& computed, const std::vector<Decision>& others) {
   SubmissionResult result = computed;
   const Place place = find(result, decision.place);
   if (!decision.place.empty() && !place.exercise)
@@ -117,10 +134,21 @@ void check(Decision& decision, const SubmissionResult& computed) {
     if (!(decision.number >= 0 && decision.number <= place.max_points() + kSamePoints))
       throw BadInput(shown_number(decision.number) + " points: " + decision.place + " is worth " +
                      shown_number(place.max_points()) + "; write a number from 0 to that");
+    if (const Decision* other = contradicted(decision, others))
+      throw BadInput(decision.place + ": " + other->who + " set " + other->place + " to " +
+                     shown_number(other->number) + " points, and nobody could say which count; unset " +
+                     other->place + " first");
   }
   if (decision.kind == DecisionKind::late_days && !(decision.number >= 0 && decision.number <= 366))
     throw BadInput(shown_number(decision.number) + " days: write a number from 0 to 366");
   decision.computed = place.exercise ? place.points() : points(computed);
+  decision.title = place.category ? place.category->name : "";
+  decision.worth = place.exercise ? place.max_points() : 0;
+}
+
+std::optional<double> points_at(SubmissionResult result, const std::string& place) {
+  const Place found = find(result, place);
+  return found.exercise ? std::optional(found.points()) : std::nullopt;
 }
 
 SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>& decisions) {
@@ -145,16 +173,26 @@ std::vector<std::string> conflicts(const SubmissionResult& computed, const std::
   SubmissionResult result = computed;
   std::vector<std::string> lines;
   for (const Decision& decision : decisions) {
-    if (decision.kind != DecisionKind::points) continue;
+    const bool sets = decision.kind == DecisionKind::points;
     const Place place = find(result, decision.place);
-    const std::string begin = result.name + ": " + decision.who + " set " + decision.place + " to " +
-                              shown_number(decision.number) + " where " + shown_number(decision.computed) +
-                              " points had been computed";
-    if (!place.exercise)
+    const std::string begin =
+        result.name + ": " + decision.who +
+        (sets ? " set " + decision.place + " to " + shown_number(decision.number) + " where " +
+                    shown_number(decision.computed) + " points had been computed"
+              : " decided " + decision_text(decision));
+    if (!place.exercise && !decision.place.empty())
       lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
+    if (!sets || !place.exercise) continue;
+    if (decision.worth > 0 && std::abs(place.max_points() - decision.worth) > kSamePoints)
+      lines.push_back(begin + " of " + shown_number(decision.worth) + ", and now it is worth " +
+                      shown_number(place.max_points()) + "; set it again, or unset it");
     else if (std::abs(place.points() - decision.computed) > kSamePoints)
       lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
                       "; set it again, or unset it");
+    else if (const Decision* other = contradicted(decision, decisions);
+             other && decision.place.size() < other->place.size())
+      lines.push_back(begin + ", and " + other->place + " to " + shown_number(other->number) +
+                      ": both count; unset one");
   }
   return lines;
 }
