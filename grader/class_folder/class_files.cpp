@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "grader/class_folder/blind.h"
+#include "grader/class_folder/changes_page.h"
 #include "grader/class_folder/course_files.h"
 #include "grader/course/input.h"
 #include "grader/intake/left_over.h"
@@ -46,6 +47,7 @@ std::vector<SubmissionResult> write_files_of_hand_in(Record& record, const std::
   write_class_reports(folder, results,
                       {hidden ? blind(lines) : lines, listed, costs.last_run, record.rules().due, late},
                       people);
+  write_changes_page(folder, class_changes(record), people);
   write_file(folder / kLeftOver, left_over_json(listed));
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
