@@ -75,7 +75,7 @@ TEST(PlainRows, SayThatNoImportIsConfirmed) {
   const Gradebook book = plain_rows("gradescope", &roster, {row_grade("gradescope", {"", "1", ""}, 7.5)}, {});
   EXPECT_EQ(book.csv,
             "name,id,e-mail,points,of,status,no import by gradescope is confirmed: enter by hand\r\n"
-            "Seán O'Brien,1,so@u.ie,7.5,10,graded,\r\n\u2060-x =y,2,b@u.de,,,nothing handed in,\r\n");
+            "Seán O'Brien,1,so@u.ie,7.5,10,graded,\r\n\u2060-x =y,2,b@u.de,,,no grade,\r\n");
   EXPECT_TRUE(says(book, "no import by gradescope is confirmed"));
   std::vector<Grade> to_come{row_grade("gradescope", {"", "1", ""}, 2),
                              row_grade("gradescope", {"", "2", ""}, 3)};

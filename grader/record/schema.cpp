@@ -126,6 +126,16 @@ CREATE TABLE desk_items (
 CREATE UNIQUE INDEX desk_item ON desk_items (assignment, ifnull(person, 0), what);
 )";
 
+// In another suite the number of a category may be another category's, so decisions remember the title.
+constexpr const char* kRegrades = R"(
+ALTER TABLE decisions ADD COLUMN title TEXT NOT NULL DEFAULT '';  -- '' unless it is about a category
+ALTER TABLE decisions ADD COLUMN worth REAL NOT NULL DEFAULT 0;   -- points of its place then; 0: unknown
+)";
+constexpr const char* kTitles = R"(UPDATE decisions SET title = now.title, worth = now.worth
+  FROM categories AS now
+  WHERE now.assignment = decisions.assignment AND now.person = decisions.person AND now.place = decisions.place;
+)";
+
 // Comments were decisions with a text of their own; equal ones become one.
 constexpr const char* kComments = R"(
 CREATE TABLE comments (
@@ -148,7 +158,7 @@ CREATE TABLE commented (
 CREATE INDEX commented_with ON commented (comment);
 INSERT INTO comments (assignment, text, points)
   SELECT assignment, why, 0 FROM decisions WHERE kind = 'comment' GROUP BY assignment, why ORDER BY min(at);
-INSERT INTO commented SELECT assignment, comments.id, person, place, '', '', who, at FROM decisions
+INSERT INTO commented SELECT assignment, comments.id, person, place, title, '', who, at FROM decisions
   JOIN comments USING (assignment) WHERE text = why AND kind = 'comment';
 DELETE FROM decisions WHERE kind = 'comment';
 CREATE TABLE requests (
@@ -171,7 +181,8 @@ CREATE INDEX requests_of_person ON requests (person);
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kBase, kExtraCredit, std::string(kComments) + kDesk};
+  static const std::vector<std::string> all = {
+      kBase, kExtraCredit, std::string(kRegrades) + kWithCategories + kTitles + kComments + kDesk};
   return all;
 }
 

@@ -96,7 +96,7 @@ Html Desk::part(const std::string& key) {
     list_.open("");
     return nothing_left();
   }
-  OpenItem open{*found, {}, {}, record_.comments(), "", list_.open(key)};
+  OpenItem open{*found, {}, {}, record_.comments(), list_.open(key)};
   for (const std::string& name : found->people) {
     if (open.results.size() < kMostResults)
       if (std::optional<Recorded> one = class_folder::find_shown(record_, name, record_.hidden_names()))
@@ -105,10 +105,6 @@ Html Desk::part(const std::string& key) {
       if (found->people.size() == 1)
         open.decisions.push_back(decision.who + ", " + decision.at + " UTC: " + decision_text(decision));
   }
-  if (found->kind == ItemKind::request)
-    for (const Request& request : record_.requests())
-      if (request.is_open() && request.name == found->people.front() && request.place == found->place)
-        open.request += (open.request.empty() ? "" : "\n") + request.text;
   return item_part(open, people_);
 }
 

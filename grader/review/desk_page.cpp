@@ -18,6 +18,11 @@ const char* look_of(ItemKind kind) {
   return kind <= ItemKind::near_threshold ? "part" : "none";
 }
 
+// A request that nobody has answered.
+bool asks(const Item& item) {
+  return item.kind == ItemKind::request && !item.is_decided();
+}
+
 std::string person(const std::string& name, const DeskPeople& people) {
   return shown_name(name, people.names);
 }
@@ -125,7 +130,7 @@ Html dialogs(const OpenItem& open) {
       html("{}{}",
            {place_field(open, false, open.item.exercise.empty() ? option("", "everything", true) : Html()),
             why_field("Why? The student reads it")}));
-  if (!open.request.empty()) all += dialog("answer", "Answer", why_field("The student reads it"));
+  if (asks(open.item)) all += dialog("answer", "Answer", why_field("The student reads it"));
   return all;
 }
 
@@ -182,14 +187,13 @@ Html row_of(const Item& item, const DeskPeople& people) {
 
 Html item_part(const OpenItem& open, const DeskPeople& people) {
   const Item& item = open.item;
-  const bool asks = !open.request.empty();
   Html all = html(
       "<article data-key=\"{}\" data-version=\"{}\" data-accept=\"{}\">\n<header>\n<p class=\"line\"><span "
       "class=\"badge {}\">{}</span><span>{}</span><span class=\"quiet\">{}</span></p>\n<h2 "
-      "tabindex=\"-1\">{}</h2>\n<p>{}</p>\n",
-      {item.key(), item.version, asks ? "answer" : "accept", look_of(item.kind), heading_of(item.kind),
-       places_of(item), item.owner.empty() ? "" : "for " + item.owner, title_of(item, people), item.why});
-  if (asks) all += html("<blockquote>{}</blockquote>\n", {open.request});
+      "tabindex=\"-1\">{}</h2>\n{}\n",
+      {item.key(), item.version, asks(item) ? "answer" : "accept", look_of(item.kind), heading_of(item.kind),
+       places_of(item), item.owner.empty() ? "" : "for " + item.owner, title_of(item, people),
+       html(item.kind == ItemKind::request ? "<blockquote>{}</blockquote>" : "<p>{}</p>", {item.why})});
   if (item.people.size() > 1)
     all += names_of(item, people);
   else if (!open.results.empty())
@@ -201,7 +205,7 @@ Html item_part(const OpenItem& open, const DeskPeople& people) {
     all += html("<p class=\"line\"><span class=\"badge good\">decided</span><span>by {}, {} UTC</span></p>\n",
                 {item.decided_by, item.decided_at});
   all += html("</header>\n<div class=\"actions\" role=\"group\" aria-label=\"What to do with this\">\n");
-  all += asks ? button("answer", "a", "Answer") : button("accept", "a", "Accept");
+  all += asks(item) ? button("answer", "a", "Answer") : button("accept", "a", "Accept");
   all += button("points", "e", "Points");
   all += button("comment", "c", "Comment");
   all += button("excuse", "", "Excuse");

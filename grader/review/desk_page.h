@@ -26,7 +26,6 @@ struct OpenItem {
   std::vector<SubmissionResult> results;  // the first of its people's
   std::vector<std::string> decisions;     // a line each
   std::vector<Comment> comments;          // used before
-  std::string request;                    // is the student's text
   std::string opened_by;                  // another TA who has it open, too; "": nobody
 };
 

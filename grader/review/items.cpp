@@ -184,13 +184,13 @@ class Making {
       item.why = in_a_row(ended) + " ended by the clock: grade again";
       add(std::move(item), in_a_row(ended));
     }
+    std::vector<std::string> of_two = conflicts(result, person.decisions);
     for (const Decision& decision : person.decisions)
       for (const std::string& line : conflicts(result, {decision})) {
-        Item item{.kind = ItemKind::conflict, .place = place_of_conflict(decision), .people = {name}};
-        at(item, decision.place);
-        item.why = line;
-        add(std::move(item), line);
+        std::erase(of_two, line);
+        conflict(name, place_of_conflict(decision), decision.place, line);
       }
+    if (!of_two.empty()) conflict(name, "", "", in_a_row(of_two));
     HandInRules later = facts_.rules;
     later.grace_minutes += kLittleLate;
     if (late_days(facts_.rules, person.handed_in).value_or(0) > 0 && late_days(later, person.handed_in) == 0)
@@ -207,6 +207,13 @@ class Making {
          .why = (known ? "The result is another one than before: " : "The hand-in is new: ") +
                 shown_total(points(result), max_points(result))},
         look_of(result));
+  }
+
+  void conflict(const std::string& name, const std::string& place, const std::string& about,
+                const std::string& why) {
+    Item item{.kind = ItemKind::conflict, .place = place, .people = {name}, .why = why};
+    at(item, about);
+    add(std::move(item), why);
   }
 
   void not_taken(const std::string& name, const SubmissionResult& result) {
@@ -280,7 +287,7 @@ class Making {
             " is off by FLIP " + shown_number(worst.flip));
   }
 
-  // What a person asks about a place is one item. Answers decide it, and nothing else does.
+  // A person's requests about a place are one item. Answers decide it, and nothing else does.
   void requests() {
     std::map<std::pair<std::string, std::string>, std::vector<const Request*>> asked;
     for (const Request& request : facts_.requests) asked[{request.name, request.place}].push_back(&request);

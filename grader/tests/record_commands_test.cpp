@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,12 @@ class RecordCommands : public testing::Test {
     words.insert(words.end(), {"--out", out_.string()});
     return run_hairgrade(words);
   }
+  void name_people() const {
+    Record(out_).put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, "moodle"},
+                             {"bobwillgo", {"Sam Same", "2", "b@x.de"}, "moodle"},
+                             {"carol", {"Carol Coe", "3", "c@x.de"}, "moodle"},
+                             {"dave", {"Sam Same", "4", "d@x.de"}, "moodle"}});
+  }
   std::map<string, string> files() const { return files_in(out_); }
   void expect_refused(const std::vector<string>& words, const string& because) const {
     const ProgramRun refused = run(words);
@@ -72,10 +79,74 @@ TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
       << log.output;
   EXPECT_NE(log.output.find("3 points computed"), string::npos) << log.output;
   EXPECT_NE(run({"diff"}).output.find("alice  H2.1  2 -> 3  Easy"), string::npos) << run({"diff"}).output;
-  Record(out_).put({result_of("alice", 2)});
+  EXPECT_NE(files().at("changes.html").find("H2.1 2 -&gt; 3"), string::npos);
+  for (int i = 0; i < 2; ++i) Record(out_).put({result_of("alice", 2)});
   ASSERT_EQ(run({"unset", "alice", "H2.1"}).code, 0);
   ASSERT_EQ(run({"unset", "carol", "H2", "--kind", "comment"}).code, 0);
   EXPECT_EQ(files(), before);
+}
+
+TEST_F(RecordCommands, FindPeopleAsTheRosterCallsThemAndPrintOldAndNewPoints) {
+  name_people();
+  const string old = "Alice Ames (alice): H2.1 2, 2 of 8 points -> H2.1 7, 7 of 8 points\n";
+  for (const char* name : {"alice", "Alice Ames", "Ames, Alice", "alice ames", "1", "A@x.de"}) {
+    const ProgramRun set = run({"set", name, "H2.1", "7", "--why", "x"});
+    EXPECT_EQ(set.output, old) << name << set.errors;
+    EXPECT_EQ(run({"unset", name, "H2.1"}).code, 0);
+  }
+  EXPECT_EQ(run({"excuse", "Alice Ames", "H2", "--why", "x"}).output,
+            "Alice Ames (alice): H2 2, 2 of 8 points -> H2 0, 0 of 0 points\n");
+  EXPECT_EQ(run({"unset", "alice", "--kind", "excuse"}).output,
+            "Alice Ames (alice): 0 of 0 points -> 2 of 8 points\n");
+  expect_refused({"comment", "Sam Same", "all", "x"}, "Sam Same: may be bobwillgo, dave; write one of these");
+  const string course = (temporary_.path() / "course.json").string();
+  std::ofstream(course) << R"({"exercises": {}, "hand_in": {"due": "2025-03-04 23:59"}})";
+  EXPECT_NE(run({"whatif", course}).errors.find("nobody knows whether these are late"), string::npos);
+}
+
+TEST_F(RecordCommands, KeepWhomTheyHoldOutOfFeedbackAndGradebookAndRememberWhatWasPublished) {
+  name_people();
+  const string sheet = (temporary_.path() / "sheet.csv").string(),
+               table = (temporary_.path() / "t.csv").string(),
+               archive = (temporary_.path() / "f.zip").string();
+  std::ofstream(sheet)
+      << "Identifier,Full name,Status,Grade,Maximum grade,Grade can be changed,Last modified "
+         "(submission),Last modified (grade),Feedback comments\n"
+         "Participant 1,Alice Ames,Submitted for grading,,8.00,Yes,-,-,\n"
+         "Participant 3,Carol Coe,Submitted for grading,,8.00,Yes,-,-,\n";
+  const auto give_back = [&](bool held) {
+    const ProgramRun feedback =
+        run_hairgrade({"feedback", "moodle", sheet, "--grades", out_.string(), "--out", archive});
+    const ProgramRun gradebook = run_hairgrade(
+        {"gradebook", "moodle", "--fill", sheet, "--grades", out_.string(), "--out", table, "--overwrite"});
+    EXPECT_NE(feedback.output.find(held ? "1 reports" : "2 reports"), string::npos) << feedback.errors;
+    EXPECT_EQ(hair::bytes_of(table).find("Alice Ames,Submitted for grading,2,") == string::npos, held);
+    EXPECT_NE(hair::bytes_of(table).find("Carol Coe,Submitted for grading,2,"), string::npos);
+    for (const ProgramRun& run : {feedback, gradebook})
+      EXPECT_EQ(run.errors.find("alice: gets nothing, since ") != string::npos, held) << run.errors;
+  };
+  const auto published = [&] {
+    EXPECT_EQ(run({"diff", "--published", table}).code, 0);
+    return hair::bytes_of(table);
+  };
+  ASSERT_EQ(run({"hold", "Alice Ames", "--why", "a secret case"}).code, 0);
+  EXPECT_EQ(files().at("alice/report.html").find("a secret case"), string::npos);
+  give_back(true);
+  ASSERT_EQ(run({"set", "alice", "H2", "5", "--why", "x"}).code, 0);
+  ASSERT_EQ(run({"set", "carol", "H2.1", "5", "--why", "x"}).code, 0);
+  EXPECT_NE(
+      published().find("\r\ncarol,Carol Coe,3,c@x.de,2,5,H2.1 Easy 2 -> 5,Your total was 2 of 8 points and "
+                       "is 5 of 8 now: H2.1 Easy 2 -> 5.,20"),
+      string::npos)
+      << published();
+  EXPECT_NE(published().find(",gradebook moodle\r\n"), string::npos);
+  EXPECT_EQ(published().find("alice"), string::npos) << "nothing of alice was published";
+  ASSERT_EQ(run({"unset", "alice", "H2"}).code + run({"unset", "carol", "H2.1"}).code, 0);
+  EXPECT_EQ(published().find("carol"), string::npos);
+  ASSERT_EQ(run({"unhold", "alice"}).code, 0);
+  give_back(false);
+  EXPECT_NE(run({"log", "alice"}).output.find("published  2 of 8 points, by gradebook moodle\n"),
+            string::npos);
 }
 
 TEST_F(RecordCommands, ACommentChangesForAllWhoHaveIt) {

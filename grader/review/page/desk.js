@@ -113,9 +113,11 @@ function step(by) {
   else tell(by > 0 ? "This is the last one." : "This is the first one.");
 }
 
-const send = (what) => alone(async () => {
-  const { key, version } = article().dataset, dialog = isOpen();
-  const answer = await ask("save", { key, version, then: others().slice(0, SENT_ALONG), stamp: Number(list.dataset.stamp), ...what });
+// With nothing in `then` this item stays: answers alone decide a request.
+const send = (what, stays = false) => alone(async () => {
+  const { key, version, accept } = article().dataset, dialog = isOpen();
+  const goesOn = !stays && (accept !== "answer" || what.do === "answer" || what.do === "skip");
+  const answer = await ask("save", { ...what, key, version, then: goesOn ? others().slice(0, SENT_ALONG) : [], stamp: Number(list.dataset.stamp) });
   if (!answer.ok && dialog) {
     // The texts stay, and the next try knows about the change.
     dialog.querySelector(".told").textContent = answer.told;
@@ -147,7 +149,7 @@ function open(name) {
 function submit(form, stay) {
   const fields = Object.fromEntries(new FormData(form)), what = { do: form.dataset.do, ...fields };
   if (form.dataset.do === "points") sessionStorage.setItem("why", fields.text);
-  send(stay ? { ...what, then: [] } : what);
+  send(what, stay);
 }
 
 const ACTIONS = {
@@ -155,8 +157,8 @@ const ACTIONS = {
   back: () => step(-1),
   undecided: () => send({ do: "skip" }),
   accept: () => send({ do: "accept" }),
-  reopen: () => send({ do: "reopen", then: [] }),
-  undo: () => send({ do: "undo", then: [] }),
+  reopen: () => send({ do: "reopen" }, true),
+  undo: () => send({ do: "undo" }, true),
   points: () => open("points"),
   comment: () => open("comment"),
   excuse: () => open("excuse"),

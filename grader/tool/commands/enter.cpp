@@ -147,7 +147,7 @@ class Entering {
 
 int enter(const EnterOptions& options) {
   bool all = true;
-  const int code = change_record(options, [&](Record& record) {
+  const int code = change_record(options, [&](Record& record, const std::string& name) {
     const Entering entering(record, read_table(options.table, record.rules()));
     for (const std::string& line : entering.not_entered())
       std::cerr << "hairgrade: not entered: " << line << "\n";

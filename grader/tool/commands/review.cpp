@@ -21,6 +21,8 @@ struct Review : OfARecord {
 };
 
 int review_class(const Review& options) {
+  if (options.as.empty() || options.as.size() > 100 || options.as != printable(options.as))
+    throw BadInput("--as " + printable(options.as) + ": is no name; write one such as ada");
   const std::atomic<bool>& interrupted = note_interruptions();
   const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
   Desk desk(*record, options.as, options.hand_in.empty() ? "The class" : options.hand_in);

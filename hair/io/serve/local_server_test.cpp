@@ -60,10 +60,12 @@ TEST(LocalServer, WaitsForNoSlowClient) {
   const Served served;
   const TestClient& client = served.client;
   const std::string head = "POST " + client.base + " HTTP/1.1\r\n" + client.own();
-  for (const std::string& begun : {head.substr(0, 10), head, head + "Content-Length: 100\r\n\r\nabc"}) {
-    const int slow = client.send_text(begun);
-    EXPECT_EQ(client.status("GET " + client.base, client.own()), 200);
-    const int status = TestClient::status_from(slow);  // waits until the server has closed it
+  std::vector<int> slow;
+  for (const std::string& begun : {head.substr(0, 10), head, head + "Content-Length: 100\r\n\r\nabc"})
+    slow.push_back(client.send_text(begun));
+  EXPECT_EQ(client.status("GET " + client.base, client.own()), 200);
+  for (const int descriptor : slow) {
+    const int status = TestClient::status_from(descriptor);  // waits until the server has closed it
     EXPECT_TRUE(status == -1 || (status >= 400 && status < 500)) << status;
   }
 }
