@@ -64,9 +64,14 @@ void hide(const HiddenNames& names, SubmissionResult& result) {
   cover(result.note);
   cover(result.about);
   for (std::string& remark : result.remarks) cover(remark);
+  for (Decided& one : result.decided)
+    for (std::string* text : {&one.text, &one.conflict}) cover(*text);
   for (ExerciseResult& exercise : result.exercises) {
     for (std::string* text : {&exercise.feedback, &exercise.compiler_messages, &exercise.staff_log})
       cover(*text);
+    for (Said& said : exercise.said)
+      for (std::string* text : {&said.code, &said.text}) cover(*text);
+    cover(exercise.source);
     for (CaseResult& one : exercise.cases)
       for (std::string* text : {&one.feedback, &one.detail, &one.memory_error}) cover(*text);
   }

@@ -1,14 +1,17 @@
 // STAFF ONLY. Writes the files of a folder of grades.
 #include "grader/class_folder/class_files.h"
 
+#include <functional>
 #include <utility>
 
 #include "grader/class_folder/blind.h"
+#include "grader/class_folder/changes_page.h"
 #include "grader/class_folder/course_files.h"
 #include "grader/course/input.h"
 #include "grader/intake/left_over.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/pages/costs_page.h"
+#include "grader/report/pages/pages.h"
 #include "grader/report/report.h"
 
 namespace grader::inline class_folder {
@@ -22,38 +25,63 @@ void write_student_files(const std::filesystem::path& folder, const Recorded& on
   write_submission_reports(folder, one.result, people);
 }
 
+std::optional<Recorded> find_shown(Record& record, const std::string& name,
+                                   const std::optional<HiddenNames>& hidden) {
+  std::optional<Recorded> found = record.find_decided(name);
+  if (found && hidden) hide(*hidden, found->result);
+  return found;
+}
+
 namespace {
+
+struct ShownClass {
+  std::vector<SubmissionResult> results;
+  ClassFacts facts;
+};
+
+// Passes each result on with its study and costs, before its lateness alone is kept.
+ShownClass read_class(Record& record, const std::function<void(const Recorded&)>& each) {
+  ShownClass all;
+  const std::optional<HiddenNames> hidden = record.hidden_names();
+  for (const std::string& name : record.names()) {
+    std::optional<Recorded> one = find_shown(record, name, hidden);
+    if (!one) continue;  // this student has just been forgotten
+    each(*one);
+    all.facts.late[name] = one->late;
+    all.results.push_back(std::move(one->result));
+  }
+  const std::vector<ClassLine> lines = lines_of(record.class_list(), record.hand_ins());
+  all.facts.people = hidden ? blind(lines) : lines;
+  all.facts.listed = record.listed();
+  all.facts.run = record.costs().last_run;
+  all.facts.due = record.rules().due;
+  return all;
+}
 
 std::vector<SubmissionResult> write_files_of_hand_in(Record& record, const std::set<std::string>& written) {
   const std::filesystem::path folder = record.pages();
-  std::vector<SubmissionResult> results;
   ClassCosts costs = record.costs();
   const NamesForPeople people = record.names_for_people();
-  const std::optional<HiddenNames> hidden = record.hidden_names();
-  std::map<std::string, Lateness> late;
-  for (const std::string& name : record.names()) {
-    std::optional<Recorded> one = record.find_decided(name);
-    if (!one) continue;  // this student has just been forgotten
-    if (hidden) hide(*hidden, one->result);
-    if (!written.contains(name)) write_student_files(folder, *one, people);
-    if (!one->result.ended_by_the_clock.empty())
-      costs.ended_by_the_clock[name] = one->result.ended_by_the_clock;
-    late[name] = one->late;
-    results.push_back(std::move(one->result));
-  }
-  const std::vector<ClassLine> lines = lines_of(record.class_list(), record.hand_ins());
-  const std::vector<Accounted> listed = record.listed();
-  write_class_reports(folder, results,
-                      {hidden ? blind(lines) : lines, listed, costs.last_run, record.rules().due, late},
-                      people);
-  write_file(folder / kLeftOver, left_over_json(listed));
+  ShownClass all = read_class(record, [&](const Recorded& one) {
+    const SubmissionResult& result = one.result;
+    if (!written.contains(result.name)) write_student_files(folder, one, people);
+    if (!result.ended_by_the_clock.empty()) costs.ended_by_the_clock[result.name] = result.ended_by_the_clock;
+  });
+  write_class_reports(folder, all.results, all.facts, people);
+  write_changes_page(folder, class_changes(record), people);
+  write_file(folder / kLeftOver, left_over_json(all.facts.listed));
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
   write_file(folder / "costs.html", costs_page(costs_table(costs), people));
-  return results;
+  return std::move(all.results);
 }
 
 }  // namespace
+
+std::string class_page_of(Record& record) {
+  const ShownClass all = read_class(record, [](const Recorded&) {});
+  return class_page(all.results, all.facts, record.names_for_people());
+}
 
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written) {

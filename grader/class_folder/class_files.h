@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ namespace grader::inline class_folder {
 
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people);
+
+// Returns a result with people's decisions; `hidden` names are hidden in it.
+std::optional<Recorded> find_shown(Record& record, const std::string& name,
+                                   const std::optional<HiddenNames>& hidden);
+
+std::string class_page_of(Record& record);
 
 // Writes all files of the record's hand-in: of all students except those in `written`, of the class, and of
 // the course (course_files.h). Returns all results, sorted by name.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "grader/course/input.h"
+#include "grader/intake/names/names.h"
 #include "grader/report/facts/text.h"
 #include "grader/text/letters.h"
 
@@ -49,6 +50,7 @@ Filling::Filling(const Csv& exported, const std::vector<Grade>& grades, const Fi
     return on_roster.person ? rows_.find(options.roster->people()[*on_roster.person]) : on_roster;
   };
   std::string first;
+  std::map<std::string, std::vector<std::string>> not_final;
   for (const Grade& grade : grades) {
     const bool members = !grade.owner.members.empty();
     for (const Owner& owner : members ? grade.owner.members : std::vector{grade.owner}) {
@@ -65,9 +67,10 @@ Filling::Filling(const Csv& exported, const std::vector<Grade>& grades, const Fi
         book_.said.push_back(who + ": " + match.told);
       }
     }
-    if (grade.not_final)
-      book_.said.push_back(called(grade) + ": is not final, since the clock ended a part of it");
+    if (!grade.not_final.empty()) not_final[grade.not_final].push_back(called(grade));
   }
+  for (const auto& [why, names] : not_final)
+    book_.said.push_back(some_of(names) + (names.size() > 1 ? ": are" : ": is") + " not final, since " + why);
   if (by_person_.empty() && !grades.empty())
     throw BadInput(exported.file + ": nobody who has a grade here is in it (" + first +
                    "); give the table of this course and assignment, or --roster with ids of both");
@@ -124,6 +127,7 @@ std::optional<std::string> Filling::score(const Csv::Row& row, const std::string
   if (column_.comma) std::ranges::replace(text, '.', ',');
   if (!may_replace(row, *grade, cell, text)) return {};
   ++book_.written;
+  book_.given.insert(grade->hand_in);
   if (std::ranges::count(grade->entered, text) == 0) book_.entered.emplace_back(grade->hand_in, text);
   return text;
 }

@@ -1,6 +1,7 @@
 // STAFF ONLY. A grade for a learning system.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ struct Grade {
   double points = 0, max_points = 0;
   std::vector<std::pair<std::string, double>> exercises{};  // id, points
   bool excused = false;
-  bool not_final = false;              // a part of it ended by wall time
+  std::string not_final{};             // why, "the clock ended a part of it"; "": it is final
   std::vector<std::string> entered{};  // are cells that gradebooks got so far
 };
 
@@ -26,6 +27,7 @@ struct Gradebook {
   std::vector<std::string>
       said{};  // for staff, a line each: omissions, effects of the importer, rules without a source
   std::size_t written = 0;                                     // counts its grades
+  std::set<std::string> given{};                               // are the hand-ins that these are of
   bool all_entered = true;                                     // false: a person must read the lines
   std::vector<std::pair<std::string, std::string>> entered{};  // hand-in, cell
 };

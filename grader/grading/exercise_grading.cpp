@@ -7,6 +7,7 @@
 
 #include "grader/judge/memory_points.h"
 #include "grader/sandbox/processes/identity.h"
+#include "hair/io/plot/readable.h"
 #include "solver/timing.h"
 
 namespace grader::inline grading {
@@ -14,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostLog = 16 << 10;  // bounds a worker's output
+constexpr std::size_t kMostLog = 16 << 10;     // bounds a worker's output
+constexpr std::size_t kMostSource = 64 << 10;  // bounds the lines that people can comment
 
 // Returns the place of a memory error as a phrase. A line number would be one of hundreds, and code could
 // choose it by a hidden input.
@@ -87,6 +89,7 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
   if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
   if (!file->second.problem.empty()) return without_cases(Status::not_taken, file->second.problem);
 
+  result.source = hair::valid_utf8(file->second.text.substr(0, kMostSource));
   const timing::Stopwatch compiling;
   const Compiled compiled = compiler.compile(exercise, file->second.text, job, compiler_seconds);
   timing.compile_seconds = compiling.seconds();

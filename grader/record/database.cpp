@@ -38,6 +38,10 @@ struct Finalize {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
 
+struct DeleteSession {
+  void operator()(sqlite3_session* session) const { sqlite3session_delete(session); }
+};
+
 // SQLite gives its log the mode of the database. It would make the database itself readable for others.
 void make_private(const std::filesystem::path& file) {
   Descriptor made(open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
@@ -170,12 +174,62 @@ bool Database::shred() {
   return number("PRAGMA wal_checkpoint(TRUNCATE)") == 0;
 }
 
-Transaction::Transaction(Database& database, Kind kind) : database_(database) {
-  database_.run(kind == reads ? "BEGIN" : "BEGIN IMMEDIATE");
+bool Database::in_transaction() const {
+  return sqlite3_get_autocommit(connection_.get()) == 0;
+}
+
+std::pair<std::int64_t, std::int64_t> Database::changes() {
+  return {number("PRAGMA data_version"), sqlite3_total_changes64(connection_.get())};
+}
+
+std::string Database::changes_of(const std::function<void()>& changes) {
+  sqlite3_session* made = nullptr;
+  if (const int code = sqlite3session_create(connection_.get(), "main", &made); code != SQLITE_OK) fail(code);
+  const std::unique_ptr<sqlite3_session, DeleteSession> session(made);
+  sqlite3session_table_filter(
+      made, [](void*, const char* table) { return static_cast<int>(std::string_view(table) != "log"); },
+      nullptr);
+  if (const int code = sqlite3session_attach(made, nullptr); code != SQLITE_OK) fail(code);
+  changes();
+  int size = 0;
+  void* bytes = nullptr;
+  if (const int code = sqlite3session_changeset(made, &size, &bytes); code != SQLITE_OK) fail(code);
+  const std::unique_ptr<void, decltype(&sqlite3_free)> owner(bytes, &sqlite3_free);
+  return {static_cast<const char*>(bytes), static_cast<std::size_t>(size)};
+}
+
+bool Database::take_back(const std::string& changes) {
+  int size = 0;
+  void* bytes = nullptr;
+  int code = sqlite3changeset_invert(static_cast<int>(changes.size()), changes.data(), &size, &bytes);
+  if (code != SQLITE_OK) fail(code);
+  const std::unique_ptr<void, decltype(&sqlite3_free)> owner(bytes, &sqlite3_free);
+  bool is_used = false;
+  const auto apply = [&](int (*takes_table)(void*, const char*)) {
+    return sqlite3changeset_apply(
+        connection_.get(), size, bytes, takes_table,
+        [](void* used, int conflict, sqlite3_changeset_iter*) -> int {
+          *static_cast<bool*>(used) = conflict == SQLITE_CHANGESET_FOREIGN_KEY;
+          return SQLITE_CHANGESET_ABORT;
+        },
+        &is_used);
+  };
+  code = apply(nullptr);
+  // A comment that came with these changes stays if others use it by now.
+  if (is_used)
+    code = apply(
+        [](void*, const char* table) { return static_cast<int>(std::string_view(table) != "comments"); });
+  if (code != SQLITE_OK && (code & 0xff) != SQLITE_ABORT) fail(code);
+  return code == SQLITE_OK;
+}
+
+Transaction::Transaction(Database& database, Kind kind)
+    : database_(database), open_(!database.in_transaction()) {
+  if (open_) database_.run(kind == reads ? "BEGIN" : "BEGIN IMMEDIATE");
 }
 
 void Transaction::commit() {
-  database_.run("COMMIT");
+  if (open_) database_.run("COMMIT");
   open_ = false;
 }
 

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 struct sqlite3;
@@ -62,6 +63,15 @@ class Database {
   // Removes all bytes of deleted rows from file and journal. False if a reader held the log meanwhile.
   bool shred();
 
+  bool in_transaction() const;
+  // Counts changes of others and own ones: the same number means that nothing has changed.
+  std::pair<std::int64_t, std::int64_t> changes();
+
+  // Runs `changes`, and returns what they changed in all tables but the log, for take_back.
+  std::string changes_of(const std::function<void()>& changes);
+  // Takes these changes back. False if a row is not any more as they left it: then nothing is changed.
+  bool take_back(const std::string& changes);
+
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -77,7 +87,7 @@ class Database {
 };
 
 // Does all or nothing: without commit() all of it is undone. One that writes has the right to it from its
-// begin on.
+// begin on. One inside another is a part of that one.
 class Transaction {
  public:
   enum Kind { writes, reads };  // reads: sees one state of the file, and needs no commit
@@ -88,7 +98,7 @@ class Transaction {
 
  private:
   Database& database_;
-  bool open_ = true;
+  bool open_;
 };
 
 }  // namespace grader::record

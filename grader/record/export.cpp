@@ -33,6 +33,7 @@ std::string Record::export_json() {
                                 {"result", OrderedJson()},
                                 {"costs", OrderedJson()},
                                 {"decisions", OrderedJson::array()},
+                                {"requests", OrderedJson::array()},
                                 {"log", OrderedJson::array()}};
       });
   database_.each(
@@ -51,18 +52,30 @@ std::string Record::export_json() {
         people[text(row, 0)]["result"] = json_or_null(row.text(1));
         people[text(row, 0)]["costs"] = json_or_null(row.text(2));
       });
-  database_.each(
-      "SELECT name, kind, place, number, computed, why, who, at FROM decisions JOIN people ON "
-      "people.id = person WHERE assignment = ? ORDER BY kind, place",
-      {assignment}, [&](const DatabaseRow& row) {
-        people[text(row, 0)]["decisions"].push_back({{"kind", text(row, 1)},
-                                                     {"place", text(row, 2)},
-                                                     {"number", row.real(3)},
-                                                     {"computed", row.real(4)},
-                                                     {"why", text(row, 5)},
-                                                     {"who", text(row, 6)},
-                                                     {"at", text(row, 7)}});
-      });
+  for (auto& [name, one] : people.items()) {
+    for (const Decision& decision : decisions_of(name)) {
+      OrderedJson json = {{"kind", to_string(decision.kind)},
+                          {"place", decision.place},
+                          {"number", decision.number},
+                          {"computed", decision.computed},
+                          {"why", decision.why},
+                          {"who", decision.who},
+                          {"at", decision.at},
+                          {"title", decision.title}};
+      if (decision.comment != 0) json["comment"] = decision.comment;
+      if (!decision.code.empty()) json["code"] = decision.code;
+      one["decisions"].push_back(std::move(json));
+    }
+    for (const Request& request : read_requests(name))
+      one["requests"].push_back({{"place", request.place},
+                                 {"code", request.code},
+                                 {"text", request.text},
+                                 {"who", request.who},
+                                 {"at", request.at},
+                                 {"answer", request.answer},
+                                 {"answered_by", request.answered_by},
+                                 {"answered", request.answered}});
+  }
   database_.each(
       "SELECT name, at, who, did, detail FROM log JOIN people ON people.id = person ORDER BY log.id", {},
       [&](const DatabaseRow& row) {
@@ -80,11 +93,28 @@ std::string Record::export_json() {
                          {"reason", text(row, 2)},
                          {"whose", text(row, 3)}});
       });
+  OrderedJson desk = OrderedJson::array();
+  database_.each(
+      "SELECT what, coalesce(name, ''), who, at, owner FROM desk_items LEFT JOIN people ON people.id = "
+      "person "
+      "WHERE assignment = ? ORDER BY desk_items.id",
+      {assignment}, [&](const DatabaseRow& row) {
+        desk.push_back({{"item", text(row, 0)},
+                        {"whose", text(row, 1)},
+                        {"accepted_by", text(row, 2)},
+                        {"at", text(row, 3)},
+                        {"owner", text(row, 4)}});
+      });
+  OrderedJson comments = OrderedJson::array();
+  for (const Comment& one : read_comments())
+    comments.push_back({{"id", one.id}, {"text", one.text}, {"points", one.points}});
   OrderedJson all = {{"version", database_.number("PRAGMA user_version")}};
   if (!hand_in_.empty()) all["hand_in"] = hand_in_;
   all["made_by"] = json_or_null(database_.text("SELECT made_by FROM assignments WHERE id = ?", {assignment}));
   all["people"] = people;
+  all["comments"] = comments;
   all["listed_files"] = files;
+  all["desk"] = desk;
   return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -52,7 +52,7 @@ bool Record::is_in(const fs::path& folder) {
 Record::Record(const fs::path& folder, Journal journal) : Record(folder, "", journal) {}
 
 Record::Record(const fs::path& folder, std::string hand_in, Journal journal)
-    : hand_in_(std::move(hand_in)), database_(folder / kRecordFile, journal) {
+    : hand_in_(std::move(hand_in)), who_(user()), database_(folder / kRecordFile, journal) {
   migrate(database_);
 }
 
@@ -68,7 +68,7 @@ std::int64_t Record::assignment() {
 
 void Record::make_assignment() {
   if (assignment() != 0) return;
-  const std::string folder = folder_of_hand_in(hand_in_),
+  const std::string folder = hand_in_.ends_with(kStage) ? hand_in_ : folder_of_hand_in(hand_in_),
                     other = database_.text("SELECT name FROM assignments WHERE folder = ? COLLATE NOCASE",
                                            {folder});
   if (!other.empty())
@@ -95,7 +95,25 @@ void Record::add_to_log(std::optional<std::int64_t> person, const std::string& d
   database_.run(
       "INSERT INTO log (at, who, assignment, person, did, detail) VALUES (strftime('%Y-%m-%d %H:%M:%S', "
       "'now'), ?, ?, ?, ?, ?)",
-      {user(), assignment(), person ? Value(*person) : Value(nullptr), did, detail});
+      {who_, assignment(), person ? Value(*person) : Value(nullptr), did, detail});
+}
+
+std::string Record::in_one(const std::function<void()>& changes) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  std::string made = database_.changes_of(changes);
+  transaction.commit();
+  return made;
+}
+
+bool Record::take_back(const std::string& changes, const std::vector<std::string>& people,
+                       const std::string& what) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  if (!database_.take_back(changes)) return false;
+  for (const std::string& name : people) add_to_log(known_person(name), "took back", what);
+  transaction.commit();
+  return true;
 }
 
 std::string Record::now() {
@@ -132,15 +150,20 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
+  leave_stage(id);
+  if (hand_in_.ends_with(kStage))
+    database_.run("DELETE FROM log WHERE assignment = ? AND person = ?", {assignment, id});
   // A table of times is not given each time. Older records don't say which files a row had: there the newest
-  // one counts, so that nobody becomes later.
+  // one counts, so that nobody becomes later. A stage has the times of its hand-in.
   std::string before;
+  const std::string of = hand_in_.substr(0, hand_in_.find('\n'));
   for (const std::string& files : {handed_in.files, std::string()})
     if (before.empty() && !handed_in.files.empty())
       before = database_.text(
-          "SELECT handed_in FROM hand_ins WHERE assignment = ? AND person = ? AND files = ? ORDER BY id DESC "
-          "LIMIT 1",
-          {assignment, id, files});
+          "SELECT handed_in FROM hand_ins JOIN assignments ON assignments.id = assignment WHERE name IN (?, "
+          "?) "
+          "AND person = ? AND files = ? ORDER BY hand_ins.id DESC LIMIT 1",
+          {hand_in_, of, id, files});
   database_.run(
       "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in, files, "
       "marked_late) VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -159,6 +182,7 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
         "DELETE FROM pictures WHERE digest = ? AND NOT EXISTS (SELECT 1 FROM shown WHERE shown.digest = "
         "pictures.digest)",
         {digest});
+  follow_categories(assignment, id);
   add_to_log(id, "graded", compact(points_then(result)));
   transaction.commit();
   return before;
@@ -199,6 +223,12 @@ std::optional<Recorded> Record::find(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   return read(name);
+}
+
+std::optional<SubmissionResult> Record::find_without_pictures(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  std::optional<Recorded> found = read(name, false);
+  return found ? std::optional(std::move(found->result)) : std::nullopt;
 }
 
 std::optional<Recorded> Record::read(const std::string& name, bool with_pictures) {
@@ -288,6 +318,9 @@ void Record::forget(const std::string& name) {
   forget_on_roster(name);
   database_.run("DELETE FROM people WHERE id = ?", {known_person(name)});
   remove_pictures_that_none_shows();
+  // A comment that nobody else has may name the person.
+  database_.run(
+      "DELETE FROM comments WHERE NOT EXISTS (SELECT 1 FROM commented WHERE comment = comments.id)");
   add_to_log({}, "forgot somebody", "");
   transaction.commit();
 }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "grader/intake/archives/accounted.h"
+#include "grader/record/comments.h"
 #include "grader/record/database.h"
 #include "grader/record/points/decisions.h"
 #include "grader/record/points/rules.h"
@@ -30,6 +31,10 @@
 namespace grader::inline record {
 
 inline constexpr const char* kRecordFile = "class.sqlite";  // no submission has this name
+
+// Follows a hand-in's name in the name of its stage, where a regrade gathers results until all are there. A
+// stage is a hand-in that only its own Record sees. No hand-in of a course file has a line break.
+inline constexpr const char* kStage = "\nstage";
 
 struct StudyPair {
   SubmissionStudy own, beside_itself;  // the student's, and the reference's in the same run
@@ -55,6 +60,8 @@ struct LogEntry {
   std::string at, who, did, detail;  // "2025-03-04 10:15:22" (UTC), "ada", "graded"; detail: JSON
 };
 
+struct Published;  // published.h
+
 class Record {
  public:
   static bool is_in(const std::filesystem::path& folder);
@@ -63,6 +70,13 @@ class Record {
   // `hand_in` is "" if the course has one without a name. A new hand-in is stored with the first change.
   explicit Record(const std::filesystem::path& folder, Journal journal = Journal::best);
   Record(const std::filesystem::path& folder, std::string hand_in, Journal journal = Journal::best);
+
+  // Names who changes it from now on, in place of this process's user.
+  void act_as(std::string who) { who_ = std::move(who); }
+  // Makes all changes of `changes` one transaction: nothing is changed if it throws. Returns them for
+  // take_back, which returns false, and changes nothing, if others have changed the same rows since.
+  std::string in_one(const std::function<void()>& changes);
+  bool take_back(const std::string& changes, const std::vector<std::string>& people, const std::string& what);
 
   const std::string& hand_in() const { return hand_in_; }
   std::filesystem::path pages() const;        // is the folder of its pages: the record's, or one below
@@ -82,6 +96,12 @@ class Record {
   // Replaces the earlier result of this student; the log has both. If the new one has no time, the earlier
   // time of the same files stays. Returns that earlier time, "" if there was none.
   std::string put(const Recorded& one, const HandedIn& handed_in = {});
+
+  // Removes the results of a stage if they were made otherwise.
+  void begin_stage(const std::string& made_by);
+  // Puts all results of this hand-in's stage, and how they were made, in the place of its own; decisions
+  // follow their categories. Returns hand-ins that are not in the stage yet: then nothing changes.
+  std::vector<std::string> take_stage();
 
   // Sets time and mark of the version that counts. Without a new time the old one stays. Returns the old one.
   std::string set_handed_in(const std::string& name, const HandedIn& handed_in);
@@ -120,6 +140,8 @@ class Record {
   // BadInput if it is damaged.
   std::optional<Recorded> find(const std::string& name);
   std::optional<Recorded> find_decided(const std::string& name);
+  // Does as find, without the bytes of pictures.
+  std::optional<SubmissionResult> find_without_pictures(const std::string& name);
 
   // Uses other rules; `change` may change points before these apply.
   using ChangePoints = std::function<void(SubmissionResult&)>;
@@ -137,10 +159,24 @@ class Record {
   void set_rules(const HandInRules& rules);
 
   std::vector<Decision> decisions(const std::string& name);
-  // Replaces an earlier decision of this kind and place. Throws BadInput as check does, and for an unknown
-  // name; undo does so, too, if there is no such decision.
+  std::vector<std::string> conflicts(const std::string& name);  // see decisions.h
+  // Replaces an earlier decision of this kind and place, but adds a comment (comments.h). Throws BadInput as
+  // check does, and for an unknown name; undo does so, too, if there is no such decision. undo takes back all
+  // comments of a place, or one.
   void decide(const std::string& name, Decision decision);
-  void undo(const std::string& name, DecisionKind kind, const std::string& place);
+  void undo(const std::string& name, DecisionKind kind, const std::string& place, std::int64_t comment = 0);
+
+  std::vector<Comment> comments();   // by id; also those that nobody has any more
+  Comment comment(std::int64_t id);  // throws BadInput for an unknown id, as the others do
+  // Changes it for all who have it, and returns it as it was. Throws BadInput for an unknown id, no text, and
+  // points where it is not at a place.
+  Comment change_comment(std::int64_t id, const std::string& text, double points);
+
+  std::vector<Request> requests();  // by id
+  // Throws BadInput for an unknown name or place, and for no text. Returns 0 if the same was asked before.
+  std::int64_t ask(const std::string& name, const std::string& place, const std::string& text);
+  // Throws BadInput if it is answered, or unknown; and for no text. Returns the request.
+  Request answer(std::int64_t id, const std::string& text);
 
   void set_run(const TimingByExercise& reference, const std::optional<LastRun>& run);
   ClassCosts costs();
@@ -150,6 +186,10 @@ class Record {
   // run; leaves out those of unknown people.
   void set_listed(const std::vector<Accounted>& listed);
   std::vector<Accounted> listed();
+
+  // Remembers in the log what students were told, and returns the last of it.
+  void put_published(const std::map<std::string, Published>& by_name);
+  std::optional<Published> published(const std::string& name);
 
   // Stores cells that went into a learning system's table: if they differ later, a person changed them.
   void put_entered(const std::vector<std::pair<std::string, std::string>>& cells);
@@ -167,6 +207,7 @@ class Record {
   std::string export_json();  // returns all data except pictures' bytes
 
  private:
+  friend class DeskRows;
   struct Dated;  // another hand-in of the record, with a due date
 
   std::int64_t assignment();
@@ -184,6 +225,11 @@ class Record {
   SubmissionResult under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
+  SubmissionResult computed(const std::string& name);  // with places for points by hand
+  void put_comment(std::int64_t person, Decision& decision);
+  std::vector<Comment> read_comments();
+  Comment known_comment(std::int64_t id);
+  std::vector<Request> read_requests(const std::string& name = "");  // "": everybody's
   HandIn hand_in_of(const DatabaseRow& row) const;
   std::vector<HandIn> read_hand_ins(Of of);
   std::vector<Drawn> read_drawn();
@@ -192,13 +238,16 @@ class Record {
   std::optional<ClassList> read_class_list(const std::vector<HandIn>& hand_ins);
   std::vector<HandIn> read_owned();
   bool read_is_blind();
+  std::int64_t stage_of_this();
+  void leave_stage(std::int64_t person);
+  void follow_categories(std::int64_t assignment, std::int64_t person = 0);  // 0: everybody
   void forget_on_roster(const std::string& hand_in);
   void add_to_log(std::optional<std::int64_t> person, const std::string& did, const std::string& detail);
   std::string picture(const std::string& digest);
   void remove_pictures_that_none_shows();
 
-  std::string hand_in_;
-  std::mutex one_at_a_time_;
+  std::string hand_in_, who_;
+  std::recursive_mutex one_at_a_time_;  // in_one holds it, too
   Database database_;
 };
 

@@ -1,6 +1,7 @@
 // STAFF ONLY. Writes reports as text.
 #include "grader/report/student_text.h"
 
+#include "grader/report/facts/columns.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
 #include "hair/io/plot/readable.h"
@@ -9,7 +10,8 @@ namespace grader::inline report {
 namespace {
 
 std::string total_of(const SubmissionResult& result) {
-  return shown_total(points(result), max_points(result));
+  const std::string to_come = not_given_yet(result);
+  return shown_total(points(result), max_points(result)) + (to_come.empty() ? "" : ", not final: " + to_come);
 }
 
 std::string line_of(const ExerciseResult& exercise) {
@@ -18,6 +20,22 @@ std::string line_of(const ExerciseResult& exercise) {
 }
 
 }  // namespace
+
+std::string about(const Said& said, const ExerciseResult& exercise) {
+  const std::size_t end = said.place.find_first_of(".:");
+  if (end == said.place.npos) return "";
+  const std::string number = said.place.substr(end + 1);
+  if (said.place[end] == ':') return exercise.file + ", line " + number + ": ";
+  return said.place + " " + exercise.cases.at(std::stoul(number) - 1).name + ": ";
+}
+
+std::string said_of_exercise(const ExerciseResult& exercise) {
+  std::string all = exercise.feedback;
+  for (const Said& said : exercise.said)
+    all += (all.empty() ? "" : "\n") + about(said, exercise) + (said.code.empty() ? "" : said.code + "\n") +
+           said.text;
+  return all;
+}
 
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
@@ -37,15 +55,15 @@ std::string student_text(const SubmissionResult& whole) {
   if (const std::string said = said_of_the_whole(result); !said.empty()) text += hair::readable(said) + "\n";
   for (const ExerciseResult& exercise : result.exercises) {
     text += "\n" + line_of(exercise) + "\n";
-    if (!exercise.feedback.empty()) text += hair::readable(exercise.feedback) + "\n";
+    if (const std::string said = said_of_exercise(exercise); !said.empty())
+      text += hair::readable(said) + "\n";
     if (!exercise.compiler_messages.empty()) text += hair::readable(exercise.compiler_messages) + "\n";
     std::size_t number = 0;
     for (const CaseResult& one : exercise.cases) {
       text += "  " + exercise.id + "." + std::to_string(++number) + " " + one.name + ": " +
               shown_points(one.points) + " of " + shown_points(one.max_points) + ", " +
               to_string(one.status) + "\n";
-      for (const std::string& words : {one.feedback, one.memory_error})
-        if (!words.empty()) text += "    " + hair::readable(words) + "\n";
+      if (!one.feedback.empty()) text += "    " + hair::readable(one.feedback) + "\n";
     }
   }
   return text;

@@ -48,6 +48,8 @@ SubmissionResult submission() {
   exercise.cases = {kCase, {}};
   exercise.pictures = {kPicture};
   exercise.staff_log = "log\n";
+  exercise.source = "int x;\n";
+  exercise.said = {{"S1:1", "int x;", "The staff say: call it n"}};
   SubmissionResult result;
   result.name = "alice";
   result.exercises = {exercise, {}};
@@ -147,9 +149,9 @@ bool may_be_missing(const std::string& place) {
   if (place.find("/points/") != place.npos)
     return key == "note" || key == "error" || key == "solver_steps" || key == "correction_steps";
   return key == "hint" || key == "breaks_off" || key == "studied" || key == "ended_by_the_clock" ||
-         key == "extra_credit_counted" || key == "adjustments" || key == "remarks" || key == "about" ||
-         key == "last_run" || key == "began" || key == "ended" || key == "asked" || key == "done" ||
-         key == "alice" || key == "bob" || key == "S1" || key == "runs";
+         key == "extra_credit_counted" || key == "source" || key == "said" || key == "adjustments" ||
+         key == "remarks" || key == "about" || key == "last_run" || key == "began" || key == "ended" ||
+         key == "asked" || key == "done" || key == "alice" || key == "bob" || key == "S1" || key == "runs";
 }
 
 template <class T>
@@ -247,7 +249,7 @@ constexpr Slip kSlips[] = {
     {R"("status":"broke the rules")", R"("status":"fine")",
      "a.json: cases[0].status: \"fine\" is not right; write one of: passed, partly, wrong, not implemented, "
      "missing, does not compile, crashed, timed out, out of memory, broke the rules, not taken, "
-     "can't be read"},
+     "can't be read, given, not given yet, excused"},
     {R"("held":2147483647)", R"("held":2147483648)",
      "a.json: cases[0].held: 2147483648 is not right; write a whole number from -2147483648 to 2147483647"},
     {R"("cases":7)", R"("cases":7.5)",

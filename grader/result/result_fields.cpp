@@ -42,21 +42,30 @@ const Rows<PictureResult>& Fields<PictureResult>::rows() {
   return all;
 }
 
+const Rows<Said>& Fields<Said>::rows() {
+  using T = Said;
+  static const Rows<T> all = {field("place", &T::place), field("code", &T::code), field("text", &T::text)};
+  return all;
+}
+
 const Rows<ExerciseResult>& Fields<ExerciseResult>::rows() {
   using T = ExerciseResult;
-  static const Rows<T> all = {field("id", &T::id),
-                              field("title", &T::title),
-                              field("file", &T::file),
-                              field("extra_credit", &T::extra_credit),
-                              field("status", &T::status),
-                              field("points", &T::points),
-                              field("max_points", &T::max_points),
-                              field("feedback", &T::feedback),
-                              field("compiler_messages", &T::compiler_messages),
-                              field("cases", &T::cases),
-                              field("pictures", &T::pictures),
-                              field("staff_log", &T::staff_log),
-                              of_earlier_versions<T>("allocations")};
+  static const Rows<T> all = {
+      field("id", &T::id),
+      field("title", &T::title),
+      field("file", &T::file),
+      field("extra_credit", &T::extra_credit),
+      field("status", &T::status),
+      field("points", &T::points),
+      field("max_points", &T::max_points),
+      field("feedback", &T::feedback),
+      field("compiler_messages", &T::compiler_messages),
+      field("cases", &T::cases),
+      field("pictures", &T::pictures),
+      field("staff_log", &T::staff_log),
+      field<T>("source", &T::source, [](const T& one) { return !one.source.empty(); }),
+      field<T>("said", &T::said, [](const T& one) { return !one.said.empty(); }),
+      of_earlier_versions<T>("allocations")};
   return all;
 }
 

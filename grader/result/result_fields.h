@@ -15,7 +15,7 @@
 namespace grader::inline result {
 
 template <>
-inline constexpr Status kLast<Status> = Status::unreadable;
+inline constexpr Status kLast<Status> = Status::excused;
 template <>
 inline constexpr Isolation kLast<Isolation> = Isolation::container;
 template <>
@@ -28,6 +28,10 @@ struct Fields<CaseResult> {
 template <>
 struct Fields<PictureResult> {
   static const Rows<PictureResult>& rows();
+};
+template <>
+struct Fields<Said> {
+  static const Rows<Said>& rows();
 };
 template <>
 struct Fields<ExerciseResult> {

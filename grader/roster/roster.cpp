@@ -198,6 +198,20 @@ Roster::Match Roster::find(const Person& person) const {
                         : "the ids of " + person.name + " on the roster name " + count_of(found.size())};
 }
 
+std::vector<std::size_t> Roster::find_all(const Owner& owner, const std::string& system, const Roster* roster,
+                                          std::vector<std::string>& told) const {
+  std::vector<std::size_t> found;
+  for (const Owner& one : owner.members.empty() ? std::vector{owner} : owner.members) {
+    Match match = find(one, system);
+    if (!match.person && roster)
+      if (const Match on_roster = roster->find(one, system); on_roster.person)
+        match = find(roster->people()[*on_roster.person]);
+    if (!match.told.empty()) told.push_back(match.told);
+    if (match.person) found.push_back(*match.person);
+  }
+  return found;
+}
+
 Roster read_roster(const std::filesystem::path& file) {
   return Roster(read_csv(file));
 }

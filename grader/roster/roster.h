@@ -42,6 +42,10 @@ class Roster {
   // `system` is the layout of the download, as --from takes it: it determines the ids of its hand-ins. A
   // group is nobody; its members may be somebody.
   Match find(const Owner& owner, const std::string& system) const;
+  // Finds a hand-in's people, of a group its members; with a roster also by the ids that both tables have.
+  // `told` gets the lines of all matches.
+  std::vector<std::size_t> find_all(const Owner& owner, const std::string& system, const Roster* roster,
+                                    std::vector<std::string>& told) const;
   // Returns the title of a column that finds the hand-ins of a download.
   static const char* column_for(const std::string& system);
   // Finds a person of another table, by the ids that both have.

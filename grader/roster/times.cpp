@@ -87,15 +87,9 @@ std::string Times::find(const std::string& hand_in, const Owner& owner, const st
                         const Roster* roster) {
   std::string latest;
   std::optional<std::chrono::sys_seconds> latest_moment;
-  const bool members = !owner.members.empty();
-  for (const Owner& one : members ? owner.members : std::vector{owner}) {
-    Roster::Match match = people_.find(one, system);
-    if (!match.person && roster)
-      if (const Roster::Match on_roster = roster->find(one, system); on_roster.person)
-        match = people_.find(roster->people()[*on_roster.person]);
-    if (!match.told.empty()) said_.push_back(hand_in + ": in " + table_.file + ": " + match.told);
-    if (!match.person) continue;
-    const std::string time = time_of(*match.person);
+  std::vector<std::string> told;
+  for (const std::size_t person : people_.find_all(owner, system, roster, told)) {
+    const std::string time = time_of(person);
     const std::optional<TimeText> read = read_time(time);
     if (!read && latest.empty()) latest = time;
     if (!read) continue;
@@ -105,6 +99,7 @@ std::string Times::find(const std::string& hand_in, const Owner& owner, const st
       latest_moment = moment;
     }
   }
+  for (const std::string& line : told) said_.push_back(hand_in + ": in " + table_.file + ": " + line);
   return latest;
 }
 

@@ -78,7 +78,7 @@ TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
         record.put(one);
       }
   }
-  ASSERT_EQ(run({"comment", "mueller_4711047110", "x"}).code, 0);
+  ASSERT_EQ(run({"comment", "mueller_4711047110", "all", "x"}).code, 0);
   std::map<string, string> all = files();
   const auto has = [](const string& text, const string& words) { return text.find(words) != string::npos; };
   const string name = "Müller, &lt;b&gt;";
@@ -137,7 +137,7 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
   look(second.output + second.errors, "the second terminal");
   EXPECT_EQ(Record(out_).names(), names);
   for (const std::vector<string>& words : std::vector<std::vector<string>>{
-           {"comment", names[0], "x"}, {"log", names[0]}, {"diff"}, {"export"}}) {
+           {"comment", names[0], "all", "x"}, {"log", names[0]}, {"diff"}, {"export"}}) {
     const ProgramRun told = run(words);
     EXPECT_EQ(told.code, 0) << told.errors;
     look(told.output + told.errors, words.front());

@@ -83,7 +83,7 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   const string exported = run({"export"}).output;
   EXPECT_TRUE(has(exported.substr(exported.find("roemax_4716")), "\"marked_late\": true"));
   ASSERT_EQ(run({"set", "team7_4713", "S1", "5", "--why", "a talk"}).code, 0);
-  ASSERT_EQ(run({"comment", "team7_4713", "Well spoken."}).code, 0);
+  ASSERT_EQ(run({"comment", "team7_4713", "all", "Well spoken."}).code, 0);
 
   // Another member hands in for the group, which has another name and a new member; the mark has gone.
   download({"rockets_4714_90011_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});

@@ -33,12 +33,9 @@ std::string live_page(const std::string& name, const std::string& shows) {
 <div id="words"></div>
 <p class="quiet">Other steps, another stiffness or method start it anew. Drag to turn, with shift to move, and use the wheel or two fingers to come nearer. Arrow keys turn, + and - come nearer and go away, 0 goes back. Space goes on and pauses; full stop makes one step, r starts anew.</p>
 </main>
-<script>
-"use strict";
-{}</script>
 )",
-                         {name, shows, Html{kPageScripts + kLiveScript}});
-  return html_page(name + ", live", body, Scripts::on_and_asks_its_server);
+                         {name, shows});
+  return html_page(name + ", live", body, {{"\"use strict\";\n" + kPageScripts + kLiveScript}, true});
 }
 
 }  // namespace hair

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "hair/live/guard.h"
+#include "hair/io/serve/guard.h"
 #include "hair/live/message_log.h"
 
 namespace hair {
@@ -23,7 +23,7 @@ class LiveServer {
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
 
-  const LiveAddress& address() const;
+  const ServerAddress& address() const;
 
  private:
   class Parts;

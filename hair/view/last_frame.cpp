@@ -1,7 +1,7 @@
 #include <bit>
 
 #include "hair/io/files/json_text.h"
-#include "hair/view/base64.h"
+#include "hair/io/plot/base64.h"
 #include "hair/view/motion.h"
 
 namespace hair {

@@ -6,7 +6,7 @@
 
 #include "hair/io/files/json_text.h"
 #include "hair/io/plot/page.h"
-#include "hair/view/base64.h"
+#include "hair/io/plot/base64.h"
 
 namespace hair {
 

@@ -45,12 +45,9 @@ std::string view_page(const std::vector<NamedMotion>& motions) {
 <div id="words"></div>
 <p class="quiet">Drag to turn, with shift to move, and use the wheel or two fingers to come nearer. Arrow keys turn, + and - come nearer and go away, 0 goes back. Space plays and stops; comma and full stop go a frame back and on.</p>
 </main>
-{}<script>
-"use strict";
-{}</script>
-)",
-                         {title, data, Html{kPageScripts + kRunScript}});
-  return html_page(title, body, Scripts::on);
+{})",
+                         {title, data});
+  return html_page(title, body, {{"\"use strict\";\n" + kPageScripts + kRunScript}});
 }
 
 }  // namespace hair

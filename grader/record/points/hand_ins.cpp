@@ -50,6 +50,11 @@ std::vector<CourseHandIn> read_hand_ins(const Course& course,
     if (!common.exercises.empty())
       file["hand_in"]["exercises"].fail("belongs to one of several hand-ins; write it in \"hand_ins\"");
   }
+  const auto check_ids = [&](const JsonValue& json, const HandInRules& rules) {
+    for (const auto& [id, one] : rules.by_hand)
+      if (course.find(id)) json["by_hand"][id].fail("is an exercise; give these points another id");
+  };
+  if (file.has("hand_in")) check_ids(file["hand_in"], common);
   if (!file.has("hand_ins")) return {{"", common}};
   if (!common.due.empty() || !common.column.empty())
     file["hand_in"].fail("has what all of \"hand_ins\" share; write \"due\" and \"column\" in each of them");
@@ -64,6 +69,7 @@ std::vector<CourseHandIn> read_hand_ins(const Course& course,
                 " bytes, such as \"week 3\"");
     CourseHandIn one{name, common};
     read_rules(json, one.rules);
+    if (json.has("by_hand")) check_ids(json, one.rules);
     if (json.has("free_days_in_all"))
       json["free_days_in_all"].fail("is for all hand-ins; write it in \"hand_in\", beside \"hand_ins\"");
     if (!json.has("exercises")) json.fail("names no exercises; write them, such as \"exercises\": [\"S1\"]");

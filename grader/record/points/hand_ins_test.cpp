@@ -8,6 +8,7 @@
 
 #include "grader/course/input.h"
 #include "grader/record/record.h"
+#include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"
@@ -160,13 +161,12 @@ TEST_F(HandIns, OfARecordThatBeganWithoutAShareOfExtraCreditHaveNone) {
   alice.exercises.push_back(alice.exercises.front());
   alice.exercises[0].points = 2;
   alice.exercises[1].extra_credit = true;
-  const auto as_of_version_7 = [&] {
-    Database(dir_ / kRecordFile)
-        .run_all(
-            "ALTER TABLE class DROP COLUMN all_extra_credit; DELETE FROM migrations WHERE version = 8; "
-            "PRAGMA user_version = 7");
+  const auto begin_with_version_7 = [&](const std::string& people) {
+    fs::remove(dir_ / kRecordFile);
+    Database database(dir_ / kRecordFile);
+    migrate(database, {migrations().front()});
+    database.run_all(people);
   };
-  Record(dir_, "week 1").put({alice});
   const auto total = [&](const std::string& hand_in, std::optional<double> share) {
     HandInRules rules;
     rules.extra_credit_share = share;
@@ -179,14 +179,12 @@ TEST_F(HandIns, OfARecordThatBeganWithoutAShareOfExtraCreditHaveNone) {
     return reached;
   };
   EXPECT_EQ(total("week 1", {}), 3);
-  as_of_version_7();
+  begin_with_version_7("INSERT INTO people (name, drawn_from) VALUES ('bob', 'bob')");
   EXPECT_EQ(total("week 1", {}), 10) << "all counts, up to the full points";
   EXPECT_EQ(total("week 2", {}), 10) << "and in hand-ins that are new";
   EXPECT_EQ(total("week 1", 0.2), 4) << "unless the course file says a share";
   EXPECT_EQ(total("week 1", {}), 10);
-  fs::remove(dir_ / kRecordFile);
-  Record{dir_};
-  as_of_version_7();
+  begin_with_version_7("");
   EXPECT_EQ(total("week 1", {}), 3) << "nothing was begun there";
 }
 

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "grader/course/input.h"
 #include "grader/record/points/shown_number.h"
 #include "grader/record/points/zone.h"
 #include "grader/result/json_fields.h"
+#include "grader/text/letters.h"
 #include "grader/text/time_text.h"
 
 namespace grader::inline record {
@@ -59,7 +62,45 @@ void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, c
   result.adjustments.push_back({reason, -late.taken});
 }
 
+// Ids are places, columns and parts of pages' links.
+bool is_id(const std::string& id) {
+  return !id.empty() && id != "all" && id.size() <= 20 &&
+         std::isalpha(static_cast<unsigned char>(id.front())) != 0 &&
+         std::ranges::all_of(id,
+                             [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
+}
+
+void check_by_hand(const JsonValue& json, const std::map<std::string, ByHand>& all) {
+  constexpr double kMost = 1e6;
+  for (const auto& [id, one] : all) {
+    if (!is_id(id)) json[id].fail("is no id; write up to 20 letters and digits, such as \"oral\"");
+    if (!(one.points > 0 && one.points <= kMost))
+      json[id]["points"].fail(json[id]["points"].shown() + " is not right; write a number above 0");
+    if (legible(one.title) != one.title) json[id]["title"].fail("is no title; write one line of text");
+  }
+}
+
+std::vector<ExerciseResult> taken_out_by_hand(SubmissionResult& result) {
+  const auto first = std::ranges::stable_partition(result.exercises, std::not_fn(is_by_hand)).begin();
+  std::vector<ExerciseResult> by_hand(std::make_move_iterator(first),
+                                      std::make_move_iterator(result.exercises.end()));
+  result.exercises.erase(first, result.exercises.end());
+  return by_hand;
+}
+
 }  // namespace
+
+SubmissionResult with_by_hand(const HandInRules& rules, SubmissionResult result) {
+  for (const auto& [id, one] : rules.by_hand) {
+    ExerciseResult place;
+    place.id = id;
+    place.title = one.title.empty() ? id : one.title;
+    place.status = Status::not_given;
+    place.max_points = one.points;
+    result.exercises.push_back(std::move(place));
+  }
+  return result;
+}
 
 std::string to_string(LateOf of) {
   return of == LateOf::reached ? "reached" : "reachable";
@@ -68,6 +109,13 @@ std::string to_string(LateOf of) {
 }  // namespace grader::record
 
 namespace grader {
+
+const Rows<ByHand>& Fields<ByHand>::rows() {
+  using T = ByHand;
+  static const Rows<T> all = {field("points", &T::points),
+                              field<T>("title", &T::title, [](const T& one) { return !one.title.empty(); })};
+  return all;
+}
 
 const Rows<HandInRules>& Fields<HandInRules>::rows() {
   using T = HandInRules;
@@ -86,7 +134,8 @@ const Rows<HandInRules>& Fields<HandInRules>::rows() {
       field<T>("late_of", &T::late_of, changed(&T::late_of)),
       field<T>("late_per_cent_at_most", &T::late_per_cent_at_most, changed(&T::late_per_cent_at_most)),
       field<T>("extra_credit_share", &T::extra_credit_share, changed(&T::extra_credit_share)),
-      field<T>("total_per_cent_at_most", &T::total_per_cent_at_most, changed(&T::total_per_cent_at_most))};
+      field<T>("total_per_cent_at_most", &T::total_per_cent_at_most, changed(&T::total_per_cent_at_most)),
+      field<T>("by_hand", &T::by_hand, changed(&T::by_hand))};
   return all;
 }
 
@@ -111,6 +160,7 @@ void read_rules(const JsonValue& json, HandInRules& rules) {
   expect("late_per_cent_at_most", rules.late_per_cent_at_most, 100);
   if (rules.extra_credit_share) expect("extra_credit_share", *rules.extra_credit_share, 1);
   expect("total_per_cent_at_most", rules.total_per_cent_at_most, 1000);
+  if (json.has("by_hand")) check_by_hand(json["by_hand"], rules.by_hand);
 }
 
 SubmissionResult with_counted_extra_credit(const HandInRules& rules, SubmissionResult result) {
@@ -146,6 +196,7 @@ std::optional<int> late_days(const HandInRules& rules, const std::string& handed
 
 Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                   const MoreDays& more) {
+  taken_out_by_hand(result);
   return lateness_of(rules, with_counted_extra_credit(rules, std::move(result)), handed_in, more);
 }
 
@@ -156,8 +207,10 @@ int used_of_all(const HandInRules& rules, int late, const MoreDays& more) {
 
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                        const MoreDays& more) {
+  std::vector<ExerciseResult> by_hand = taken_out_by_hand(result);
   result = with_counted_extra_credit(rules, std::move(result));
   take_off_for_lateness(rules, result, handed_in, more);
+  std::ranges::move(by_hand, std::back_inserter(result.exercises));
   return result;
 }
 

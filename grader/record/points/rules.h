@@ -16,9 +16,13 @@
 //
 // Without "total_per_cent_at_most" the total counts up to 100 per cent: extra credit makes up for lost
 // points, and most gradebooks would refuse or cut a total beyond the full points.
+//
+// "by_hand": {"oral": {"points": 10, "title": "Oral examination"}} adds a place to each result that a person
+// gives points at. The total is not final before. Neither lateness nor the share of extra credit concerns it.
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +41,13 @@ enum class LateOf { reached, reachable };
 
 std::string to_string(LateOf of);
 
+struct ByHand {
+  double points = 0;
+  std::string title = {};  // "": its id
+
+  bool operator==(const ByHand&) const = default;
+};
+
 struct HandInRules {
   std::string due = {};                     // "": there is no date, and nobody is late
   std::string zone = {};                    // "": times are taken as they are shown, and offsets are ignored
@@ -48,6 +59,7 @@ struct HandInRules {
   LateOf late_of = LateOf::reached;
   std::optional<double> extra_credit_share = {};  // nothing: the record's
   double total_per_cent_at_most = 100;
+  std::map<std::string, ByHand> by_hand = {};  // by id
 
   bool operator==(const HandInRules&) const = default;
 };
@@ -58,6 +70,10 @@ namespace grader {
 
 template <>
 inline constexpr LateOf kLast<LateOf> = LateOf::reachable;
+template <>
+struct Fields<ByHand> {
+  static const Rows<ByHand>& rows();
+};
 template <>
 struct Fields<HandInRules> {
   static const Rows<HandInRules>& rows();
@@ -70,6 +86,9 @@ namespace grader::inline record {
 // Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place
 // and what would be right.
 void read_rules(const JsonValue& json, HandInRules& rules);
+
+// Returns the result with the places for points by hand, where none are given yet.
+SubmissionResult with_by_hand(const HandInRules& rules, SubmissionResult result);
 
 // Returns the result with the extra credit that counts, and with a remark if that is not all. All of it
 // counts where no other points can be reached.

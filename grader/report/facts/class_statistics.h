@@ -1,4 +1,5 @@
-// STAFF ONLY. Counts a class's results by exercise and category. Each person counts once.
+// STAFF ONLY. Counts a class's results by exercise and category. Each person counts once. A person who is
+// excused from an exercise counts neither there nor in totals.
 #pragma once
 
 #include <array>
@@ -35,13 +36,6 @@ struct CategoryStatistics {
   double share() const { return max_points > 0 ? points / max_points : 1; }
 };
 
-// Lists people who lose the same two or more categories of an exercise: they may share a misunderstanding, or
-// a source.
-struct FailAlike {
-  std::string exercise;
-  std::vector<std::string> categories, people;
-};
-
 // Describes a section of the roster. Each person counts once, with the best of their hand-ins; quartiles are
 // those of people who handed in.
 struct SectionStatistics {
@@ -51,6 +45,7 @@ struct SectionStatistics {
 };
 
 double mean(const std::vector<double>& values);  // is 0 for no values
+std::vector<double> totals_of(const std::vector<SubmissionResult>& results);
 Tenths tenths_of_totals(const std::vector<SubmissionResult>& results);
 std::vector<ExerciseStatistics> exercise_statistics(const std::vector<SubmissionResult>& results);
 std::vector<CategoryStatistics> category_statistics(
@@ -60,7 +55,5 @@ std::vector<SectionStatistics> section_statistics(const std::vector<SubmissionRe
                                                   const std::vector<ClassLine>& people);
 // Returns the value below which `share` of them are, interpolated between two values; 0 for no values.
 double quantile(std::vector<double> values, double share);
-std::vector<FailAlike> who_fail_alike(
-    const std::vector<SubmissionResult>& results);  // lists three people and more; most first
 
 }  // namespace grader::report

@@ -100,19 +100,6 @@ TEST(ClassStatistics, SectionsCountEachOfTheirPeopleOnce) {
   EXPECT_EQ(class_page(results, {}).find("id=\"sections\""), std::string::npos);
 }
 
-// A person who loses one category, or all, is no sign; a group has at least three people.
-TEST(ClassStatistics, WhoFailAlikeIsNamed) {
-  std::vector<SubmissionResult> results;
-  for (const char* name : {"a", "b", "c"}) results.push_back(person(name, {true, false, false}));
-  for (const char* name : {"d", "e", "f"}) results.push_back(person(name, {true, true, false}));
-  for (const char* name : {"g", "h", "i"}) results.push_back(person(name, {false, false, false}));
-  for (const char* name : {"j", "k"}) results.push_back(person(name, {false, true, false}));
-  const std::vector<FailAlike> groups = who_fail_alike(results);
-  ASSERT_EQ(groups.size(), 1U);
-  EXPECT_EQ(groups[0].people, (std::vector<std::string>{"a", "b", "c"}));
-  EXPECT_EQ(groups[0].categories, (std::vector<std::string>{"S1.2", "S1.3"}));
-}
-
 // A broken archive is one person, who is in no list of exercises.
 TEST(ClassStatistics, ThePageCountsPeopleAndNotCells) {
   SubmissionResult broken = person("broken", {});

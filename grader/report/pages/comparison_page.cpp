@@ -8,7 +8,7 @@ namespace grader::inline report {
 namespace {
 
 // A click on a picture shows its neighbour in its place, as FLIP assumes it; F does so for all.
-constexpr std::string_view flip_script = R"js(<script>
+constexpr std::string_view flip_script = R"js(
 const flips = [];
 for (const row of document.querySelectorAll(".pictures")) {
   const [a, b] = row.querySelectorAll("img"), first = a.src, second = b.src;
@@ -22,7 +22,6 @@ for (const row of document.querySelectorAll(".pictures")) {
 }
 onkeydown = event => { if (event.key === "f") for (const show of flips) show(true); };
 onkeyup = event => { if (event.key === "f") for (const show of flips) show(false); };
-</script>
 )js";
 
 // Writes a file's name as a part of a link: all but letters, digits and -._~ as %XX (RFC 3986).
@@ -119,8 +118,7 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
 )");
   for (const ComparedPair& pair : comparison.pairs) body += row(pair);
   body += html("</tbody>\n</table></div>\n</section>\n</main>\n");
-  body += Html{std::string(flip_script)};
-  return html_page("Pictures compared", body, Scripts::on);
+  return html_page("Pictures compared", body, {{std::string(flip_script)}});
 }
 
 }  // namespace grader::report

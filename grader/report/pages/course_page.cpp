@@ -70,8 +70,7 @@ std::string course_page(const CourseTable& course, const std::vector<ClassLine>&
   body += html("</tr></thead>\n<tbody>\n");
   for (const CourseTable::Row& row : course.rows) body += row_of(course, row, people);
   body += html("</tbody>\n</table></div>\n</section>\n</main>\n");
-  body += sort_script();
-  return html_page("Grades of the course", body, Scripts::on, Pictures::beside);
+  return html_page("Grades of the course", body, {{sort_script()}}, Pictures::beside);
 }
 
 }  // namespace grader::report

@@ -19,6 +19,10 @@ std::string student_page(
     const NamesForPeople& people = {});  // writes NAME/report.html, without the staff's texts
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people = {});  // staff/NAME.html
 
+// Writes the part of the staff's page about an exercise, or all of it if there is no such exercise.
+// `pictures` is their folder, from the page on.
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures);
+
 // Writes NAME/study.html for both. `beside_itself` is the reference's study of itself: the noise.
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself, const NamesForPeople& people = {});
@@ -31,6 +35,9 @@ std::string course_page(const CourseTable& course, const std::vector<ClassLine>&
 
 // Writes the folder's name, which commands take, behind a person's name.
 Html folder_beside(const std::string& name, const NamesForPeople& people);
+
+// Writes a heading with a count that opens and closes. It is open for few of them; empty for none.
+Html folded(const Html& heading, std::size_t count, const Html& content, std::size_t most_open = 0);
 
 // Lists people who are missing, or on no roster; empty if there are none.
 Html people_section(const std::vector<ClassLine>& people);
@@ -50,14 +57,14 @@ Html distribution_part(const std::vector<SubmissionResult>& results);
 Html categories_part(const std::vector<SubmissionResult>& results);
 Html sections_part(const std::vector<SubmissionResult>& results,
                    const std::vector<ClassLine>& people);  // empty without sections
-Html alike_part(const std::vector<SubmissionResult>& results,
-                const NamesForPeople& people = {});  // empty if no two people fail alike
-
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
-Html sort_script();
+// Shows what has class "more" in the section around it, or the page: it is folded at first. No script runs.
+Html fold(const std::string& label);
+
+// Is a script: it lets readers sort a table of class "class" by columns with data-sort, "text" or "number".
+std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet
 Html badge(Status status);           // writes the status in words, coloured

@@ -7,7 +7,7 @@
 namespace grader::inline report {
 namespace {
 
-constexpr std::string_view kSortScript = R"js(<script>
+constexpr std::string_view kSortScript = R"js(
 for (const th of document.querySelectorAll("table.class thead th[data-sort]")) {
   const column = th.cellIndex, button = document.createElement("button");
   button.append(...th.childNodes);
@@ -23,13 +23,12 @@ for (const th of document.querySelectorAll("table.class thead th[data-sort]")) {
     body.append(...[...body.rows].sort((a, b) => down ? order(b, a) : order(a, b)));
   };
 }
-</script>
 )js";
 
 }  // namespace
 
-Html sort_script() {
-  return Html{std::string(kSortScript)};
+std::string sort_script() {
+  return std::string(kSortScript);
 }
 
 }  // namespace grader::report

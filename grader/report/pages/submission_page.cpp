@@ -1,8 +1,12 @@
 // STAFF ONLY. Writes the page of a submission, for the student or for staff.
+#include <sstream>
+
+#include "grader/report/facts/columns.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
+#include "grader/report/student_text.h"
 
 namespace grader::inline report {
 namespace {
@@ -29,6 +33,15 @@ Html block(const std::string& heading, const std::string& text) {
   const bool cut = text.size() > most_log;
   return html("<h3>{}</h3>\n<pre>{}{}</pre>\n",
               {heading, text.substr(0, most_log), cut ? "\n... (cut here)" : ""});
+}
+
+// Leaves out the lines that the compiler's messages have already.
+std::string rest_of(const std::string& log, const std::string& messages) {
+  std::string rest;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (("\n" + messages + "\n").find("\n" + line + "\n") == std::string::npos) rest += line + "\n";
+  return rest;
 }
 
 // Students read only that a category broke off; their exercise says how.
@@ -77,7 +90,16 @@ Html cases_of(const ExerciseResult& exercise, Reader reader) {
   return all;
 }
 
-Html exercise_section(const ExerciseResult& exercise, Reader reader) {
+Html words_of_staff(const ExerciseResult& exercise) {
+  Html all;
+  for (const Said& said : exercise.said)
+    all += html("<div class=\"note\">{}{}{}</div>\n",
+                {about(said, exercise), said.code.empty() ? Html() : html("<pre>{}</pre>", {said.code}),
+                 html("<p class=\"said\">{}</p>", {said.text})});
+  return all;
+}
+
+Html exercise_section(const ExerciseResult& exercise, Reader reader, const PicturePlace& place) {
   Html section =
       html(R"(<section id="{}">
 <h2>{} {}</h2>
@@ -87,15 +109,16 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
            {exercise.id, exercise.id, exercise.title, badge(exercise.status),
             points_of(exercise.points, exercise.max_points), exercise.extra_credit ? ", extra credit" : "",
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
+  section += words_of_staff(exercise);
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
-  section +=
-      moments(exercise.pictures, "The whole run in pictures",
-              run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place_of(reader));
+  section += moments(exercise.pictures, "The whole run in pictures",
+                     run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place);
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
-    section += block("What compiler, linker and worker printed", exercise.staff_log);
+    section += block("What compiler, linker and worker printed",
+                     rest_of(exercise.staff_log, exercise.compiler_messages));
   return section += html("</section>\n");
 }
 
@@ -119,10 +142,30 @@ Html total_line(const SubmissionResult& result) {
   Html all = html("<p class=\"total\"><strong>{}</strong>{}{}</p>\n",
                   {total.substr(0, blank), total.substr(blank),
                    in_part ? ", " + shown_points(extra) + " of them extra credit" : ""});
+  if (const std::string to_come = not_given_yet(result); !to_come.empty())
+    all += html("<p class=\"adjustment\">Not final: {}</p>\n", {to_come});
   for (const Adjustment& adjustment : result.adjustments)
     all += html("<p class=\"adjustment\">{}: {} points</p>\n",
                 {adjustment.reason, shown_points(adjustment.points)});
   return all;
+}
+
+Html sections_of(const SubmissionResult& result, Reader reader, const PicturePlace& place) {
+  Html body;
+  for (const Decided& decided : result.decided)
+    if (!decided.conflict.empty()) body += html("<p class=\"stamp\">{}</p>\n", {decided.conflict});
+  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
+  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
+  body += overview(result);
+  // The overview has the course's order; below it exercises that lost points come first.
+  using enum Status;
+  for (const bool later : {false, true})
+    for (const ExerciseResult& exercise : result.exercises) {
+      const Status status = exercise.status;
+      if ((status == passed || status == excused || status == given || status == not_given) == later)
+        body += exercise_section(exercise, reader, place);
+    }
+  return body;
 }
 
 Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople& people) {
@@ -137,13 +180,7 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
          result.fingerprint.substr(0, 16)});
   }
   body += html("</header>\n<main>\n");
-  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
-  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
-  body += overview(result);
-  // The overview has the course's order; below it exercises that lost points come first.
-  for (const bool passed : {false, true})
-    for (const ExerciseResult& exercise : result.exercises)
-      if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader);
+  body += sections_of(result, reader, place_of(reader));
   if (result.studied)
     body += html("<p><a href=\"{}study.html\">Error against run time</a> of small scenes, beside ours.</p>\n",
                  {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
@@ -155,11 +192,14 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
 const char* look_of(Status status) {
   switch (status) {
     case Status::passed:
+    case Status::given:
       return "good";
     case Status::partly:
       return "part";
     case Status::missing:
     case Status::not_implemented:
+    case Status::excused:
+    case Status::not_given:
       return "none";
     default:
       return "bad";
@@ -194,8 +234,14 @@ std::string student_page(const SubmissionResult& result, const NamesForPeople& p
 }
 
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
-  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people),
-                   Scripts::off, Pictures::beside);
+  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people), {},
+                   Pictures::beside);
+}
+
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures) {
+  const ExerciseResult* one = find_exercise(result, exercise);
+  return one ? exercise_section(*one, Reader::staff, {pictures})
+             : sections_of(result, Reader::staff, {pictures});
 }
 
 }  // namespace grader::report

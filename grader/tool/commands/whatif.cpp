@@ -24,10 +24,11 @@ void weigh(const Course& course, SubmissionResult& result) {
     const bool there = found != course.exercises.end() && course.asks_for(*found);
     return there ? &*found : nullptr;
   };
-  std::erase_if(result.exercises, [&](const ExerciseResult& one) { return !asked_for(one.id); });
+  std::erase_if(result.exercises,
+                [&](const ExerciseResult& one) { return !is_by_hand(one) && !asked_for(one.id); });
   for (ExerciseResult& one : result.exercises) {
+    if (one.max_points <= 0 || is_by_hand(one)) continue;  // is excused, or has its points already
     const Exercise& exercise = *asked_for(one.id);
-    if (one.max_points <= 0) continue;  // is excused
     one.points *= exercise.points / one.max_points;
     one.max_points = exercise.points;
     one.extra_credit = exercise.role == Role::optional;
@@ -56,6 +57,9 @@ int what_if(const WhatIf& options) {
     for (const Adjustment& adjustment : then.adjustments)
       if (!same) std::cout << "    " << adjustment.reason << ": " << shown_points(adjustment.points) << "\n";
   }
+  if (const std::string unknown = without_time(*record, names); !rules.due.empty() && !unknown.empty())
+    std::cerr << "hairgrade: nobody knows whether these are late, and here they are not: " << unknown
+              << "; give their times by hairgrade grade --times\n";
   const auto people = static_cast<double>(std::max<std::size_t>(1, names.size()));
   std::cout << changed << " of " << names.size() << " totals would change, the mean from "
             << shown_points(before / people) << " to " << shown_points(after / people) << "\n";

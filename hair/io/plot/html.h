@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hair {
 
@@ -35,12 +36,15 @@ class HtmlPart {
 // Replaces each {} of the pattern by the next part. Throws std::invalid_argument if their numbers differ.
 Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts = {});
 
-enum class Scripts { off, on, on_and_asks_its_server };
+// A page's own scripts: it runs these and no others. With `asks` they may ask the page's server.
+struct Scripts {
+  std::vector<std::string> texts = {};
+  bool asks = false;
+};
 enum class Pictures { inside, beside };
 
 // A whole page with its style inside. It may load only picture files, and those only with Pictures::beside.
-// Only a page with Scripts::on runs its own inline script.
-std::string html_page(const std::string& title, const Html& body, Scripts scripts = Scripts::off,
+std::string html_page(const std::string& title, const Html& body, const Scripts& scripts = {},
                       Pictures pictures = Pictures::inside);
 
 }  // namespace hair

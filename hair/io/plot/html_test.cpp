@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "hair/io/plot/base64.h"
 #include "hair/io/plot/readable.h"
+#include "hair/io/plot/sha256.h"
 
 namespace hair {
 namespace {
@@ -60,6 +62,18 @@ TEST(HtmlPattern, BracesInTextAreNoHoles) {
 TEST(HtmlPattern, HolesAndPartsMustMatch) {
   EXPECT_THROW(html("{}"), std::invalid_argument);
   EXPECT_THROW(html("", {"x"}), std::invalid_argument);
+}
+
+// FIPS 180-4's examples, and lengths around that of a block, as coreutils' sha256sum has them.
+TEST(Sha256, IsTheStandards) {
+  for (const auto& [text, sum] :
+       {std::pair{std::string("abc"), "ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0="},
+        {"", "47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU="},
+        {std::string(55, 'a'), "n0OQ+NMMLdkuyfCVtl4rmumwqSWlJY4kHJ8ekQ9zQxg="},
+        {std::string(56, 'a'), "s1Q5pKxvCUi21vnjxq8PX1kM4g8b3nCQ73lwaG7Gc4o="},
+        {std::string(64, 'a'), "/+BU/nrgy23GXDr5th1SCfQ5hR20PQulmXM33xVGaOs="},
+        {std::string(1000, 'a'), "Qe3s5C1j6Nm/UVqbppMuHCDLyfWl0TRkWttdsblzfqM="}})
+    EXPECT_EQ(base64(sha256_bytes(text)), sum) << text.size();
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ std::string to_html(const Page& page) {
   }
   for (std::size_t i = 0; i < page.sections.size(); ++i) body += html_of(page.sections[i], section_id(i));
   body += html("</main>\n");
-  return html_page(page.title, body, Scripts::off, page.picture_files ? Pictures::beside : Pictures::inside);
+  return html_page(page.title, body, {}, page.picture_files ? Pictures::beside : Pictures::inside);
 }
 
 std::string to_csv(const Table& table) {

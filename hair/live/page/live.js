@@ -24,12 +24,12 @@ function makeLiveMotion(told) {
 }
 
 function watchSimulation() {
-  const query = location.search, runs = [];
+  const runs = [];
   let orbit = null, stage = null, plots = [], going = true, over = false, dirty = false, whole = 0, usual = 0;
   let shown = -1; // a frame, or -1 for the newest
   const again = () => { dirty = true; };
   const state = (text) => told("state", text);
-  const send = (command) => fetch(`command${query}`, { method: "POST", body: command })
+  const send = (command) => fetch("command", { method: "POST", body: command })
     .then((answer) => { if (!answer.ok) state("The server refused a command."); }, () => state("hairlab live has ended."));
 
   const settings = () => `${2 ** Number($("step-size").value)} ${10 ** Number($("stiffness").value)} ${$("method").value}`.trim();
@@ -97,7 +97,7 @@ function watchSimulation() {
     state: hearState,
     trouble(message) { state(message.text); going = false; told("play", "Start anew"); over = true; },
   };
-  const events = new EventSource(`events${query}`);
+  const events = new EventSource("events");
   events.addEventListener("message", (event) => { const message = JSON.parse(event.data); hear[message.kind](message); });
   events.addEventListener("error", () => state(events.readyState === EventSource.CLOSED ? "The server refuses this page: too many of them are open, or the address is not whole." : "hairlab live does not answer: it has ended, or the machine is busy."));
 

@@ -1,4 +1,4 @@
-#include "hair/view/base64.h"
+#include "hair/io/plot/base64.h"
 
 #include <cstdint>
 

@@ -1,15 +1,15 @@
-#include "hair/live/guard.h"
+#include "hair/io/serve/guard.h"
 
 #include <gtest/gtest.h>
 
 namespace hair {
 namespace {
 
-const LiveAddress kAddress{"127.0.0.1:4321", "0123456789abcdef"};
+const ServerAddress kAddress{"127.0.0.1:4321", "0123456789abcdef"};
 
 struct Case {
   const char* what;
-  LiveRequest request;
+  RequestHead request;
   bool is_refused;
 };
 

@@ -1,4 +1,4 @@
-#include "hair/live/guard.h"
+#include "hair/io/serve/guard.h"
 
 #include <fstream>
 #include <stdexcept>
@@ -17,13 +17,13 @@ bool same(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string refusal(const LiveRequest& request, const LiveAddress& address) {
+std::string refusal(const RequestHead& request, const ServerAddress& address) {
   if (request.host != address.host) return "this server is http://" + address.host + "/, and no other";
   if (request.changes && !request.origin) return "a command comes from this server's page alone";
   if (request.origin && *request.origin != "http://" + address.host)
     return "pages of other sites are not answered";
   if (!same(request.token, address.token))
-    return "open the whole address that hairlab live wrote on its terminal, with its token";
+    return "open the whole address that the program wrote on its terminal, with its token";
   return "";
 }
 

@@ -1,0 +1,58 @@
+// STAFF ONLY. What people did with the desk's items (grader/review/items.h): who accepted an item and what it
+// looked like, whose it is, and who has it open.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "grader/record/record.h"
+
+namespace grader::inline record {
+
+struct RowOfItem {
+  std::string what;    // is the item's kind and place: "near-threshold H2"
+  std::string person;  // is the name of a row; "": the item is of several people
+
+  auto operator<=>(const RowOfItem&) const = default;
+};
+
+struct DeskRow {
+  std::string looks = {}, who = {},
+              at = {};       // when it was accepted; `who` "": nobody decided, and these looks are known
+  std::string owner = {};    // "": nobody's
+  std::string open_by = {};  // had it open last
+  std::int64_t open_at = 0;  // is in seconds since 1970
+};
+
+// Is a result's version: another one means that it is to be read again.
+struct Versions {
+  std::int64_t result = 0, all = 0;  // all: also of decisions
+};
+
+// Each change is one transaction, or a part of that of Record::in_one.
+class DeskRows {
+ public:
+  explicit DeskRows(Record& record) : record_(record) {}
+
+  // Returns another value if anything in the record has changed.
+  std::pair<std::int64_t, std::int64_t> state();
+  std::map<RowOfItem, DeskRow> all();
+  std::map<std::string, Versions> versions();  // by name, of all who have a result
+
+  // Stores that the record's user accepts it, and adds that to the log of its people, with `detail`. Looks
+  // "": that nobody has accepted it.
+  void accept(const RowOfItem& row, const std::string& looks, const std::vector<std::string>& people,
+              const std::string& detail);
+  void know(const std::map<RowOfItem, std::string>& looks);
+  void give(const std::map<RowOfItem, std::string>& owners);
+  // Says that the record's user has it open, and no other item.
+  void open(const std::optional<RowOfItem>& row, std::int64_t now);
+
+ private:
+  std::int64_t id_of(const RowOfItem& row);  // makes it
+
+  Record& record_;
+};
+
+}  // namespace grader::record

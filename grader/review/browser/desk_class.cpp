@@ -1,0 +1,33 @@
+// STAFF ONLY. Writes a made class for the desk's tests: desk_class FOLDER PEOPLE. Names and messages are
+// hostile.
+#include <string>
+
+#include "grader/class_folder/class_files.h"
+#include "grader/report/facts/sample_results.h"
+#include "grader/review/made_class.h"
+
+int main(int argc, char* argv[]) {
+  using namespace grader;
+  if (argc != 3) return 2;
+  Record record(argv[1]);
+  put_made_class(record, std::stoul(argv[2]));
+  for (const std::string& name : record.names()) {  // made pictures have no bytes
+    Recorded one = *record.find(name);
+    for (ExerciseResult& exercise : one.result.exercises)
+      for (PictureResult& picture : exercise.pictures) {
+        const PictureResult drawn = sample_picture(picture.name, picture.far_off ? 30 : 1);
+        picture.student = drawn.student;
+        picture.reference = drawn.reference;
+        picture.heat = drawn.heat;
+      }
+    record.put(one);
+  }
+  // Without a picture: "x" is none.
+  const std::string planted = "<script>window.planted=1</script><img src=x onerror=window.planted=2>\"'&amp;";
+  SubmissionResult mallory = submission_full_of(planted);
+  mallory.exercises.front().pictures.clear();
+  record.put({mallory});
+  record.put_people({{mallory.name, {.name = planted, .id = planted}, "canvas"}});
+  record.ask(mallory.name, "S1", planted);
+  write_class_files(argv[1], record);
+}

@@ -1,0 +1,198 @@
+// STAFF ONLY. Keeps the items of a record.
+#include "grader/review/item_list.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "grader/class_folder/blind.h"
+#include "grader/course/input.h"
+
+namespace grader::inline review {
+
+namespace {
+
+// Returns as much of an item as its key says.
+Item item_of(const std::string& key) {
+  const std::size_t first = key.find('/'), second = key.find('/', first + 1);
+  Item item{.kind = kind_from(key.substr(0, first)).value_or(ItemKind::not_taken)};
+  if (second == std::string::npos) return item;
+  item.place = key.substr(first + 1, second - first - 1);
+  item.people = {key.substr(second + 1)};
+  return item;
+}
+
+}  // namespace
+
+ItemList::ItemList(Record& record, std::string who, std::function<std::int64_t()> clock)
+    : record_(record), rows_(record), who_(std::move(who)), clock_(std::move(clock)) {
+  record_.act_as(who_);
+  refresh();
+  if (const std::map<RowOfItem, std::string> looks = first_look(facts_); !looks.empty()) rows_.know(looks);
+}
+
+std::int64_t ItemList::seconds_now() {
+  using namespace std::chrono;
+  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+void ItemList::refresh() {
+  const auto state = rows_.state();
+  if (state == state_) return;
+  std::map<std::string, Versions> versions = rows_.versions();
+  std::erase_if(facts_.people, [&](const auto& one) { return !versions.contains(one.first); });
+  for (const auto& [name, now] : versions) {
+    const Versions before = versions_[name];
+    if (before.all == now.all) continue;
+    ItemPerson& person = facts_.people[name];
+    if (before.result != now.result)
+      person.computed = record_.find_without_pictures(name).value_or(SubmissionResult{});
+    person.decisions = record_.decisions(name);
+    person.handed_in = record_.handed_in(name);
+  }
+  versions_ = std::move(versions);
+  const std::optional<HiddenNames> hidden = record_.hidden_names();
+  lines_ = lines_of(record_.class_list(), record_.hand_ins());
+  if (hidden) lines_ = blind(lines_);
+  facts_.requests = record_.requests();
+  facts_.rules = record_.rules();
+  facts_.rows = rows_.all();
+  items_ = items_of(facts_);
+  if (hidden)
+    for (Item& item : items_) item.why = hidden->in(item.why);
+  state_ = state;
+}
+
+std::vector<Item> ItemList::items() {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  return items_;
+}
+
+const Item* ItemList::found(const std::string& key) const {
+  const auto item = std::ranges::find_if(items_, [&](const Item& one) { return one.key() == key; });
+  return item == items_.end() ? nullptr : &*item;
+}
+
+std::optional<Item> ItemList::find(const std::string& key) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  const Item* item = found(key);
+  return item ? std::optional(*item) : std::nullopt;
+}
+
+std::vector<Item> ItemList::chosen(const Choice& choice) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  std::vector<Item> all;
+  for (const Item* item : grader::chosen(items_, choice, lines_)) all.push_back(*item);
+  return all;
+}
+
+std::vector<ProgressOfTa> ItemList::progress() {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  return grader::progress(items_, facts_.rows);
+}
+
+const Item& ItemList::as_shown(const std::string& key, const std::string& version) const {
+  const Item* item = found(key);
+  if (!item)
+    throw ChangedMeanwhile(
+        "This is not in the list any more: others have decided it, or it was graded again");
+  if (item->version == version) return *item;
+  throw ChangedMeanwhile(item->is_decided() ? item->decided_by + " has decided this meanwhile, at " +
+                                                  item->decided_at + "; look at it again"
+                                            : "This has changed meanwhile; look at it again");
+}
+
+// Accepting an item about a decision says that it holds for the present points, too. Where its place is gone,
+// it goes.
+void ItemList::keep_decision(const std::string& name, const Item& item) {
+  const ItemPerson& person = facts_.people.at(name);
+  for (const Decision& decision : person.decisions) {
+    if (place_of_conflict(decision) != item.place || conflicts(person.computed, {decision}).empty()) continue;
+    try {
+      record_.decide(name, decision);
+    } catch (const BadInput&) {
+      record_.undo(name, decision.kind, decision.place, decision.comment);
+    }
+  }
+}
+
+void ItemList::save(const std::string& key, const std::string& version, const Change& change) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  // Taking the decision back must not remove the item's row, with its owner.
+  if (const Item* known = found(key); known && !facts_.rows.contains(known->row())) open(key);
+  Item item;
+  std::string changes = record_.in_one([&] {
+    refresh();
+    item = as_shown(key, version);
+    for (const std::string& name : item.people)
+      if (change)
+        change(record_, name);
+      else if (item.kind == ItemKind::conflict)
+        keep_decision(name, item);
+    rows_.accept(item.row(), item.looks, item.people, heading_of(item.kind) + ": " + item.why);
+  });
+  saved_.push_back({key, std::move(changes), item.people});
+}
+
+std::string ItemList::undo() {
+  const std::lock_guard lock(one_at_a_time_);
+  if (saved_.empty()) return "";
+  const Saved last = std::move(saved_.back());
+  saved_.pop_back();
+  if (!record_.take_back(last.changes, last.people, last.key))
+    throw ChangedMeanwhile("Others have changed this since, so that it was not taken back; look at it again");
+  return last.key;
+}
+
+void ItemList::reopen(const std::string& key) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  if (const Item* item = found(key)) rows_.accept(item->row(), "", item->people, heading_of(item->kind));
+}
+
+std::string ItemList::open(const std::string& key) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  const Item* item = found(key);
+  std::string other = item ? open_by_other(item->row(), facts_.rows, who_, clock_()) : "";
+  rows_.open(item && other.empty() ? std::optional(item->row()) : std::nullopt, clock_());
+  return other;
+}
+
+std::string ItemList::next(const std::string& key, const Choice& choice, Way way) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  Choice all = choice;
+  all.undecided = false;
+  std::vector<const Item*> items = grader::chosen(items_, all, lines_);
+  // This one may have left the list, and then lost its points. A decided one keeps its place here.
+  const Item* known = found(key);
+  const Item here = known ? *known : item_of(key);
+  const auto comes_on = [&](const Item& a, const Item& b) {
+    return comes_before(a, b, choice.by_lost_points);
+  };
+  std::ranges::sort(items, [&](const Item* a, const Item* b) {
+    return way == Way::on ? comes_on(*a, *b) : comes_on(*b, *a);
+  });
+  std::ranges::rotate(items, std::ranges::find_if(items, [&](const Item* item) {
+                        return way == Way::on ? comes_on(here, *item) : comes_on(*item, here);
+                      }));
+  for (const Item* item : items)
+    if (!item->is_decided() && item->key() != key &&
+        open_by_other(item->row(), facts_.rows, who_, clock_()).empty())
+      return item->key();
+  return "";
+}
+
+void ItemList::share(const std::vector<std::string>& graders, ShareBy by) {
+  const std::lock_guard lock(one_at_a_time_);
+  refresh();
+  rows_.give(shared_out(items_, graders, by, lines_));
+}
+
+}  // namespace grader::review

@@ -1,0 +1,92 @@
+// STAFF ONLY. The list of items that a TA decides: each says why a person must look at a place of a class's
+// results. It is made anew from results, decisions and requests. What people did with an item is stored
+// beside it (grader/record/desk_rows.h), under a key that stays the same between calls and regrades; an item
+// that looks otherwise than when it was accepted is undecided again.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/record/desk_rows.h"
+
+namespace grader::inline review {
+
+// Are in the order of the list.
+enum class ItemKind {
+  not_taken,  // could not be taken, or a part of it
+  broke_rules,
+  not_final,       // ended by the clock
+  conflict,        // a decision was made when other points were computed
+  request,         // a student asks for another look
+  near_threshold,  // an error near its limit, all but one of the cases, or late by less than an hour
+  blown_up,        // numbers that are not finite, or a run that breaks off
+  far_in_pictures,
+  alike,   // several people lose the same categories by errors of the same size
+  changed  // is new since it was last looked at
+};
+
+inline constexpr int kItemKinds = static_cast<int>(ItemKind::changed) + 1;
+std::string word_of(ItemKind kind);     // "not-taken": for keys and addresses
+std::string heading_of(ItemKind kind);  // "could not be taken": for people
+std::optional<ItemKind> kind_from(const std::string& word);
+
+struct Item {
+  ItemKind kind = ItemKind::changed;
+  std::string place = {};                        // tells it from others of its kind and people: "H2.3"
+  std::vector<std::string> people = {};          // are names of rows, sorted
+  bool is_group = false;                         // true: its key has no person, as people may join and leave
+  std::string exercise = {};                     // "H2"; "": the whole hand-in
+  std::vector<std::string> categories = {};      // "H2.3"
+  double lost = 0;                               // is the most that one person has lost here
+  std::optional<double> times = {};              // is the largest error, in limits; may be infinite
+  std::string why = {};                          // is a sentence
+  std::string titles = {};                       // are the exercise's and the categories', for the search
+  std::string looks = {};                        // hashes the computed results here
+  std::string version = {};                      // changes with these, and with decisions about them
+  std::string owner = {};                        // is the TA whose item it is; "": nobody's
+  std::string decided_by = {}, decided_at = {};  // "": nobody has since it looks so
+
+  bool is_decided() const { return !decided_by.empty(); }
+  RowOfItem row() const;
+  std::string key() const;  // "near-threshold/H2/alice"; may hold any letter of a name
+};
+
+struct ItemPerson {
+  SubmissionResult computed;  // without decisions and pictures
+  std::vector<Decision> decisions = {};
+  std::string handed_in = {};
+};
+
+struct ItemFacts {
+  std::map<std::string, ItemPerson> people;  // by the name of the row
+  std::vector<Request> requests = {};
+  HandInRules rules = {};
+  std::map<RowOfItem, DeskRow> rows = {};
+};
+
+// Sorts undecided ones first, then by kind, then those of most people and most lost points first. A person is
+// new only in a class that has had its first look.
+std::vector<Item> items_of(const ItemFacts& facts);
+
+// Returns the rows that make each person's present result a known one; nothing if the class has had this.
+std::map<RowOfItem, std::string> first_look(const ItemFacts& facts);
+
+// Returns the place of an item about this decision.
+std::string place_of_conflict(const Decision& decision);
+
+// Compare in the list's order, or by lost points, decided or not.
+bool comes_before(const Item& a, const Item& b, bool by_lost_points = false);
+
+struct Choice {
+  std::string text = {};  // all its words occur in names, ids, categories or titles, in any case
+  std::optional<ItemKind> kind = {};
+  std::string exercise = {}, section = {}, owner = {};  // "": any
+  bool undecided = false;
+  bool by_lost_points = false;  // else in the list's order
+};
+std::vector<const Item*> chosen(const std::vector<Item>& items, const Choice& choice,
+                                const std::vector<ClassLine>& people);
+
+}  // namespace grader::review
