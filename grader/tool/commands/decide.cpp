@@ -1,5 +1,5 @@
-// STAFF ONLY. `hairgrade set`, `excuse`, `late-days`, `hold`, `unset` and `unhold`: decisions of people, which
-// survive each regrade.
+// STAFF ONLY. `hairgrade set`, `excuse`, `late-days`, `hold`, `unset` and `unhold`: decisions of people,
+// which survive each regrade.
 #include <iostream>
 
 #include "grader/course/input.h"
