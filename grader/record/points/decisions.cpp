@@ -170,14 +170,16 @@ std::string conflict_of(const Decision& decision, const Place& place,
   const bool sets = decision.kind == DecisionKind::points;
   const std::string begin =
       decision.who + (sets ? " set " + decision.place + " to " + shown_number(decision.number) + " where " +
-                                 shown_number(decision.computed) + " points had been computed"
+                                 shown_number(decision.computed) +
+                                 (decision.worth > 0 ? " of " + shown_number(decision.worth) : "") +
+                                 " points had been computed"
                            : " decided " + decision_text(decision));
   if (!place.exercise && !decision.place.empty())
     return begin + ", and now there is no " + decision.place + "; unset it, or set another place";
   if (!sets || !place.exercise) return "";
   if (decision.worth > 0 && std::abs(place.max_points() - decision.worth) > kSamePoints)
-    return begin + " of " + shown_number(decision.worth) + ", and now it is worth " +
-           shown_number(place.max_points()) + "; set it again, or unset it";
+    return begin + ", and now it is worth " + shown_number(place.max_points()) +
+           "; set it again, or unset it";
   if (std::abs(place.points() - decision.computed) > kSamePoints)
     return begin + ", and now it is " + shown_number(place.points()) + "; set it again, or unset it";
   const Decision* other = contradicted(decision, decisions);

@@ -69,9 +69,10 @@ TEST_F(Decisions, SurviveEachRegradeAndListWhatHasChanged) {
   EXPECT_EQ(now().decided.at(0).conflict, "");
   record_.put({alice(5)});
   EXPECT_EQ(points(now()), 11) << "a decision is not taken back by itself";
-  const std::string conflict = user() +
-                               " set H2.2 to 4 where 1.5 points had been computed, and now it is 5; set it "
-                               "again, or unset it";
+  const std::string conflict =
+      user() +
+      " set H2.2 to 4 where 1.5 of 5 points had been computed, and now it is 5; set it "
+      "again, or unset it";
   EXPECT_EQ(conflicts(alice(5), record_.decisions("alice")), std::vector{"alice: " + conflict});
   EXPECT_EQ(now().decided.at(0).conflict, conflict);
   SubmissionResult shorter = alice();
