@@ -130,11 +130,11 @@ Html figure(const Html& picture, const Html& caption) {
   return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {picture, caption});
 }
 
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, Ending ending,
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, RunEnding ending,
              const std::string& whose, const PicturePlace& place) {
   if (pictures.empty()) return {};
   double flip = 0;
-  bool open = ending == Ending::breaks_off;
+  bool open = ending == RunEnding::breaks_off;
   Html rows;
   for (const PictureResult& picture : pictures) {
     flip = std::max(flip, picture.flip);
@@ -147,7 +147,7 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
       "apart once both are blurred by 4 pixels, 1 for black and white. FLIP is how different they look to a "
       "person who flips between them, 0 to 1.</p>\n</details>\n",
       {open ? html(" open=\"\"") : Html{}, heading,
-       ending == Ending::breaks_off ? ", until it breaks off" : ": FLIP up to " + shown_distance(flip),
+       ending == RunEnding::breaks_off ? ", until it breaks off" : ": FLIP up to " + shown_distance(flip),
        rows});
 }
 

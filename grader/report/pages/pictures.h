@@ -26,12 +26,12 @@ Html image(const std::string& png, const std::string& alt, const PicturePlace& p
 // Writes a picture with its caption below.
 Html figure(const Html& picture, const Html& caption);
 
-enum class Ending { whole, breaks_off };
+enum class RunEnding { whole, breaks_off };
 
 // Writes a row with its distances for each moment, under a heading that opens and closes. It starts open if a
 // picture differs, or if the run breaks off: the pictures before that may be like the reference's, and the
 // heading gives no distance. Empty without pictures. `whose` captions the submission's pictures: "Yours".
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, Ending ending,
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, RunEnding ending,
              const std::string& whose, const PicturePlace& place);
 
 // Writes a section of the class page: submissions sorted by the distance of their pictures from the

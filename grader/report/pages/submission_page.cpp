@@ -112,8 +112,9 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader, const Pictu
   section += words_of_staff(exercise);
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
-  section += moments(exercise.pictures, "The whole run in pictures",
-                     run_breaks_off(exercise) ? Ending::breaks_off : Ending::whole, whose(reader), place);
+  section +=
+      moments(exercise.pictures, "The whole run in pictures",
+              run_breaks_off(exercise) ? RunEnding::breaks_off : RunEnding::whole, whose(reader), place);
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
