@@ -229,8 +229,10 @@ Html nothing_left() {
 Html progress_part(const std::vector<ProgressOfTa>& progress) {
   Html all;
   for (const ProgressOfTa& one : progress)
-    all += html("<span><strong>{}</strong> {} of {}</span>\n",
-                {one.who.empty() ? "nobody&#39;s" : one.who, one.decided, one.items});
+    all += one.items > 0
+               ? html("<span><strong>{}</strong> {} of {}</span>\n",
+                      {one.who.empty() ? "nobody's" : one.who, one.decided, one.items})
+               : html("<span><strong>{}</strong> {} decided</span>\n", {one.who, one.has_decided});
   return all;
 }
 
@@ -261,7 +263,7 @@ std::string desk_page(const std::string& who, const std::string& where, const Ht
 <select id="sort" aria-label="Order"><option value="">as urgent</option><option value="lost">by points lost</option></select>
 <label><input id="undecided" type="checkbox" checked=""/> undecided only</label>
 </div>
-<div class="steps"><button type="button" data-action="next">Down <kbd>j</kbd></button> <button type="button" data-action="back">Up <kbd>k</kbd></button> <button type="button" data-action="undecided">Next undecided <kbd>u</kbd></button> <button type="button" data-action="undo">Undo <kbd>z</kbd></button></div>
+<div class="steps"><button type="button" data-action="next">Down <kbd>j</kbd></button> <button type="button" data-action="back">Up <kbd>k</kbd></button> <button type="button" data-action="undecided">Undecided <kbd>u</kbd></button> <button type="button" data-action="undo">Undo <kbd>z</kbd></button></div>
 <p id="count" class="quiet"></p>
 <ol id="list" data-stamp="{}">
 {}</ol>

@@ -75,7 +75,7 @@ function take(answer) {
   $("progress").innerHTML = answer.progress;
   if (answer.item) {
     $("item").innerHTML = answer.item;
-    history.replaceState(null, "", `#${encodeURIComponent(current())}`);
+    sessionStorage.setItem("item", current());
     if ($("item").getBoundingClientRect().top < 0) $("told").scrollIntoView();
     article().querySelector("h2").focus({ preventScroll: true });
   }
@@ -222,5 +222,5 @@ setInterval(() => {
 
 choose();
 mark(true);
-const wanted = decodeURIComponent(location.hash.slice(1));
+const wanted = decodeURIComponent(location.hash.slice(1)) || sessionStorage.getItem("item");
 if (wanted && wanted !== current() && rowOf(wanted)) show(wanted);

@@ -23,7 +23,7 @@ struct Review : OfARecord {
 int review_class(const Review& options) {
   if (options.as.empty() || options.as.size() > 100 || options.as != printable(options.as))
     throw BadInput("--as " + printable(options.as) + ": is no name; write one such as ada");
-  const std::atomic<bool>& interrupted = note_interruptions();
+  const std::atomic<bool>& ended = note_interruptions();
   const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
   Desk desk(*record, options.as, options.hand_in.empty() ? "The class" : options.hand_in);
   if (!options.graders.empty())
@@ -36,11 +36,11 @@ int review_class(const Review& options) {
     std::cout << server.address().url() << "\nOpen this in a browser. From another machine first: ssh -L "
               << port << ":" << host << " THIS_MACHINE. Ctrl-C ends it; all decisions of " << options.as
               << " are kept." << std::endl;
-    while (!interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    while (!ended) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   desk.list().open("");
   std::cout << "\nThe pages are written." << std::endl;
-  const std::optional<FolderLock> lock = FolderLock::take(options.folder, interrupted, std::cerr);
+  const std::optional<FolderLock> lock = FolderLock::take(options.folder, ended, std::cerr);
   if (lock) write_class_files(options.folder, *record);
   return 0;
 }
