@@ -252,17 +252,18 @@ std::vector<std::string> conflicts(const SubmissionResult& computed, const std::
   for (const Decision& decision : decisions) {
     const bool sets = decision.kind == DecisionKind::points;
     const Place place = find(result, decision.place);
-    const std::string begin =
-        result.name + ": " + decision.who +
-        (sets ? " set " + decision.place + " to " + shown_number(decision.number) + " where " +
-                    shown_number(decision.computed) + " points had been computed"
-              : " decided " + decision_text(decision));
+    const std::string begin = result.name + ": " + decision.who +
+                              (sets ? " set " + decision.place + " to " + shown_number(decision.number) +
+                                          " where " + shown_number(decision.computed) +
+                                          (decision.worth > 0 ? " of " + shown_number(decision.worth) : "") +
+                                          " points had been computed"
+                                    : " decided " + decision_text(decision));
     if (!place.exercise && !decision.place.empty())
       lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
     if (!sets || !place.exercise) continue;
     if (decision.worth > 0 && std::abs(place.max_points() - decision.worth) > kSamePoints)
-      lines.push_back(begin + " of " + shown_number(decision.worth) + ", and now it is worth " +
-                      shown_number(place.max_points()) + "; set it again, or unset it");
+      lines.push_back(begin + ", and now it is worth " + shown_number(place.max_points()) +
+                      "; set it again, or unset it");
     else if (std::abs(place.points() - decision.computed) > kSamePoints)
       lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
                       "; set it again, or unset it");

@@ -69,11 +69,11 @@ TEST_F(Decisions, SurviveEachRegradeAndListWhatHasChanged) {
   EXPECT_TRUE(conflicts(alice(), record_.decisions("alice")).empty());
   record_.put({alice(5)});
   EXPECT_EQ(points(now()), 11) << "a decision is not taken back by itself";
-  EXPECT_EQ(
-      conflicts(alice(5), record_.decisions("alice")),
-      std::vector<std::string>{"alice: " + user() +
-                               " set H2.2 to 4 where 1.5 points had been computed, and now it is 5; set it "
-                               "again, or unset it"});
+  EXPECT_EQ(conflicts(alice(5), record_.decisions("alice")),
+            std::vector<std::string>{
+                "alice: " + user() +
+                " set H2.2 to 4 where 1.5 of 5 points had been computed, and now it is 5; set it "
+                "again, or unset it"});
   SubmissionResult shorter = alice();
   shorter.exercises[1].cases.pop_back();
   record_.put({shorter});

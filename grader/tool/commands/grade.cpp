@@ -184,7 +184,7 @@ int grade(GradeOptions options) {
               << "; look at them, and grade them again (--resume grades no others)\n";
   if (batch.staged && !batch.interrupted)
     std::cerr << "hairgrade: the results before stay, for not all are graded anew"
-              << (batch.ungraded.empty() ? "" : ": " + some_of(batch.ungraded) + " are not in this input")
+              << (batch.ungraded.empty() ? "" : ": " + some_of(batch.ungraded))
               << "; grade these, too, with --regrade\n";
   if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
