@@ -41,7 +41,7 @@ int change(const CommentOptions& options) {
     list(open_record(options.folder, options.hand_in)->comments());
     return 0;
   }
-  return change_record(options, [&](Record& record, const std::string& name) {
+  return change_record(options, [&](Record& record, const std::string&) {
     const Comment before = record.comment(options.id);
     record.change_comment(options.id, options.text.empty() ? before.text : options.text,
                           options.points.value_or(before.points));

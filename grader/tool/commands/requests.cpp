@@ -65,7 +65,7 @@ Command add_answer(CLI::App& hairgrade) {
   command->add_option("TEXT", options->text, "The answer")->required();
   add_folder(*command, *options);
   return {command, [options] {
-            return change_record(*options, [&](Record& record, const std::string& name) {
+            return change_record(*options, [&](Record& record, const std::string&) {
               record.answer(options->id, options->text);
             });
           }};
