@@ -216,7 +216,8 @@ TEST_F(Hairgrade, ListsWhatTheClockEnded) {
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   earlier_run();
   const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");
-  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume"});
+  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume", "--junit"});
+  EXPECT_TRUE(fs::exists(out() + "/junit.xml"));
   EXPECT_NE(again.output.find("0 graded, 1 kept"), string::npos) << again.output;
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // This submission has the same name with other bytes.
@@ -229,6 +230,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_EQ(hair::bytes_of(out() + "/grades.csv"), grades);
   const ProgramRun other = grade({changed, "--out", out(), "--resume", "--replace"});
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
+  EXPECT_FALSE(fs::exists(out() + "/junit.xml")) << "it would be out of date";
 }
 
 // A bug in every exercise with a run makes all pictures differ from the reference's.

@@ -73,6 +73,7 @@ TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   Record(out_).put({result_of("alice", 3)});
   ASSERT_EQ(run({"comment", "carol", "H2", "well done"}).code, 0);
   EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";
+  EXPECT_NE(files().at("index.html").find("conflict: points H2.1</a>"), string::npos);
   const ProgramRun log = run({"log", "alice"});
   EXPECT_NE(log.output.find("points H2.1: 7.5 (computed: 2): the test <was> wrong"), string::npos)
       << log.output;

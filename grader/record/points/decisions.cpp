@@ -67,13 +67,14 @@ void set_points(const Place& place, const Decision& decision) {
   }
   place.exercise->points += number - place.points();
   if (place.category) place.category->points = number;
+  place.exercise->points_set = true;
 }
 
 void excuse(ExerciseResult& exercise, const Decision& decision) {
   Place{&exercise, nullptr}.tell(
       with_reason("The staff excused you from this exercise: it does not count", decision));
+  exercise.status = Status::excused;
   exercise.points = exercise.max_points = 0;
-  if (!is_given(exercise)) exercise.status = Status::given;
   for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
 }
 
@@ -92,6 +93,7 @@ void add_points_of_comments(SubmissionResult& result, const std::vector<Decision
     if (!place.exercise || !is_given(*place.exercise)) continue;
     const double before = place.points(), after = std::clamp(before + number, 0.0, place.max_points());
     if (place.category) place.category->points = after;
+    place.exercise->points_set |= after != before;
     double& all = place.exercise->points;
     all = std::clamp(all + after - before, 0.0, place.exercise->max_points);
   }
@@ -163,6 +165,29 @@ const Decision* contradicted(const Decision& one, const std::vector<Decision>& o
   return found == others.end() ? nullptr : &*found;
 }
 
+std::string conflict_of(const Decision& decision, const Place& place,
+                        const std::vector<Decision>& decisions) {
+  const bool sets = decision.kind == DecisionKind::points;
+  const std::string begin =
+      decision.who + (sets ? " set " + decision.place + " to " + shown_number(decision.number) + " where " +
+                                 shown_number(decision.computed) +
+                                 (decision.worth > 0 ? " of " + shown_number(decision.worth) : "") +
+                                 " points had been computed"
+                           : " decided " + decision_text(decision));
+  if (!place.exercise && !decision.place.empty())
+    return begin + ", and now there is no " + decision.place + "; unset it, or set another place";
+  if (!sets || !place.exercise) return "";
+  if (decision.worth > 0 && std::abs(place.max_points() - decision.worth) > kSamePoints)
+    return begin + ", and now it is worth " + shown_number(place.max_points()) +
+           "; set it again, or unset it";
+  if (std::abs(place.points() - decision.computed) > kSamePoints)
+    return begin + ", and now it is " + shown_number(place.points()) + "; set it again, or unset it";
+  const Decision* other = contradicted(decision, decisions);
+  if (other && decision.place.size() < other->place.size())
+    return begin + ", and " + other->place + " to " + shown_number(other->number) + ": both count; unset one";
+  return "";
+}
+
 }  // namespace
 
 std::string to_string(DecisionKind kind) {
@@ -223,6 +248,9 @@ SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>&
   std::ranges::stable_sort(in_order, {}, [](const Decision& one) {
     return one.kind == DecisionKind::excuse ? 2 : one.place.find('.') != std::string::npos ? 1 : 0;
   });
+  for (const Decision& one : in_order)
+    computed.decided.push_back({one.place, to_string(one.kind), decision_text(one),
+                                conflict_of(one, find(computed, one.place), decisions)});
   for (const Decision& decision : in_order) apply(computed, decision);
   add_points_of_comments(computed, decisions);
   return computed;
@@ -247,31 +275,9 @@ std::string decision_text(const Decision& decision) {
 }
 
 std::vector<std::string> conflicts(const SubmissionResult& computed, const std::vector<Decision>& decisions) {
-  SubmissionResult result = computed;
   std::vector<std::string> lines;
-  for (const Decision& decision : decisions) {
-    const bool sets = decision.kind == DecisionKind::points;
-    const Place place = find(result, decision.place);
-    const std::string begin = result.name + ": " + decision.who +
-                              (sets ? " set " + decision.place + " to " + shown_number(decision.number) +
-                                          " where " + shown_number(decision.computed) +
-                                          (decision.worth > 0 ? " of " + shown_number(decision.worth) : "") +
-                                          " points had been computed"
-                                    : " decided " + decision_text(decision));
-    if (!place.exercise && !decision.place.empty())
-      lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
-    if (!sets || !place.exercise) continue;
-    if (decision.worth > 0 && std::abs(place.max_points() - decision.worth) > kSamePoints)
-      lines.push_back(begin + ", and now it is worth " + shown_number(place.max_points()) +
-                      "; set it again, or unset it");
-    else if (std::abs(place.points() - decision.computed) > kSamePoints)
-      lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
-                      "; set it again, or unset it");
-    else if (const Decision* other = contradicted(decision, decisions);
-             other && decision.place.size() < other->place.size())
-      lines.push_back(begin + ", and " + other->place + " to " + shown_number(other->number) +
-                      ": both count; unset one");
-  }
+  for (const Decided& one : decided(computed, decisions).decided)
+    if (!one.conflict.empty()) lines.push_back(computed.name + ": " + one.conflict);
   return lines;
 }
 
