@@ -180,6 +180,9 @@ TEST_F(Regrade, PublishedTotalsAreComparedByCategory) {
   EXPECT_EQ(told(), "");
   record_.decide("ada", {DecisionKind::points, "H2", 4.5, 0, "a talk"});
   EXPECT_EQ(told(), "Your total was 3 of 15 points and is 4.5 of 15 now: H2 Two 3 -> 4.5.");
+  record_.undo("ada", DecisionKind::points, "");
+  regrade({"A", "B", "C"}, 2);
+  EXPECT_EQ(told(), "Your total was 3 of 15 points and is 6 of 15 now: H2 Two 3 -> 6.") << "six categories";
 }
 
 class OfAnOlderVersion : public testing::TestWithParam<std::size_t> {};
