@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Sum{"AtALineOfTheExercise", {{"H2:1", -2}, {"H2", 1}}, -1, 1, 4, 4},
                     Sum{"AtCategoriesAndExercise", {{"H2", -9}, {"H2.2", 1}}, -1, 1, 5, 0},
                     Sum{"AfterPointsThatWereSet", {{"H2.2", -1}}, 2, 1, 1, 2}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& one) { return std::string(one.param.name); });
 
 TEST_P(PointsOfComments, WithinTheWorthOfAPlace) {
   const Sum& sum = GetParam();
@@ -145,6 +145,21 @@ TEST_F(Comments, StayWhenTheirPlaceIsGone) {
   EXPECT_EQ(now("ada").remarks, std::vector<std::string>{"The staff say: as before (-1 point)"});
   EXPECT_EQ(points(now("ada")), 2);
   EXPECT_NE(record_.conflicts("ada").at(0).find("now there is no H2.2"), std::string::npos);
+}
+
+TEST_F(Comments, AndRequestsFollowTheirCategories) {
+  comment("ada", "H2.2", "hard", -1);
+  record_.ask("ada", "H2.1", "easy?");
+  SubmissionResult turned = student("ada");
+  std::swap(turned.exercises[0].cases[0], turned.exercises[0].cases[1]);
+  record_.put({turned});
+  EXPECT_EQ(now("ada").exercises[0].said.at(0).place, "H2.1");
+  EXPECT_EQ(now("ada").exercises[0].said.at(1).place, "H2.2");
+  EXPECT_EQ(now("ada").exercises[0].cases[0].points, 3);
+  turned.exercises[0].cases[0].name = "Other";
+  record_.put({turned});
+  EXPECT_EQ(now("ada").remarks, std::vector<std::string>{"The staff say: hard (-1 point)"}) << "it waits";
+  EXPECT_EQ(record_.conflicts("ada").size(), 1U);
 }
 
 TEST_F(Comments, AndRequestsAreHostileTextThatGoesWithItsPerson) {
