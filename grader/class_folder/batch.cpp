@@ -49,14 +49,21 @@ std::string in_a_line(const SubmissionResult& result, const NamesForPeople& peop
 
 }  // namespace
 
-Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& record,
+Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& current,
                   const std::atomic<bool>& interrupted) {
   Batch batch;
   std::vector<Submission>& submissions = plan.submissions;
   const std::optional<std::string>& only = plan.only;
-  if (plan.blind) record.set_blind();
-  record.put_people(hand_ins_of(submissions),
-                    settings.roster ? std::optional(settings.roster->people()) : std::nullopt, only);
+  if (plan.blind) current.set_blind();
+  current.put_people(hand_ins_of(submissions),
+                     settings.roster ? std::optional(settings.roster->people()) : std::nullopt, only);
+  std::optional<Record> stage;
+  if (settings.regrade && !current.names().empty()) {
+    stage.emplace(settings.out, current.hand_in() + kStage);
+    stage->begin_stage(to_json(grading.made_by()));
+  }
+  Record& record = stage ? *stage : current;
+  const bool resume = settings.resume || stage;
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   const auto start = std::chrono::steady_clock::now();
@@ -73,7 +80,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   record.set_listed(plan.listed);
   record.set_rules(settings.rules);
   if (const std::vector<std::string> there = record.names();
-      !there.empty())  // pages of an earlier run say that this process works
+      !there.empty() && !stage)  // pages of an earlier run say that this process works
     write_class_files(settings.out, record, {there.begin(), there.end()});
   std::string failure;
   std::set<std::string> written;
@@ -86,7 +93,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     return HandedIn{submission.handed_in, hash_of_files(submission), submission.marked_late};
   };
   const auto earlier_of = [&](const Submission& submission) {
-    return settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
+    return resume || settings.merge ? record.find(submission.name) : std::nullopt;
   };
   // Reports the times of files that a corrected table changes.
   const auto compare_times = [&](const std::string& name, const std::string& was, const std::string& now) {
@@ -106,7 +113,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     compare_times(submission.name, record.put(one, handed_in), handed_in.time);
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     if (hidden) hide(*hidden, one.result);
-    write_student_files(record.pages(), one, people);
+    if (!stage) write_student_files(record.pages(), one, people);
     const std::lock_guard lock(shared);
     progress.step(in_a_line(one.result, people));
     written.insert(submission.name);
@@ -123,7 +130,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     if (only && *only != submission.name) return;
     submission.drawn_from = record.drawn_from(submission.name);
     const std::optional<Recorded> earlier = earlier_of(submission);
-    if (settings.resume && earlier) {
+    if (resume && earlier) {
       const bool complete = earlier->result.studied || !grading.reference().study;
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
@@ -178,9 +185,14 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     run.ended = record.now();
   }
   record.set_run(reference, run);
-  batch.results = write_class_files(settings.out, record, written);
-  for (const std::string& name : record.names())
-    std::ranges::move(record.conflicts(name), std::back_inserter(batch.conflicts));
+  if (stage) {
+    if (!batch.interrupted && batch.problems.empty()) batch.ungraded = current.take_stage();
+    batch.staged = batch.interrupted || !batch.problems.empty() || !batch.ungraded.empty();
+    written.clear();
+  }
+  batch.results = write_class_files(settings.out, current, written);
+  for (const std::string& name : current.names())
+    std::ranges::move(current.conflicts(name), std::back_inserter(batch.conflicts));
   batch.kept = static_cast<int>(batch.results.size()) - batch.graded;
   return batch;
 }

@@ -21,11 +21,14 @@ struct Batch {
   std::vector<std::string> conflicts;     // a line for each decision of a person on other points than now
   std::vector<std::string> remarks;       // a line for each hand-in whose time has changed
   bool interrupted = false;
+  bool staged = false;                // a regrade has not ended: all files show the results before it
+  std::vector<std::string> ungraded;  // are the hand-ins that it waits for, if it was not interrupted
 };
 
-// Carries a plan out, in the folder that it was made for. When `interrupted` is set from outside (Ctrl-C),
-// the batch starts nothing new and ends. Throws BadInput if the folder can't be written.
-Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& record,
+// Carries a plan out, in the folder that it was made for, whose record is `current`. When `interrupted` is
+// set from outside (Ctrl-C), the batch starts nothing new and ends. Throws BadInput if the folder can't be
+// written.
+Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& current,
                   const std::atomic<bool>& interrupted);
 
 }  // namespace grader::class_folder

@@ -64,6 +64,8 @@ void hide(const HiddenNames& names, SubmissionResult& result) {
   cover(result.note);
   cover(result.about);
   for (std::string& remark : result.remarks) cover(remark);
+  for (Decided& one : result.decided)
+    for (std::string* text : {&one.text, &one.conflict}) cover(*text);
   for (ExerciseResult& exercise : result.exercises) {
     for (std::string* text : {&exercise.feedback, &exercise.compiler_messages, &exercise.staff_log})
       cover(*text);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "grader/class_folder/blind.h"
+#include "grader/class_folder/changes_page.h"
 #include "grader/class_folder/course_files.h"
 #include "grader/course/input.h"
 #include "grader/intake/left_over.h"
@@ -67,6 +68,7 @@ std::vector<SubmissionResult> write_files_of_hand_in(Record& record, const std::
     if (!result.ended_by_the_clock.empty()) costs.ended_by_the_clock[result.name] = result.ended_by_the_clock;
   });
   write_class_reports(folder, all.results, all.facts, people);
+  write_changes_page(folder, class_changes(record), people);
   write_file(folder / kLeftOver, left_over_json(all.facts.listed));
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));

@@ -21,13 +21,14 @@ namespace fs = std::filesystem;
 }
 
 // Joins differences as "a; b", and the ways to remove them as "a and b".
-void refuse(const fs::path& folder, const std::vector<Difference>& differences) {
+void refuse(const fs::path& folder, const std::vector<Difference>& differences, bool same_secret) {
   std::string what, way;
   for (const Difference& one : differences) {
     what += (what.empty() ? "" : "; ") + one.what;
     way += (way.empty() ? "" : " and ") + one.way;
   }
-  refuse(folder, "its grades were made with " + what, way + " to add to it, ");
+  refuse(folder, "its grades were made with " + what,
+         way + " to add to it, " + (same_secret ? "--regrade to grade all of them again in place, " : ""));
 }
 
 // Removes unfinished files of a killed hairgrade. No other process writes here.
@@ -51,7 +52,7 @@ bool has_older_grades(const fs::path& folder) {
 }
 
 // The record stores its settings before the first result.
-void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in) {
+void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in, bool regrade) {
   if (!Record::is_in(folder)) {
     if (has_older_grades(folder))
       refuse(folder, "it has grades of an older hairgrade, and no " + std::string(kRecordFile), "");
@@ -68,14 +69,17 @@ void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string
   if (record.names().empty()) return;
   const std::optional<MadeBy> there = made_by_from_json(record.made_by());
   if (!there) refuse(folder, std::string(kRecordFile) + " in it does not say what they were made with", "");
-  if (const std::vector<Difference> found = differences(*there, mine); !found.empty()) refuse(folder, found);
+  const bool same_secret = there->secret == mine.secret;
+  if (regrade && same_secret) return;
+  if (const std::vector<Difference> found = differences(*there, mine); !found.empty())
+    refuse(folder, found, same_secret);
 }
 
 }  // namespace
 
 std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
                                                    const std::atomic<bool>& interrupted, std::ostream& says,
-                                                   const std::string& hand_in) {
+                                                   const std::string& hand_in, bool regrade) {
   std::optional<FolderLock> lock;
   bool made = false;
   do {  // tries again if the last process removed the folder
@@ -87,10 +91,11 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
     lock = FolderLock::take(folder, interrupted, says);
     if (!lock) return {};
   } while (!fs::exists(folder / kFolderLock));
-  check_made_by(folder, mine, hand_in);
+  check_made_by(folder, mine, hand_in, regrade);
   remove_half_written(folder);
   FolderOfGrades opened(std::move(*lock), folder, made, hand_in);
-  opened.record().set_made_by(to_json(mine));
+  // A regrade changes it with the results.
+  if (!regrade || opened.record().names().empty()) opened.record().set_made_by(to_json(mine));
   return opened;
 }
 

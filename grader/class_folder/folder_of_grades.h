@@ -20,11 +20,11 @@ class FolderOfGrades {
  public:
   // Makes the folder if it is missing. Waits while another process has it, and says so once on `says`.
   // Returns nothing if `interrupted` was set meanwhile. Throws BadInput if results of this hand-in in the
-  // folder were made otherwise, or by an older version without a record; if a hand-in has a name here but
-  // none there; and for a folder that can't be written.
+  // folder were made otherwise (with `regrade`: with another secret), or by an older version without a
+  // record; if a hand-in has a name here but none there; and for a folder that can't be written.
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
                                             const std::atomic<bool>& interrupted, std::ostream& says,
-                                            const std::string& hand_in = "");
+                                            const std::string& hand_in = "", bool regrade = false);
 
   // Removes a folder that it made if its record has no submission.
   ~FolderOfGrades();

@@ -71,7 +71,8 @@ TEST_F(Folder, WithResultsRefusesWhatWasMadeOtherwise) {
       refusal(other_),
       grades_.string() +
           ": its grades were made with another course file: S2 is worth 20 points there and 15 here; use the "
-          "course file that made it to add to it, name another folder with --out, or move this one away to "
+          "course file that made it to add to it, --regrade to grade all of them again in place, name "
+          "another folder with --out, or move this one away to "
           "grade all again");
   EXPECT_EQ(made_by_from_json(memory()), mine_);
   other_.images = false;

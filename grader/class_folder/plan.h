@@ -25,6 +25,7 @@ struct BatchSettings {
   bool blind = false;               // names are codes; a record that began so stays so
   std::string hand_in = {};         // is its name in the record, "" if the course has one
   HandInRules rules = {};           // come from the course file: lateness, and how much extra credit counts
+  bool regrade = false;             // the record's results change places with new ones once all are there
   bool merge = false;               // only one exercise is graded: earlier results of the others stay
 };
 

@@ -11,6 +11,9 @@ namespace grader::inline compare {
 
 inline constexpr double kBlur = 4;  // px, sigma of the Gaussian
 
+// Limit the distances of a right run's pictures.
+inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
+
 struct PictureDistance {
   // Is the root mean square, over pixels and channels, of the difference of the pictures blurred by kBlur:
   // from 0 to 1, which is black against white. It uses the encoded values, 0 to 1: equal steps of them look

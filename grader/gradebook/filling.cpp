@@ -127,6 +127,7 @@ std::optional<std::string> Filling::score(const Csv::Row& row, const std::string
   if (column_.comma) std::ranges::replace(text, '.', ',');
   if (!may_replace(row, *grade, cell, text)) return {};
   ++book_.written;
+  book_.given.insert(grade->hand_in);
   if (std::ranges::count(grade->entered, text) == 0) book_.entered.emplace_back(grade->hand_in, text);
   return text;
 }

@@ -1,6 +1,7 @@
 // STAFF ONLY. A grade for a learning system.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ struct Gradebook {
   std::vector<std::string>
       said{};  // for staff, a line each: omissions, effects of the importer, rules without a source
   std::size_t written = 0;                                     // counts its grades
+  std::set<std::string> given{};                               // are the hand-ins that these are of
   bool all_entered = true;                                     // false: a person must read the lines
   std::vector<std::pair<std::string, std::string>> entered{};  // hand-in, cell
 };

@@ -9,19 +9,26 @@
 
 namespace grader::inline gradebook {
 
-std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder) {
+RecordedGrades recorded_grades(Record& record, const std::filesystem::path& folder) {
   const std::string where = printable(folder.string(), 4096);
-  std::vector<Grade> grades;
+  RecordedGrades all;
   for (const HandIn& hand_in : record.hand_ins()) {
     const std::optional<Recorded> found = record.find_decided(hand_in.name);
     if (!found) continue;
     const SubmissionResult& result = found->result;
+    const std::vector<Decision> decisions = record.decisions(hand_in.name);
+    if (const auto hold = std::ranges::find(decisions, DecisionKind::hold, &Decision::kind);
+        hold != decisions.end()) {
+      all.held.push_back(hand_in.name + ": gets nothing, since " + hold->who + " holds it: " +
+                         printable(hold->why, 2000) + "; hairgrade unhold " + hand_in.name + " ends that");
+      continue;
+    }
     Grade grade{.hand_in = hand_in.name,
                 .owner = hand_in.owner,
                 .system = hand_in.system,
                 .points = points(result),
                 .max_points = max_points(result),
-                .excused = std::ranges::any_of(record.decisions(hand_in.name),
+                .excused = std::ranges::any_of(decisions,
                                                [](const Decision& one) {
                                                  return one.kind == DecisionKind::excuse && one.place.empty();
                                                }),
@@ -30,10 +37,21 @@ std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& 
                 .entered = record.entered(hand_in.name)};
     for (const ExerciseResult& exercise : result.exercises)
       if (is_given(exercise)) grade.exercises.emplace_back(exercise.id, exercise.points);
-    grades.push_back(std::move(grade));
+    all.grades.push_back(std::move(grade));
+    all.points[hand_in.name] = published(result);
   }
-  if (grades.empty()) throw BadInput(where + ": its record has no grades yet; grade first");
-  return grades;
+  if (all.grades.empty())
+    throw BadInput(where + (all.held.empty()
+                                ? ": its record has no grades yet; grade first"
+                                : ": all who have grades are held; end that by hairgrade unhold"));
+  return all;
+}
+
+void put_published(Record& record, RecordedGrades recorded, const std::set<std::string>& given,
+                   const std::string& by) {
+  std::erase_if(recorded.points, [&](const auto& one) { return !given.contains(one.first); });
+  for (auto& [name, one] : recorded.points) one.by = by;
+  record.put_published(recorded.points);
 }
 
 }  // namespace grader::gradebook

@@ -2,14 +2,28 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "grader/gradebook/grade.h"
+#include "grader/record/published.h"
 #include "grader/record/record.h"
 
 namespace grader::inline gradebook {
 
+struct RecordedGrades {
+  std::vector<Grade> grades;
+  std::map<std::string, Published> points;  // is what these grades tell, by hand-in
+  std::vector<std::string> held;            // a line for each hand-in that gets nothing now
+};
+
 // Returns the grades of the record's hand-in. Throws BadInput if there are none; `folder` is for the message.
-std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder);
+RecordedGrades recorded_grades(Record& record, const std::filesystem::path& folder);
+
+// Remembers that these hand-ins' points were published.
+void put_published(Record& record, RecordedGrades recorded, const std::set<std::string>& given,
+                   const std::string& by);
 
 }  // namespace grader::gradebook

@@ -137,6 +137,7 @@ Gradebook autolab_rows(const std::vector<Grade>& grades, const std::vector<std::
     cells.emplace_back(grade->excused ? "excused" : "");
     book.csv += csv_line(cells);
     ++book.written;
+    book.given.insert(grade->hand_in);
   }
   std::string order;
   for (const std::string& problem : problems) order += (order.empty() ? "" : ", ") + problem;
@@ -151,12 +152,13 @@ Gradebook plain_rows(const std::string& system, const Csv* exported, const std::
   book.csv = csv_line({"name", "id", "e-mail", "points", "of", "status", not_for_import});
   const auto add = [&](const std::string& name, const std::string& id, const std::string& email,
                        const Grade* grade) {
-    Cells cells{composed(name), id, email, "", "", "nothing handed in", ""};
+    Cells cells{composed(name), id, email, "", "", "no grade", ""};
     if (grade) {
       cells[3] = grade->excused ? "" : shown_points(grade->points);
       cells[4] = shown_points(grade->max_points);
       cells[5] = grade->excused ? "excused" : !grade->not_final.empty() ? "not final" : "graded";
       ++book.written;
+      book.given.insert(grade->hand_in);
     }
     book.csv += csv_line(cells);
   };
@@ -167,9 +169,10 @@ Gradebook plain_rows(const std::string& system, const Csv* exported, const std::
     for (const Csv::Row& row : exported->rows) rows[row.line] = &row;
     for (const Person& person : people.people())
       add(person.name, person.shown_id(), person.email(), filling.at(*rows.at(person.line)));
-    const std::size_t written = book.written;
-    book = filling.book(std::move(book.csv));
-    book.written = written;
+    Gradebook filled = filling.book(std::move(book.csv));
+    filled.written = book.written;
+    filled.given = std::move(book.given);
+    book = std::move(filled);
   } else {
     for (const Grade& grade : grades) {
       if (grade.owner.members.empty())

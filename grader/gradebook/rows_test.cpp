@@ -75,8 +75,14 @@ TEST(PlainRows, SayThatNoImportIsConfirmed) {
   const Gradebook book = plain_rows("gradescope", &roster, {row_grade("gradescope", {"", "1", ""}, 7.5)}, {});
   EXPECT_EQ(book.csv,
             "name,id,e-mail,points,of,status,no import by gradescope is confirmed: enter by hand\r\n"
-            "Seán O'Brien,1,so@u.ie,7.5,10,graded,\r\n\u2060-x =y,2,b@u.de,,,nothing handed in,\r\n");
+            "Seán O'Brien,1,so@u.ie,7.5,10,graded,\r\n\u2060-x =y,2,b@u.de,,,no grade,\r\n");
   EXPECT_TRUE(says(book, "no import by gradescope is confirmed"));
+  std::vector<Grade> to_come{row_grade("gradescope", {"", "1", ""}, 2),
+                             row_grade("gradescope", {"", "2", ""}, 3)};
+  for (Grade& one : to_come) one.not_final = "oral is not given yet";
+  const Gradebook open = plain_rows("gradescope", &roster, to_come, {});
+  EXPECT_TRUE(says(open, "h_1, h_2: are not final, since oral is not given yet"));
+  EXPECT_NE(open.csv.find(",3,10,not final,"), string::npos) << open.csv;
   const Gradebook without =
       plain_rows("gradescope", nullptr, {row_grade("gradescope", {"A", "a1", ""}, 2)}, {});
   EXPECT_NE(without.csv.find("A,a1,,2,10,graded,\r\n"), string::npos) << without.csv;

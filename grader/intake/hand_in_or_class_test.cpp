@@ -146,7 +146,7 @@ TEST_F(Submissions, SomebodyInTwoSectionsHasOneHandInAndALine) {
                            .bytes());
     const Intake intake = take({dir_ / "all"});
     ASSERT_EQ(names(intake.submissions), (Names{"ann_1", "bo_2", "cy_3"}));
-    EXPECT_TRUE(has_remark(intake, {"B.zip/ann_1_15_conj_grad.cpp is of somebody who is also in A.zip/"}));
+    EXPECT_TRUE(has_remark(intake, {"B.zip/ann_1_15_conj_grad.cpp is by a person who is also in A.zip/"}));
     const SourceFile& file = intake.submissions[0].files.at("conj_grad.cpp");
     EXPECT_EQ(file.text, same ? "1" : "");
     EXPECT_EQ(intake.notices.size(), same ? 0U : 1U);

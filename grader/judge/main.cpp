@@ -42,7 +42,7 @@ class CategoryTest : public testing::Test {
       ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
     } catch (const grader::MalformedMessage& error) {
       result.status = Status::broke_rules;
-      result.feedback = "the code answered in a form that it has no business with";
+      result.feedback = "the code sent the grader a message that does not fit the request";
       result.detail = error.what();
       ADD_FAILURE() << error.what();
     } catch (const std::exception& error) {  // our own error: this category has no result

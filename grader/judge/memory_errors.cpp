@@ -66,17 +66,17 @@ void MemoryErrors::look(Trial& trial) {
   for (Student* student : earlier_) {
     if (!student->gave_up() || only_restarts_are_used_up(*paying_)) continue;
     if (student->gave_up()->outcome == Outcome::timed_out && student->spent().messages > kManyMessages)
-      trial.fail(Status::wrong, "nothing was looked for: the run took all that there is",
+      trial.fail(Status::wrong, "the run used up the limits, so memory errors were not looked for",
                  student->gave_up()->note);
     trial.reply_of(*student->gave_up());
   }
   // A file can make its own build with sanitizers meet a limit.
   if (object_.empty())
-    trial.fail(
-        Status::wrong,
-        "nothing was looked for: the compiler made no object with sanitizers within its limits of time and "
-        "size, so leave out headers that the file does not need",
-        {});
+    trial.fail(Status::wrong,
+               "compiling with sanitizers exceeded the limits of time or size, so memory errors were not "
+               "looked for; "
+               "leave out headers that the file does not need",
+               {});
   setup_.allowance->limit = rest_of(*paying_);
   setup_.allowance->wakeup_seconds = paying_->wakeup_seconds;
   ask_all(trial);
@@ -111,14 +111,15 @@ void MemoryErrors::ask_all(Trial& trial) {
     }
     if (broke_off(answer.outcome) && !broke_off(request.outcome))
       tell(trial,
-           "With sanitizers the code breaks off where it went on without: it may use a variable that nobody "
-           "set",
+           "The code breaks off with sanitizers, but not without them: it may use a variable that has no "
+           "value yet",
            answer.note);
     if (answer.outcome == Outcome::timed_out || answer.outcome == Outcome::out_of_memory) break;
   }
-  trial.describe("all that was asked");
+  trial.describe("all requests");
   if (!implemented) trial.fail(Status::not_implemented, "not implemented yet", {});
-  trial.expect(anything_right_(), "nothing was found, but nothing else is right");
+  trial.expect(anything_right_(),
+               "no memory error was found, which counts only once another category passes");
 }
 
 }  // namespace grader::judge

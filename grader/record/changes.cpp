@@ -3,9 +3,33 @@
 
 #include <algorithm>
 
-#include "grader/record/points/points_then.h"
-
 namespace grader::inline record {
+namespace {
+
+// Returns what stays if a suite numbers its categories anew; an exercise is its id.
+std::string key_of(const std::string& place, const std::string& title) {
+  const std::size_t dot = place.find('.');
+  return dot == place.npos ? place : place.substr(0, dot + 1) + title;
+}
+
+}  // namespace
+
+std::vector<PointsChange> changes(const std::vector<PointsThen>& before,
+                                  const std::vector<PointsThen>& after) {
+  std::vector<PointsChange> all;
+  for (const PointsThen& then : before) all.push_back({then.place, then.title, then.points, {}});
+  for (const PointsThen& now : after) {
+    const auto same = std::ranges::find_if(all, [&](const PointsChange& one) {
+      return !one.after && key_of(one.place, one.title) == key_of(now.place, now.title);
+    });
+    if (same == all.end())
+      all.push_back({now.place, now.title, {}, now.points});
+    else
+      same->place = now.place, same->after = now.points;
+  }
+  std::erase_if(all, [](const PointsChange& one) { return one.before == one.after; });
+  return all;
+}
 
 std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::string& since) {
   std::vector<const LogEntry*> gradings;
@@ -19,17 +43,7 @@ std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::s
   const auto points_of = [](const LogEntry& entry) {
     return points_then(entry.detail, "the log's entry of " + entry.at);
   };
-  std::vector<PointsChange> all;
-  for (const PointsThen& then : points_of(*earlier)) all.push_back({then.place, then.title, then.points, {}});
-  for (const PointsThen& now : points_of(*gradings.back())) {
-    const auto same = std::ranges::find(all, now.place, &PointsChange::place);
-    if (same == all.end())
-      all.push_back({now.place, now.title, {}, now.points});
-    else
-      same->after = now.points;
-  }
-  std::erase_if(all, [](const PointsChange& one) { return one.before == one.after; });
-  return all;
+  return changes(points_of(*earlier), points_of(*gradings.back()));
 }
 
 }  // namespace grader::record

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Sum{"AtALineOfTheExercise", {{"H2:1", -2}, {"H2", 1}}, -1, 1, 4, 4},
                     Sum{"AtCategoriesAndExercise", {{"H2", -9}, {"H2.2", 1}}, -1, 1, 5, 0},
                     Sum{"AfterPointsThatWereSet", {{"H2.2", -1}}, 2, 1, 1, 2}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& one) { return std::string(one.param.name); });
 
 TEST_P(PointsOfComments, WithinTheWorthOfAPlace) {
   const Sum& sum = GetParam();

@@ -60,7 +60,8 @@ std::string Record::export_json() {
                           {"computed", decision.computed},
                           {"why", decision.why},
                           {"who", decision.who},
-                          {"at", decision.at}};
+                          {"at", decision.at},
+                          {"title", decision.title}};
       if (decision.comment != 0) json["comment"] = decision.comment;
       if (!decision.code.empty()) json["code"] = decision.code;
       one["decisions"].push_back(std::move(json));

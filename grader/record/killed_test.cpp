@@ -1,5 +1,6 @@
 // STAFF ONLY. Four processes write to two hand-ins of one record, and each is killed at a random time, again
-// and again: each result that was reported as done is there once, and results and log agree.
+// and again: each result that was reported as done is there once, and results and log agree. A regrade that
+// is killed leaves all results as they were, or has changed all.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -138,6 +139,53 @@ class Killed : public testing::TestWithParam<Journal> {
   std::set<std::int64_t> done_;
 };
 INSTANTIATE_TEST_SUITE_P(WithEachJournal, Killed, testing::Values(Journal::best, Journal::rollback));
+
+// Regrades everybody, again and again, with the same points for all.
+[[noreturn]] void regrade_on(const std::filesystem::path& folder, Journal journal, std::int64_t first,
+                             int told) {
+  try {
+    Record record(folder, kHandIns[0], journal), stage(folder, std::string(kHandIns[0]) + kStage, journal);
+    for (std::int64_t points = first;; ++points) {
+      stage.begin_stage("suite " + std::to_string(points));
+      for (int student = 0; student < kStudents; ++student) {
+        Recorded one = numbered(2 * student);
+        one.result.exercises[0].points = static_cast<double>(points);
+        stage.put(one);
+      }
+      record.take_stage();
+      if (write(told, &points, sizeof points) != sizeof points) _exit(3);
+    }
+  } catch (const std::exception& error) {
+    fprintf(stderr, "%s\n", error.what());
+    _exit(2);
+  }
+}
+
+TEST_P(Killed, InARegradeLeavesTheResultsBeforeOrHasAllNewOnes) {
+  for (int student = 0; student < kStudents; ++student)
+    Record(folder_.path(), kHandIns[0], GetParam()).put(numbered(2 * student));
+  for (std::int64_t round = 1; round <= 20; ++round) {
+    const Pipe told = make_pipe();
+    const pid_t regrades = fork();
+    if (regrades == 0) regrade_on(folder_.path(), GetParam(), round * 1'000'000, told.write_end.get());
+    if (round % 2 == 0) take_one_told(told.read_end);
+    std::this_thread::sleep_for(std::chrono::microseconds(random_() % 100'000));
+    kill(regrades, SIGKILL);
+    int status = 0;
+    waitpid(regrades, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended by itself, with " << WEXITSTATUS(status);
+    Record record(folder_.path(), kHandIns[0], GetParam());
+    const std::string suite = record.made_by();
+    const double points = suite.empty() ? 0 : std::stod(suite.substr(6));
+    ASSERT_GE(points, static_cast<double>(done_.empty() ? 0 : *done_.rbegin())) << "it was told as done";
+    for (int student = 0; student < kStudents; ++student) {
+      const Recorded was = numbered(2 * student), now = record.find(was.result.name).value();
+      const double expected = suite.empty() ? was.result.exercises[0].points : points;
+      ASSERT_EQ(now.result.exercises[0].points, expected) << was.result.name << " and " << suite;
+    }
+  }
+  EXPECT_GE(done_.size(), 10U);
+}
 
 TEST_P(Killed, ShortlyLosesNothingAndHasNothingTwice) {
   rounds(5);

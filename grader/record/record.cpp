@@ -68,7 +68,7 @@ std::int64_t Record::assignment() {
 
 void Record::make_assignment() {
   if (assignment() != 0) return;
-  const std::string folder = folder_of_hand_in(hand_in_),
+  const std::string folder = hand_in_.ends_with(kStage) ? hand_in_ : folder_of_hand_in(hand_in_),
                     other = database_.text("SELECT name FROM assignments WHERE folder = ? COLLATE NOCASE",
                                            {folder});
   if (!other.empty())
@@ -150,15 +150,20 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
+  leave_stage(id);
+  if (hand_in_.ends_with(kStage))
+    database_.run("DELETE FROM log WHERE assignment = ? AND person = ?", {assignment, id});
   // A table of times is not given each time. Older records don't say which files a row had: there the newest
-  // one counts, so that nobody becomes later.
+  // one counts, so that nobody becomes later. A stage has the times of its hand-in.
   std::string before;
+  const std::string of = hand_in_.substr(0, hand_in_.find('\n'));
   for (const std::string& files : {handed_in.files, std::string()})
     if (before.empty() && !handed_in.files.empty())
       before = database_.text(
-          "SELECT handed_in FROM hand_ins WHERE assignment = ? AND person = ? AND files = ? ORDER BY id DESC "
-          "LIMIT 1",
-          {assignment, id, files});
+          "SELECT handed_in FROM hand_ins JOIN assignments ON assignments.id = assignment WHERE name IN (?, "
+          "?) "
+          "AND person = ? AND files = ? ORDER BY hand_ins.id DESC LIMIT 1",
+          {hand_in_, of, id, files});
   database_.run(
       "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in, files, "
       "marked_late) VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -177,6 +182,7 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
         "DELETE FROM pictures WHERE digest = ? AND NOT EXISTS (SELECT 1 FROM shown WHERE shown.digest = "
         "pictures.digest)",
         {digest});
+  follow_categories(assignment, id);
   add_to_log(id, "graded", compact(points_then(result)));
   transaction.commit();
   return before;

@@ -32,6 +32,10 @@ namespace grader::inline record {
 
 inline constexpr const char* kRecordFile = "class.sqlite";  // no submission has this name
 
+// Follows a hand-in's name in the name of its stage, where a regrade gathers results until all are there. A
+// stage is a hand-in that only its own Record sees. No hand-in of a course file has a line break.
+inline constexpr const char* kStage = "\nstage";
+
 struct StudyPair {
   SubmissionStudy own, beside_itself;  // the student's, and the reference's in the same run
 };
@@ -55,6 +59,8 @@ struct HandedIn {
 struct LogEntry {
   std::string at, who, did, detail;  // "2025-03-04 10:15:22" (UTC), "ada", "graded"; detail: JSON
 };
+
+struct Published;  // published.h
 
 class Record {
  public:
@@ -90,6 +96,12 @@ class Record {
   // Replaces the earlier result of this student; the log has both. If the new one has no time, the earlier
   // time of the same files stays. Returns that earlier time, "" if there was none.
   std::string put(const Recorded& one, const HandedIn& handed_in = {});
+
+  // Removes the results of a stage if they were made otherwise.
+  void begin_stage(const std::string& made_by);
+  // Puts all results of this hand-in's stage, and how they were made, in the place of its own; decisions
+  // follow their categories. Returns hand-ins that are not in the stage yet: then nothing changes.
+  std::vector<std::string> take_stage();
 
   // Sets time and mark of the version that counts. Without a new time the old one stays. Returns the old one.
   std::string set_handed_in(const std::string& name, const HandedIn& handed_in);
@@ -175,6 +187,10 @@ class Record {
   void set_listed(const std::vector<Accounted>& listed);
   std::vector<Accounted> listed();
 
+  // Remembers in the log what students were told, and returns the last of it.
+  void put_published(const std::map<std::string, Published>& by_name);
+  std::optional<Published> published(const std::string& name);
+
   // Stores cells that went into a learning system's table: if they differ later, a person changed them.
   void put_entered(const std::vector<std::pair<std::string, std::string>>& cells);
   std::vector<std::string> entered(const std::string& name);
@@ -209,7 +225,7 @@ class Record {
   SubmissionResult under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
-  SubmissionResult computed(const std::string& name);  // what people decide about
+  SubmissionResult computed(const std::string& name);  // with places for points by hand
   void put_comment(std::int64_t person, Decision& decision);
   std::vector<Comment> read_comments();
   Comment known_comment(std::int64_t id);
@@ -222,6 +238,9 @@ class Record {
   std::optional<ClassList> read_class_list(const std::vector<HandIn>& hand_ins);
   std::vector<HandIn> read_owned();
   bool read_is_blind();
+  std::int64_t stage_of_this();
+  void leave_stage(std::int64_t person);
+  void follow_categories(std::int64_t assignment, std::int64_t person = 0);  // 0: everybody
   void forget_on_roster(const std::string& hand_in);
   void add_to_log(std::optional<std::int64_t> person, const std::string& did, const std::string& detail);
   std::string picture(const std::string& digest);

@@ -34,7 +34,7 @@ std::vector<Comment> Record::read_comments() {
   std::vector<Comment> all;
   database_.each(
       "SELECT comments.id, text, points, name, place, code, who, at FROM comments LEFT JOIN commented ON "
-      "comment = comments.id LEFT JOIN people ON people.id = person WHERE assignment = ? ORDER BY "
+      "comment = comments.id LEFT JOIN people ON people.id = person WHERE comments.assignment = ? ORDER BY "
       "comments.id, name, place",
       {assignment()}, [&](const DatabaseRow& row) {
         if (all.empty() || all.back().id != row.number(0))
@@ -71,8 +71,8 @@ void Record::put_comment(std::int64_t person, Decision& decision) {
     decision.comment = database_.number("SELECT last_insert_rowid()");
   }
   database_.run(
-      "INSERT OR REPLACE INTO commented VALUES (?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', 'now'))",
-      {decision.comment, person, decision.place, decision.code, who_});
+      "INSERT OR REPLACE INTO commented VALUES (?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', 'now'))",
+      {assignment(), decision.comment, person, decision.place, decision.title, decision.code, who_});
 }
 
 Comment Record::change_comment(std::int64_t id, const std::string& text, double points) {
@@ -80,7 +80,8 @@ Comment Record::change_comment(std::int64_t id, const std::string& text, double 
   Transaction transaction(database_);
   Comment before = known_comment(id);
   for (const CommentUse& use : before.uses) {
-    Decision now{DecisionKind::comment, use.place, points, 0, text, {}, {}, id};
+    Decision now{
+        .kind = DecisionKind::comment, .place = use.place, .number = points, .why = text, .comment = id};
     // Its place may be gone since; then only the points of the whole are refused.
     SubmissionResult result = computed(use.name);
     if (!use.place.empty()) now.place = result.exercises.empty() ? "" : result.exercises.front().id;
@@ -91,7 +92,11 @@ Comment Record::change_comment(std::int64_t id, const std::string& text, double 
   database_.run("UPDATE comments SET text = ?, points = ? WHERE id = ?", {text, points, id});
   for (const CommentUse& use : before.uses)
     add_to_log(known_person(use.name), "changed a comment",
-               decision_text({DecisionKind::comment, use.place, points, 0, text, {}, {}, id}));
+               decision_text({.kind = DecisionKind::comment,
+                              .place = use.place,
+                              .number = points,
+                              .why = text,
+                              .comment = id}));
   if (before.uses.empty()) add_to_log({}, "changed a comment", std::to_string(id));
   transaction.commit();
   return before;
@@ -118,14 +123,16 @@ std::int64_t Record::ask(const std::string& name, const std::string& place, cons
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
-  const std::string code = check_place(place, computed(name));
   check_text(text, "request");
+  Decision asked{DecisionKind::comment, place, 0, 0, text};
+  check(asked, computed(name));
   for (const Request& one : read_requests(name))
     if (one.place == place && one.text == text) return 0;
   database_.run(
-      "INSERT INTO requests (assignment, person, place, code, text, who, at) VALUES (?, ?, ?, ?, ?, ?, "
+      "INSERT INTO requests (assignment, person, place, title, code, text, who, at) VALUES (?, ?, ?, ?, ?, "
+      "?, ?, "
       "strftime('%Y-%m-%d %H:%M:%S', 'now'))",
-      {assignment(), id, place, code, text, who_});
+      {assignment(), id, place, asked.title, asked.code, text, who_});
   const std::int64_t made = database_.number("SELECT last_insert_rowid()");
   add_to_log(id, "asked", place + (place.empty() ? "" : ": ") + text);
   transaction.commit();

@@ -1,4 +1,6 @@
 // STAFF ONLY. Stores decisions of people in a record.
+#include <algorithm>
+
 #include "grader/course/input.h"
 #include "grader/record/points/rules.h"
 #include "grader/record/record.h"
@@ -14,16 +16,17 @@ constexpr std::size_t kDate = std::size("2025-03-04") - 1;
 std::vector<Decision> Record::decisions_of(const std::string& name) {
   std::vector<Decision> all;
   database_.each(
-      "SELECT kind, place, number, computed, why, who, at, 0 AS comment, '' FROM decisions JOIN people ON "
-      "people.id = person WHERE assignment = ? AND name = ? UNION ALL SELECT ?, place, points, 0, text, who, "
-      "at, comment, code FROM commented JOIN comments ON comments.id = comment JOIN people ON people.id = "
-      "person WHERE assignment = ? AND name = ? ORDER BY 1, place, comment",
+      "SELECT kind, place, number, computed, why, who, at, title, worth, 0 AS comment, '' FROM decisions "
+      "JOIN "
+      "people ON people.id = person WHERE assignment = ? AND name = ? UNION ALL SELECT ?, place, points, 0, "
+      "text, who, at, title, 0, comment, code FROM commented JOIN comments ON comments.id = comment JOIN "
+      "people ON people.id = person WHERE commented.assignment = ? AND name = ? ORDER BY 1, place, comment",
       {assignment(), name, to_string(DecisionKind::comment), assignment(), name},
       [&](const DatabaseRow& row) {
         const std::optional<DecisionKind> kind = decision_kind_from(row.text(0));
         if (!kind) throw BadInput("a decision about " + name + " is \"" + printable(row.text(0)) + "\"");
         all.push_back({*kind, row.text(1), row.real(2), row.real(3), row.text(4), row.text(5), row.text(6),
-                       row.number(7), row.text(8)});
+                       row.text(7), row.real(8), row.number(9), row.text(10)});
       });
   return all;
 }
@@ -127,15 +130,21 @@ void Record::decide(const std::string& name, Decision decision) {
     decision.why = earlier.text;
     decision.number = earlier.points;
   }
-  check(decision, computed(name));
-  if (decision.kind == DecisionKind::comment)
+  check(decision, computed(name), decisions_of(name));
+  if (decision.kind == DecisionKind::comment) {
     put_comment(id, decision);
-  else
+  } else {
+    // Also replaces one about a category that had this number and is gone.
+    database_.run(
+        "DELETE FROM decisions WHERE assignment = ? AND person = ? AND kind = ? AND instr(place, ? || ' ') = "
+        "1",
+        {assignment(), id, to_string(decision.kind), decision.place});
     database_.run(
         "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "
-        "'now'))",
+        "'now'), ?, ?)",
         {assignment(), id, to_string(decision.kind), decision.place, decision.number, decision.computed,
-         decision.why, who_});
+         decision.why, who_, decision.title, decision.worth});
+  }
   add_to_log(id, "decided", decision_text(decision));
   transaction.commit();
 }
@@ -145,19 +154,22 @@ void Record::undo(const std::string& name, DecisionKind kind, const std::string&
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
+  const std::vector<Decision> all = decisions_of(name);
+  const bool is_only = std::ranges::count(all, kind, &Decision::kind) == 1;
   bool any = false;
-  for (const Decision& decision : decisions_of(name))
-    if (decision.kind == kind && decision.place == place && (comment == 0 || decision.comment == comment)) {
+  for (const Decision& decision : all)
+    if (decision.kind == kind && (decision.place == place || (place.empty() && is_only)) &&
+        (comment == 0 || decision.comment == comment)) {
       database_.run("DELETE FROM decisions WHERE assignment = ? AND person = ? AND kind = ? AND place = ?",
-                    {assignment(), id, to_string(kind), place});
+                    {assignment(), id, to_string(kind), decision.place});
       database_.run("DELETE FROM commented WHERE person = ? AND comment = ? AND place = ?",
-                    {id, decision.comment, place});
+                    {id, decision.comment, decision.place});
       add_to_log(id, "took back", decision_text(decision));
       any = true;
     }
   if (any) return transaction.commit();
   std::string there;
-  for (const Decision& one : decisions_of(name))
+  for (const Decision& one : all)
     there += (there.empty() ? "" : ", ") + to_string(one.kind) + (one.place.empty() ? "" : " " + one.place);
   throw BadInput(name + ": nobody decided about " + to_string(kind) +
                  (place.empty() ? "" : " of " + printable(place)) + "; there is " +

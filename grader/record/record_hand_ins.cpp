@@ -16,12 +16,14 @@ struct Record::Dated {
 
 std::vector<Record::Dated> Record::dated() {
   std::vector<Dated> all;
-  database_.each("SELECT id, name, rules FROM assignments ORDER BY name", {}, [&](const DatabaseRow& row) {
-    Dated one{row.number(0), row.text(1), rules_from(row.text(2))};
-    const std::optional<TimeText> due = read_time(one.rules.due);
-    one.due = due ? moment_of(*due, one.rules.zone, Twice::later) : std::chrono::sys_seconds::max();
-    all.push_back(std::move(one));
-  });
+  database_.each("SELECT id, name, rules FROM assignments WHERE instr(name, char(10)) = 0 ORDER BY name", {},
+                 [&](const DatabaseRow& row) {
+                   Dated one{row.number(0), row.text(1), rules_from(row.text(2))};
+                   const std::optional<TimeText> due = read_time(one.rules.due);
+                   one.due =
+                       due ? moment_of(*due, one.rules.zone, Twice::later) : std::chrono::sys_seconds::max();
+                   all.push_back(std::move(one));
+                 });
   std::ranges::stable_sort(all, {}, &Dated::due);
   return all;
 }
@@ -58,6 +60,7 @@ std::string Record::set_handed_in(const std::string& name, const HandedIn& hande
   HandedIn now = handed_in;
   if (now.time.empty()) now.time = before.time;
   if (now == before) return before.time;
+  leave_stage(id);
   database_.run(
       "UPDATE OR REPLACE hand_ins SET handed_in = ?, files = ?, marked_late = ? WHERE id = (SELECT max(id) "
       "FROM hand_ins WHERE assignment = ? AND person = ?)",

@@ -62,9 +62,11 @@ HandIn Record::hand_in_of(const DatabaseRow& row) const {
 std::vector<HandIn> Record::read_hand_ins(Of of) {
   std::vector<HandIn> all;
   database_.each(
-      "SELECT name, owner, system, known_as FROM people JOIN results ON results.person = people.id "
+      "SELECT people.name, owner, system, known_as FROM people JOIN results ON results.person = people.id "
       "LEFT JOIN owners ON owners.person = people.id AND owners.assignment = results.assignment "
-      "WHERE ? OR results.assignment = ? ORDER BY name, owners.rowid",
+      "JOIN assignments ON assignments.id = results.assignment "
+      "WHERE iif(?, instr(assignments.name, char(10)) = 0, results.assignment = ?) ORDER BY people.name, "
+      "owners.rowid",
       {std::int64_t{of == Of::course}, assignment()},
       [&](const DatabaseRow& row) { all.push_back(hand_in_of(row)); });
   return all;

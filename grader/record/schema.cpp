@@ -126,6 +126,16 @@ CREATE TABLE desk_items (
 CREATE UNIQUE INDEX desk_item ON desk_items (assignment, ifnull(person, 0), what);
 )";
 
+// In another suite the number of a category may be another category's, so decisions remember the title.
+constexpr const char* kRegrades = R"(
+ALTER TABLE decisions ADD COLUMN title TEXT NOT NULL DEFAULT '';  -- '' unless it is about a category
+ALTER TABLE decisions ADD COLUMN worth REAL NOT NULL DEFAULT 0;   -- points of its place then; 0: unknown
+)";
+constexpr const char* kTitles = R"(UPDATE decisions SET title = now.title, worth = now.worth
+  FROM categories AS now
+  WHERE now.assignment = decisions.assignment AND now.person = decisions.person AND now.place = decisions.place;
+)";
+
 // Comments were decisions with a text of their own; equal ones become one.
 constexpr const char* kComments = R"(
 CREATE TABLE comments (
@@ -135,9 +145,11 @@ CREATE TABLE comments (
   points REAL NOT NULL            -- given at each of its places, or below 0 taken
 ) STRICT;
 CREATE TABLE commented (
+  assignment INTEGER NOT NULL REFERENCES assignments,
   comment INTEGER NOT NULL REFERENCES comments,
   person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
   place TEXT NOT NULL,            -- as of decisions, or 'H2:17', a line of its file
+  title TEXT NOT NULL,            -- of its category
   code TEXT NOT NULL,             -- that line
   who TEXT NOT NULL,
   at TEXT NOT NULL,
@@ -146,14 +158,15 @@ CREATE TABLE commented (
 CREATE INDEX commented_with ON commented (comment);
 INSERT INTO comments (assignment, text, points)
   SELECT assignment, why, 0 FROM decisions WHERE kind = 'comment' GROUP BY assignment, why ORDER BY min(at);
-INSERT INTO commented SELECT comments.id, person, place, '', who, at FROM decisions
-  JOIN comments ON comments.assignment = decisions.assignment AND text = why WHERE kind = 'comment';
+INSERT INTO commented SELECT assignment, comments.id, person, place, title, '', who, at FROM decisions
+  JOIN comments USING (assignment) WHERE text = why AND kind = 'comment';
 DELETE FROM decisions WHERE kind = 'comment';
 CREATE TABLE requests (
   id INTEGER PRIMARY KEY,
   assignment INTEGER NOT NULL REFERENCES assignments,
   person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
   place TEXT NOT NULL,
+  title TEXT NOT NULL,
   code TEXT NOT NULL,
   text TEXT NOT NULL,
   who TEXT NOT NULL,              -- entered it
@@ -168,7 +181,8 @@ CREATE INDEX requests_of_person ON requests (person);
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kBase, kExtraCredit, std::string(kComments) + kDesk};
+  static const std::vector<std::string> all = {
+      kBase, kExtraCredit, std::string(kRegrades) + kWithCategories + kTitles + kComments + kDesk};
   return all;
 }
 

@@ -8,6 +8,16 @@
 
 namespace grader::inline record {
 
+// Begins a statement that reads the categories of results.
+inline constexpr const char* kWithCategories = R"(
+WITH categories AS (
+  SELECT assignment, person, json_extract(exercise.value, '$.id') || '.' || (category.key + 1) AS place,
+    json_extract(exercise.value, '$.id') AS exercise, json_extract(category.value, '$.name') AS title,
+    json_extract(category.value, '$.max_points') AS worth
+  FROM results, json_each(result, '$.exercises') AS exercise,
+    json_each(exercise.value, '$.cases') AS category)
+)";
+
 // Returns the SQL that makes version 7 of an empty file, then 8 of 7, and so on. Entries are never changed,
 // only added: records have them.
 const std::vector<std::string>& migrations();

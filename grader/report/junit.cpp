@@ -1,63 +1,47 @@
 // STAFF ONLY. Writes results as JUnit's XML.
+#include <map>
+
 #include "grader/report/points_files.h"
 #include "hair/io/plot/readable.h"
 
 namespace grader::inline report {
 namespace {
 
-struct Counts {
-  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
-};
+using hair::escaped;
 
-// Line breaks and tabs would become spaces in an attribute.
-std::string attribute(const std::string& bytes) {
-  std::string text;
-  for (const char c : hair::escaped(bytes)) {
-    if (c == '\n')
-      text += "&#10;";
-    else if (c == '\t')
-      text += "&#9;";
-    else
-      text += c;
+// Counts test cases by element; "" are those that passed.
+using Counts = std::map<std::string, std::size_t>;
+
+// Names the element of a test case; "" if it passed.
+std::string element_of(Status status) {
+  switch (status) {
+    case Status::passed:
+    case Status::given:
+      return "";
+    case Status::missing:
+    case Status::not_implemented:
+    case Status::excused:
+    case Status::not_given:
+      return "skipped";
+    case Status::partly:
+    case Status::wrong:
+    case Status::does_not_compile:
+      return "failure";
+    default:
+      return "error";
   }
-  return text;
 }
 
 std::string test_case(Counts& counts, const std::string& suite, const std::string& name, Status status,
                       const std::string& message) {
-  ++counts.tests;
+  const std::string element = element_of(status);
+  ++counts[element];
   const std::string head =
-      "    <testcase classname=\"" + attribute(suite) + "\" name=\"" + attribute(name) + "\"";
-  std::string element;
-  switch (status) {
-    case Status::passed:
-    case Status::given:
-      return head + "/>\n";
-    case Status::missing:
-    case Status::not_implemented:
-    case Status::not_given:
-      element = "skipped";
-      ++counts.skipped;
-      break;
-    case Status::partly:
-    case Status::wrong:
-    case Status::does_not_compile:
-      element = "failure";
-      ++counts.failures;
-      break;
-    case Status::crashed:
-    case Status::timed_out:
-    case Status::out_of_memory:
-    case Status::broke_rules:
-    case Status::not_taken:
-    case Status::unreadable:
-      element = "error";
-      ++counts.errors;
-      break;
-  }
+      "    <testcase classname=\"" + escaped(suite) + "\" name=\"" + escaped(name) + "\"";
+  if (element.empty()) return head + "/>\n";
   const std::string type = element == "skipped" ? "" : "\" type=\"" + to_string(status);
   return head + ">\n      <" + element + " message=\"" +
-         attribute(message.empty() ? to_string(status) : message) + type + "\"/>\n    </testcase>\n";
+         escaped(message.empty() ? to_string(status) : message) + type + "\"/>\n    </testcase>\n";
 }
 
 std::string suite_of(const SubmissionResult& result) {
@@ -74,24 +58,24 @@ std::string suite_of(const SubmissionResult& result) {
                          one.status, one.feedback);
     }
   }
-  return "  <testsuite name=\"" + attribute(result.name) + "\" tests=\"" + std::to_string(counts.tests) +
-         "\" failures=\"" + std::to_string(counts.failures) + "\" errors=\"" + std::to_string(counts.errors) +
-         "\" skipped=\"" + std::to_string(counts.skipped) + "\">\n" + cases + "  </testsuite>\n";
+  std::size_t tests = 0;
+  for (const auto& [element, count] : counts) tests += count;
+  return "  <testsuite name=\"" + escaped(result.name) + "\" tests=\"" + std::to_string(tests) +
+         "\" failures=\"" + std::to_string(counts["failure"]) + "\" errors=\"" +
+         std::to_string(counts["error"]) + "\" skipped=\"" + std::to_string(counts["skipped"]) + "\">\n" +
+         cases + "  </testsuite>\n";
 }
 
 }  // namespace
 
 std::string junit_xml(const std::vector<SubmissionResult>& results) {
   std::string suites;
-  bool images = true;
-  for (const SubmissionResult& result : results) {
-    suites += suite_of(result);
-    images = images && result.images;
-  }
+  for (const SubmissionResult& result : results) suites += suite_of(result);
   const std::string said = said_of(least_isolation(results));
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" + std::string("hairgrade") +
-         (said.empty() ? "" : " (" + said + ")") + (images ? "" : " (graded without pictures)") + "\">\n" +
-         suites + "</testsuites>\n";
+         (said.empty() ? "" : " (" + said + ")") +
+         (all_with_images(results) ? "" : " (graded without pictures)") + "\">\n" + suites +
+         "</testsuites>\n";
 }
 
 }  // namespace grader::report

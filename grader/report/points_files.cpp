@@ -47,20 +47,20 @@ std::string grades_csv(const std::vector<SubmissionResult>& results, const std::
     head.push_back(column.id);
     head.push_back(column.id + " status");
   }
-  head.push_back("note");
+  head.insert(head.end(), {"note", "decided"});
   const std::size_t own_columns = head.size();
   add_titles_of_people(head, people);
   std::string text = csv_line(head);
   for (const SubmissionResult& result : results) {
-    std::vector<std::string> cells{result.name, shown_points(points(result)),
-                                   shown_points(max_points(result)), sandbox_cell(result.isolation),
-                                   result.images ? "yes" : "no"};
+    std::vector<std::string> cells{
+        result.name, is_excused_from_all(result) ? "" : shown_points(points(result)),
+        shown_points(max_points(result)), sandbox_cell(result.isolation), result.images ? "yes" : "no"};
     for (const Column& column : columns) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
-      cells.push_back(exercise && is_given(*exercise) ? shown_points(exercise->points) : "");
+      cells.push_back(exercise && has_points(*exercise) ? shown_points(exercise->points) : "");
       cells.push_back(exercise ? to_string(exercise->status) : "");
     }
-    cells.push_back(result.note);
+    cells.insert(cells.end(), {result.note, decided_in_short(result)});
     text += rows_of(result.name, cells, people);
   }
   return text + rows_of_absent(own_columns, people);

@@ -12,8 +12,8 @@
 namespace grader::inline report {
 
 // RFC 4180. A line for each submission: name, total, maximum without extra credit, in a sandbox or not, with
-// graded pictures or not, then points and status of each exercise, then the note on the whole submission. No
-// spreadsheet runs a cell as a formula, see grader/text/csv.h.
+// graded pictures or not, then points and status of each exercise, then the note on the whole submission, and
+// decisions of people. No spreadsheet runs a cell as a formula, see grader/text/csv.h.
 //
 // With `people` each of them has a line, which ends with name, id, e-mail, section and a remark: a group's
 // hand-in has several lines, and a person without a hand-in has a line without points.

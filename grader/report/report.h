@@ -8,7 +8,7 @@
 //   DIR/staff/NAME.json    the whole result
 //   DIR/staff/pictures/    the pictures of these two, each stored once for the class; see picture_files.h
 //   DIR/NAME/study.html, study.json  only with studies: error against time; the only files here with times
-//   DIR/grades.csv, index.html, junit.xml  the class
+//   DIR/grades.csv, index.html  the class
 //
 // Students' text is escaped for each format: invalid UTF-8, control characters and terminal colours are
 // removed; pages run none of their scripts and load nothing.

@@ -1,8 +1,8 @@
 // STAFF ONLY. results.json for the student, in Gradescope's schema (gradescope/autograder_samples,
-// docs/specs.md, "Output format"). A test is a category, numbered "S1.3"; an exercise without categories (it
-// is missing, it does not compile) is one test, "S1". It contains no staff's text. All tests are visible: a
-// hidden one would hide the student's total. It is ASCII, and has a bound: pictures that would break it are
-// left out, and a long text is cut.
+// docs/specs.md, "Output format"). A test is a category, numbered "S1.3"; an exercise that passes whole, is
+// excused or has no categories (it is missing, it does not compile) is one test, "S1". It contains no staff's
+// text. All tests are visible: a hidden one would hide the student's total. It is ASCII, and has a bound:
+// pictures that would break it are left out, and a long text is cut.
 #pragma once
 
 #include <cstddef>

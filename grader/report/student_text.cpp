@@ -63,8 +63,7 @@ std::string student_text(const SubmissionResult& whole) {
       text += "  " + exercise.id + "." + std::to_string(++number) + " " + one.name + ": " +
               shown_points(one.points) + " of " + shown_points(one.max_points) + ", " +
               to_string(one.status) + "\n";
-      for (const std::string& words : {one.feedback, one.memory_error})
-        if (!words.empty()) text += "    " + hair::readable(words) + "\n";
+      if (!one.feedback.empty()) text += "    " + hair::readable(one.feedback) + "\n";
     }
   }
   return text;

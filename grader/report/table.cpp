@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "grader/course/input.h"
+#include "grader/report/facts/class_statistics.h"
 #include "grader/report/facts/columns.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/report.h"
@@ -68,26 +69,16 @@ Cells row_of(const std::string& name, const SubmissionResult& result, const std:
     const ExerciseResult* exercise = find_exercise(result, column.id);
     row.push_back(exercise ? in_short(*exercise) : "");
   }
-  row.push_back(short_points(points(result)));
+  row.push_back(is_excused_from_all(result) ? "exc" : short_points(points(result)));
   return row;
 }
 
-Cells means(const std::vector<Column>& columns, const std::vector<SubmissionResult>& results) {
-  Cells row{"mean of " + std::to_string(results.size())};
-  double total = 0;
-  for (const SubmissionResult& result : results) total += points(result);
-  for (const Column& column : columns) {
-    double sum = 0;
-    std::size_t count = 0;
-    for (const SubmissionResult& result : results)
-      if (const ExerciseResult* exercise = find_exercise(result, column.id)) {
-        if (!is_given(*exercise)) continue;
-        sum += exercise->points;
-        ++count;
-      }
-    row.push_back(count == 0 ? "" : short_points(sum / static_cast<double>(count)));
-  }
-  row.push_back(short_points(total / static_cast<double>(results.size())));
+Cells means(const std::vector<SubmissionResult>& results) {
+  const std::vector<double> totals = totals_of(results);
+  Cells row{"mean of " + std::to_string(totals.size())};
+  for (const ExerciseStatistics& one : exercise_statistics(results))
+    row.push_back(one.points.empty() ? "" : short_points(mean(one.points)));
+  row.push_back(short_points(mean(totals)));
   return row;
 }
 
@@ -95,7 +86,7 @@ void print_row(std::ostream& out, const Cells& row, const std::vector<std::size_
   std::string line = row[0] + std::string(widths[0] - terminal_columns(row[0]), ' ');
   for (std::size_t i = 1; i < widths.size(); ++i)
     line += std::string(2 + widths[i] - row[i].size(), ' ') + row[i];
-  if (row.size() > widths.size()) line += "  " + row.back();  // adds a folder's name, however long
+  for (std::size_t i = widths.size(); i < row.size(); ++i) line += "  " + row[i];  // however long
   out << line << '\n';
 }
 
@@ -113,20 +104,23 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
   for (std::size_t i = 0; i < results.size(); ++i) {
     rows.push_back(row_of(names[i], results[i], columns));
     if (with_people) rows.back().push_back(printable(results[i].name));
+    if (const std::string decided = decided_in_short(results[i]); !decided.empty())
+      rows.back().push_back("(" + decided + ")");
   }
-  rows.push_back(means(columns, results));
+  rows.push_back(means(results));
 
   std::vector<std::size_t> widths(columns.size() + 2);
   for (const Cells& row : rows)
     for (std::size_t i = 0; i < widths.size(); ++i)
       widths[i] = std::max(widths[i], i == 0 ? terminal_columns(row[i]) : row[i].size());
-  bool any_ended = false;
-  for (const Cells& row : rows) {
-    print_row(out, row, widths);
-    any_ended |= std::any_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(widths.size()),
-                             [](const auto& cell) { return cell.ends_with('!'); });
-  }
-  if (any_ended) out << "! points from before or after a crash or a limit\n";
+  for (const Cells& row : rows) print_row(out, row, widths);
+  for (const auto& [mark, meaning] : {std::pair('!', "points from before or after a crash or a limit"),
+                                      std::pair('*', "a person set points (hairgrade log)")})
+    if (std::ranges::any_of(rows, [&](const Cells& row) {
+          return std::any_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(widths.size()),
+                             [&](const std::string& cell) { return cell.ends_with(mark); });
+        }))
+      out << mark << ' ' << meaning << '\n';
   for (const SubmissionResult& result : results)
     if (!result.ended_by_the_clock.empty())
       out << "NOT FINAL, ended by the clock: "

@@ -249,7 +249,7 @@ constexpr Slip kSlips[] = {
     {R"("status":"broke the rules")", R"("status":"fine")",
      "a.json: cases[0].status: \"fine\" is not right; write one of: passed, partly, wrong, not implemented, "
      "missing, does not compile, crashed, timed out, out of memory, broke the rules, not taken, "
-     "can't be read"},
+     "can't be read, given, not given yet, excused"},
     {R"("held":2147483647)", R"("held":2147483648)",
      "a.json: cases[0].held: 2147483648 is not right; write a whole number from -2147483648 to 2147483647"},
     {R"("cases":7)", R"("cases":7.5)",

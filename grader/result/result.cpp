@@ -15,7 +15,7 @@ struct Wording {
   const char* sentence;
 };
 
-constexpr std::array<Wording, 14> wordings{{
+constexpr std::array<Wording, 15> wordings{{
     {Status::passed, "passed", "Everything passes. Well done."},
     {Status::partly, "partly",
      "Part of this works. The categories below say where points are left; each can be won on its own."},
@@ -45,13 +45,14 @@ constexpr std::array<Wording, 14> wordings{{
      "does), "
      "or opening files or connections. It needs only to compute and return."},
     {Status::not_taken, "not taken",
-     "Nobody can tell what of your hand-in counts here, so nothing was graded. The staff know."},
+     "A person must first say which of your files counts here, so nothing was graded yet. The staff know."},
     {Status::unreadable, "can't be read",
      "What you handed in could not be read, so nothing in it was graded. Pack the exercise files into a .zip "
      "or "
      "a .tar.gz, and check that it opens."},
     {Status::given, "given", "A person gave these points."},
     {Status::not_given, "not given yet", "A person will give these points."},
+    {Status::excused, "excused", "This exercise does not count for you."},
 }};
 
 const Wording& wording_of(Status status) {
@@ -84,6 +85,15 @@ double points(const SubmissionResult& result) {
   for (const ExerciseResult& exercise : result.exercises) sum += exercise.extra_credit ? 0 : exercise.points;
   for (const Adjustment& adjustment : result.adjustments) sum += adjustment.points;
   return sum;
+}
+
+bool has_points(const ExerciseResult& exercise) {
+  return is_given(exercise) && exercise.status != Status::excused;
+}
+
+bool is_excused(const SubmissionResult& result) {
+  return std::ranges::any_of(result.exercises,
+                             [](const ExerciseResult& one) { return one.status == Status::excused; });
 }
 
 double max_points(const SubmissionResult& result) {

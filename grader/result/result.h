@@ -26,6 +26,7 @@ enum class Status {
   unreadable,  // the whole submission, such as a .rar
   given,       // points by hand (HandInRules::by_hand), which a person gave
   not_given,   // has not given yet: the total is not final
+  excused,     // by a person: it does not count
 };
 
 // Is the title of the category that judges the whole run and its pictures.
@@ -43,7 +44,7 @@ struct CaseResult {
   std::string name;  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;
   double points = 0, max_points = 0;
-  std::string feedback;  // for students: the category and the error in bands, never a value or an input
+  std::string feedback;  // for staff, until for_student writes the student's
   std::string detail;    // for staff: inputs, expected and actual values
   // For students, too: a likely mistake in its numbers, or the end of its run, in one of our few sentences.
   // Empty: nothing is clear.
@@ -82,6 +83,7 @@ struct Said {
 struct ExerciseResult {
   std::string id, title, file;
   bool extra_credit = false;  // an optional exercise: its points are added on top of the total
+  bool points_set = false;    // a person gave points of it (SubmissionResult::decided)
   Status status = Status::missing;
   double points = 0, max_points = 0;
   std::string feedback;           // for students
@@ -103,6 +105,15 @@ struct Adjustment {
   bool operator==(const Adjustment&) const = default;
 };
 
+// Is a decision of a person, for staff (grader/record/points/decisions.h).
+struct Decided {
+  std::string place, kind;  // "H2.3", "points"; place "": the whole
+  std::string text;         // is the decision in a line
+  std::string conflict;     // says why it may be out of date; "": it is not
+
+  bool operator==(const Decided&) const = default;
+};
+
 struct SubmissionResult {
   std::string name;
   std::string origin;  // see grader/intake/names/origin.h; for staff
@@ -117,13 +128,16 @@ struct SubmissionResult {
   std::optional<double> extra_credit_counted = {};  // nothing: all of it counts
   std::vector<Adjustment> adjustments = {};
   std::vector<std::string> remarks = {};  // for the student: the staff's, and the choice among several files
+  std::vector<Decided> decided = {};      // are in the points; computed results have none
   std::string about = {};  // is the student's about.txt (report/facts/about.h), for staff; readable text
 
   bool operator==(const SubmissionResult&) const = default;
 };
 
-bool is_by_hand(const ExerciseResult&);  // people give its points
-bool is_given(const ExerciseResult&);    // false: its points are still to come
+bool is_by_hand(const ExerciseResult&);    // people give its points
+bool is_given(const ExerciseResult&);      // false: its points are still to come
+bool has_points(const ExerciseResult&);    // false: it is excused, too
+bool is_excused(const SubmissionResult&);  // from an exercise at least: its total has no place in a mean
 
 // True if its whole run ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);

@@ -15,7 +15,7 @@
 namespace grader::inline result {
 
 template <>
-inline constexpr Status kLast<Status> = Status::not_given;
+inline constexpr Status kLast<Status> = Status::excused;
 template <>
 inline constexpr Isolation kLast<Isolation> = Isolation::container;
 template <>

@@ -229,10 +229,9 @@ Html nothing_left() {
 Html progress_part(const std::vector<ProgressOfTa>& progress) {
   Html all;
   for (const ProgressOfTa& one : progress)
-    all += one.items > 0
-               ? html("<span><strong>{}</strong> {} of {}</span>\n",
-                      {one.who.empty() ? "nobody's" : one.who, one.decided, one.items})
-               : html("<span><strong>{}</strong> {} decided</span>\n", {one.who, one.has_decided});
+    all += one.items > 0 ? html("<span><strong>{}</strong> {} of {}</span>\n",
+                                {one.who.empty() ? "nobody's" : one.who, one.decided, one.items})
+                         : html("<span><strong>{}</strong> {} decided</span>\n", {one.who, one.has_decided});
   return all;
 }
 

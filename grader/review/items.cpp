@@ -184,13 +184,17 @@ class Making {
       item.why = in_a_row(ended) + " ended by the clock: grade again";
       add(std::move(item), in_a_row(ended));
     }
-    for (const Decision& decision : person.decisions)
-      for (const std::string& line : conflicts(result, {decision})) {
-        Item item{.kind = ItemKind::conflict, .place = place_of_conflict(decision), .people = {name}};
-        at(item, decision.place);
-        item.why = line;
-        add(std::move(item), line);
+    std::map<std::string, std::string> lines;  // by the item's place: a place may have several comments
+    for (const Decided& one : decided(result, person.decisions).decided)
+      if (!one.conflict.empty()) {
+        std::string& line = lines[place_of_conflict(one.place, one.kind)];
+        line += (line.empty() ? "" : "; ") + one.conflict;
       }
+    for (const auto& [place, line] : lines) {
+      Item item{.kind = ItemKind::conflict, .place = place, .people = {name}, .why = line};
+      at(item, place.substr(0, place.find(' ')));
+      add(std::move(item), line);
+    }
     HandInRules later = facts_.rules;
     later.grace_minutes += kLittleLate;
     if (late_days(facts_.rules, person.handed_in).value_or(0) > 0 && late_days(later, person.handed_in) == 0)
@@ -280,7 +284,7 @@ class Making {
             " is off by FLIP " + shown_number(worst.flip));
   }
 
-  // What a person asks about a place is one item. Answers decide it, and nothing else does.
+  // A person's requests about a place are one item. Answers decide it, and nothing else does.
   void requests() {
     std::map<std::pair<std::string, std::string>, std::vector<const Request*>> asked;
     for (const Request& request : facts_.requests) asked[{request.name, request.place}].push_back(&request);
@@ -326,8 +330,8 @@ std::optional<ItemKind> kind_from(const std::string& word) {
   return static_cast<ItemKind>(found - kWords.begin());
 }
 
-std::string place_of_conflict(const Decision& decision) {
-  return decision.place + (decision.comment == 0 ? "" : " comment " + std::to_string(decision.comment));
+std::string place_of_conflict(const std::string& place, const std::string& kind) {
+  return place + (kind == to_string(DecisionKind::points) ? "" : " (" + kind + ")");
 }
 
 RowOfItem Item::row() const {

@@ -57,7 +57,8 @@ TEST(Items, AreOfTheseKinds) {
   two_files.id = "S2";
   two_files.status = Status::not_taken;
   two_files.feedback = "There are two versions of S2.cpp.";
-  const ExerciseResult right = made_exercise("H2");
+  const ExerciseResult right = made_exercise("H2"),
+                       all_lost = made_exercise("H6", {{1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}});
   const auto points = [](double number, double computed, const char* place) {
     return [=](ItemPerson& person) {
       person.decisions = {
@@ -80,9 +81,16 @@ TEST(Items, AreOfTheseKinds) {
        "not-final//ann\n", "H2, S1 ended by the clock"},
       {"a decision that holds", points(3, 16, "H2"), ""},
       {"a decision for other points", points(3, 5, "H2"), "conflict/H2/ann\n", "bob set H2 to 3"},
+      {"a place and its category",
+       [](ItemPerson& person) {
+         for (const char* place : {"H2", "H2.3"})
+           person.decisions.push_back(
+               {DecisionKind::points, place, 2, place[2] == 0 ? 16.0 : 2.0, "why", "bob"});
+       },
+       "conflict/H2/ann\n", "both count"},
       {"a place that is gone", points(1, 1, "H2.9"), "conflict/H2.9/ann\n", "now there is no H2.9"},
       {"below 10 times the limit", becomes(made_exercise("H2", {{3, 6.6}, {5, 1e7}})),
-       "near-threshold/H2/ann\n", "H2 is nearly right: H2.3 (Ill-conditioned): 6.60 times the limit"},
+       "near-threshold/H2/ann\n", "H2 is nearly right: H2.3 (Ill-conditioned): 6.6 times the limit"},
       {"10 times the limit", becomes(made_exercise("H2", {{3, 10.5}})), ""},
       {"all but one of the cases", held(12, 11), "near-threshold/H2/ann\n", "11 of 12 cases hold"},
       {"all but two", held(12, 10), ""},
@@ -97,6 +105,7 @@ TEST(Items, AreOfTheseKinds) {
       {"a picture that is far off",
        becomes(with_picture(made_exercise("H6", {{1, 1e7}, {8, 50}}), 0.2, true)),
        "far-in-pictures/H6/ann\n"},
+      {"nothing but a picture that is far off", becomes(with_picture(all_lost, 0.2, true)), ""},
       {"a picture near ours", becomes(with_picture(made_exercise("H6", {{1, 1e7}, {8, 50}}), 0.2, false)),
        ""},
       {"in time", late("2025-03-04 23:59:10"), ""},
@@ -146,7 +155,7 @@ TEST(Items, AreInOrderAndAPersonInAGroupIsNoOther) {
   EXPECT_NEAR(*group.times, 5e7, 1);
 }
 
-// What was accepted stays so while it looks the same, whatever else changes; its version says if a decision
+// An accepted item stays so while it looks the same, whatever else changes; its version says if a decision
 // about it was made since it was shown.
 TEST(Items, ComeBackWhenTheyLookOtherwise) {
   ItemFacts facts = facts_of({made_result("ann", {made_exercise("H2", {{3, 2}}), made_exercise("S1")}),
@@ -188,6 +197,12 @@ TEST(Items, ComeBackWhenTheyLookOtherwise) {
       {"points of another", decide("ben", "H2.3"), true, true, single},
       {"one more person",
        [](ItemFacts& now) {
+         now.people["flo"] = {made_result("flo", {made_exercise("H3", {{1, 60}})})};
+       },
+       false, false, group},
+      {"another person in place of one",
+       [](ItemFacts& now) {
+         now.people.erase("ed");
          now.people["flo"] = {made_result("flo", {made_exercise("H3", {{1, 60}})})};
        },
        false, false, group},

@@ -25,8 +25,8 @@ struct Planted {
   std::string key, right;
 };
 
-// Puts a class of fourteen exercises into an empty record, in six sections: most people have ordinary mistakes,
-// and some are planted. `size` is 30 at least.
+// Puts a class of fourteen exercises into an empty record, in six sections: most people have ordinary
+// mistakes, and some are planted. `size` is 30 at least.
 std::vector<Planted> put_made_class(Record& record, std::size_t size = 180);
 
 }  // namespace grader::review

@@ -216,7 +216,8 @@ TEST_F(Hairgrade, ListsWhatTheClockEnded) {
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   earlier_run();
   const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");
-  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume"});
+  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume", "--junit"});
+  EXPECT_TRUE(fs::exists(out() + "/junit.xml"));
   EXPECT_NE(again.output.find("0 graded, 1 kept"), string::npos) << again.output;
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // This submission has the same name with other bytes.
@@ -229,6 +230,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_EQ(hair::bytes_of(out() + "/grades.csv"), grades);
   const ProgramRun other = grade({changed, "--out", out(), "--resume", "--replace"});
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
+  EXPECT_FALSE(fs::exists(out() + "/junit.xml")) << "it would be out of date";
 }
 
 // A bug in every exercise with a run makes all pictures differ from the reference's.
@@ -332,6 +334,51 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const string gradebook = hair::bytes_of(fs::path(out()) / "grades.csv");
   EXPECT_NE(gradebook.find("other-order,52"), string::npos) << gradebook;
   EXPECT_NE(gradebook.find("stubs,0"), string::npos) << gradebook;
+}
+
+// The same course gives other points to S2.
+TEST_F(Hairgrade, RegradesInPlaceAndLeavesTheResultsBeforeWhenKilled) {
+  fs::create_directory(folder_ / "class");
+  for (const char* name : {"stubs", "other-order"})
+    fs::copy(sample(name), folder_ / "class" / fs::path(sample(name)).filename(),
+             fs::copy_options::recursive);
+  const string everybody = (folder_ / "class").string();
+  ASSERT_EQ(grade({everybody, "--out", out(), "--no-images"}).code, 0);
+  ASSERT_EQ(run_hairgrade({"set", "stubs", "S2", "15", "--why", "x", "--out", out()}).code, 0);
+  ASSERT_EQ(run_hairgrade({"comment", "stubs", "well begun", "--out", out()}).code, 0);
+  nlohmann::json course = course_of({"S1", "S2"});
+  course["exercises"]["S2"]["points"] = 10;
+  const std::vector<string> other{
+      everybody, "--no-images", "--resume", "--out", out(), "--course", write("other.json", course.dump())};
+  const auto regrade = [&](const std::function<void(const RunningProgram&)>& meanwhile = {}) {
+    std::vector<string> words = other;
+    words.insert(words.end(), {"--regrade", "-j", "1"});
+    return grade(words, meanwhile);
+  };
+  const auto files = [&] { return files_in(out()); };
+  const auto before = files();
+  EXPECT_NE(grade(other).errors.find("--regrade to grade all of them again in place"), string::npos);
+  const ProgramRun killed = regrade([&](const RunningProgram& grades) {
+    EXPECT_TRUE(grades.wait_until([&] { return Record(out(), kStage).names().size() == 1; }));
+    kill(-grades.process, SIGKILL);
+  });
+  EXPECT_EQ(killed.code, -1);
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(Record(out()).find("other-order")->result.exercises[1].max_points, 20);
+
+  const ProgramRun whole = regrade();
+  EXPECT_EQ(whole.code, 3) << whole.errors;
+  EXPECT_NE(whole.output.find("1 graded, 1 kept from before"), string::npos) << whole.output;
+  EXPECT_NE(whole.errors.find("set S2 to 15 where 0 of 20 points had been computed, and now it is worth 10"),
+            string::npos)
+      << whole.errors;
+  EXPECT_NE(whole.output.find("1 of 2 have other points: " + out() + "/changes.html\n"), string::npos)
+      << whole.output;
+  EXPECT_NE(files().at("changes.html").find("S2.1 4 -&gt; 2; S2.2 "), string::npos);
+  EXPECT_NE(files().at("stubs/report.html").find("well begun"), string::npos);
+  EXPECT_EQ(grade(other).code, 3) << "the record is of the other course now";
+  EXPECT_NE(grade({everybody, "--out", out(), "--regrade", "--exercise", "S1"}).errors.find("--exercise"),
+            string::npos);
 }
 
 TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {

@@ -82,7 +82,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
     EXPECT_EQ(stripped, before) << name;
     links += after != before;
   }
-  // Each has two pages and two files of JSON; the class has index.html, grades.csv, junit.xml, .lock.
+  // Each has two pages and two files of JSON; the class has index.html, grades.csv, .lock.
   EXPECT_EQ(files, 3 * 4 + 4);
   EXPECT_EQ(links, 3 * 3 + 1);  // both pages and the staff's JSON of each, and the class's
   EXPECT_EQ(broken_links(folder_ / "with"), std::vector<string>());

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "hair/io/files/json_text.h"
-#include "hair/io/plot/page.h"
 #include "hair/io/plot/base64.h"
+#include "hair/io/plot/page.h"
 
 namespace hair {
 

@@ -109,12 +109,12 @@ void Divider::divide() {
   for (auto& [path, child] : children_) {
     if (!child.named) {
       set_aside(child, Accounted::As::left_over,
-                "belongs to nobody: it has no name that " + system + " gives");
+                "belongs to nobody: its name does not have the form of " + system);
       continue;
     }
     const NamedPath& named = *child.named;
     if (named.kind == NamedPath::Kind::made) {
-      set_aside(child, Accounted::As::made, system + " writes it");
+      set_aside(child, Accounted::As::made, "made by " + system);
       continue;
     }
     if (!child.is_folder)
@@ -124,8 +124,8 @@ void Divider::divide() {
     const bool counts = attempt_of(named) == newest.at({number, unit_of(named)});
     const auto folder_of = [](const std::string& of) { return of.substr(0, of.rfind('/') + 1); };
     if (!hand_in.path.empty() && hand_in.remarks.empty() && folder_of(hand_in.path) != folder_of(path))
-      hand_in.remarks.push_back(path + " is of somebody who is also in " + folder_of(hand_in.path) +
-                                "; both are one hand-in");
+      hand_in.remarks.push_back(path + " is by a person who is also in " + folder_of(hand_in.path) +
+                                "; both count as one hand-in");
     if (hand_in.path.empty() || counts) {
       hand_in.path = path;
       hand_in.owner = named.owner;
@@ -134,7 +134,7 @@ void Divider::divide() {
     hand_in.late = hand_in.late || named.late;
     if (!named.doubt.empty()) hand_in.doubts.push_back(path + " " + named.doubt);
     if (named.kind == NamedPath::Kind::text && !child.is_folder) {
-      set_aside(child, Accounted::As::made, system + " writes it of what was typed or linked", number);
+      set_aside(child, Accounted::As::made, "made by " + system + " from a typed text or a link", number);
     } else if (!counts) {
       set_aside(child, Accounted::As::older, "a newer hand-in counts", number);
     } else {
@@ -142,7 +142,7 @@ void Divider::divide() {
         const std::string_view inside = name_of(list_[i]);
         if (named.kind == NamedPath::Kind::text && inside.ends_with(".html")) {
           division_.aside.push_back(
-              {i, Accounted::As::made, system + " writes it of what was typed", number});
+              {i, Accounted::As::made, "made by " + system + " from a typed text", number});
           continue;
         }
         hand_in.entries.push_back(i);

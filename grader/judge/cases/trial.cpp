@@ -29,6 +29,16 @@ std::optional<Eigen::Index> worst_entry(const Compared& numbers) {
   return worst;
 }
 
+std::string times_the_limit(double error, double limit) {
+  if (!std::isfinite(error)) return "not a finite number";
+  const double ratio = error / limit;
+  if (!std::isfinite(ratio)) return "above its limit, 0";
+  std::ostringstream text;
+  text.precision(3);
+  text << ratio << " times the limit";
+  return text.str();
+}
+
 }  // namespace
 
 MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
@@ -63,7 +73,7 @@ MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
            "the code " + (answer.note.starts_with("it tried") ? answer.note.substr(3)
                           : answer.note.starts_with("used up")
                               ? "broke the rules before, and is not asked again"
-                              : std::string("answered in a form that it has no business with")),
+                              : std::string("sent the grader a message that does not fit the request")),
            answer.note,
            answer.note == kNestedCalls
                ? "Its calls of given functions lie within each other too deeply: does a "
@@ -104,7 +114,7 @@ void Trial::expect_at_most(double error, Bound bound, const std::string& what, c
   if (const auto worst = worst_entry(numbers))
     text << "; worst entry " << *worst << ": " << numbers.actual[*worst] << ", expected "
          << numbers.expected[*worst];
-  wrong(what + " is " + band(error, most), text.str(),
+  wrong(what + " is " + times_the_limit(error, most), text.str(),
         hint_for_students(checks::find_hint(as_span(numbers.actual), as_span(numbers.expected),
                                             numbers.bound.value_or(most), numbers.block,
                                             as_span(numbers.before))));
@@ -161,15 +171,6 @@ std::optional<CaseCount> count_of(const Category& category, Student& student, co
   if (trial.failed() == 0) return {};
   const int cases = std::max(trial.cases(), trial.failed());
   return CaseCount{cases, cases - trial.failed()};
-}
-
-std::string band(double error, double bound) {
-  if (!std::isfinite(error)) return "not a finite number";
-  const double ratio = error / bound;
-  if (ratio < 10) return "up to 10 times as large as allowed";
-  if (ratio < 1e3) return "10 to 1000 times as large as allowed";
-  if (ratio < 1e6) return "1000 to a million times as large as allowed";
-  return "more than a million times as large as allowed";
 }
 
 }  // namespace grader::judge

@@ -2,8 +2,8 @@
 // student's function, or a few calls in a row, with the checks of the answers until the next case. The first
 // failing case ends its category; the number of failing cases is counted later.
 //
-// A failure has two readers. The student sees the missing property and the size of an error in bands; staff
-// see inputs, expected and actual values.
+// A failure is for staff: the missing property, the error's share of its limit, inputs, expected and actual
+// values. Students read a fixed sentence (grader/report/facts/student_view.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -80,7 +80,7 @@ class Trial {
   void require(bool holds, const std::string& feedback, const std::string& detail = {},
                const std::string& hint = {});
 
-  // error <= bound; otherwise the student reads "<what> is 10 to 1000 times as large as allowed". NaN fails.
+  // error <= bound; otherwise staff read "<what> is 6.6 times the limit". NaN fails.
   void expect_at_most(double error, Bound bound, const std::string& what, const std::string& detail = {});
   void expect_at_most(double error, Bound bound, const std::string& what, const Compared& numbers,
                       const std::string& detail = {});
@@ -132,8 +132,5 @@ struct CaseCount {
 // Counts the cases that hold in a failed category. Nothing if an answer is missing or the rest can't go on
 // with it, or if no case fails this time.
 std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source);
-
-// Returns the ratio of error and bound in bands: an exact number could reveal a hidden case's value.
-std::string band(double error, double bound);
 
 }  // namespace grader::judge

@@ -12,7 +12,7 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   MessageWriter request;
   request.put(text).put(times);
   MessageReader reply = trial.ask(request, [](int, const auto&, auto&) -> bool {
-    throw MalformedMessage("a product that nobody asked for");
+    throw MalformedMessage("a product, but no solver runs");
   });
 
   const hair::SceneRun ours(scene);

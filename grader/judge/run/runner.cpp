@@ -38,7 +38,7 @@ MessageReader ask_student(const MessageWriter& request, const Products& products
 
 MessageReader ask_student(const MessageWriter& request) {
   return ask_student(request, [](int, const auto&, auto&) -> bool {
-    throw MalformedMessage("a product that nobody asked for");
+    throw MalformedMessage("a product, but no solver runs");
   });
 }
 

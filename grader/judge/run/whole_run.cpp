@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "grader/compare/compare.h"
 #include "grader/judge/run/student_play.h"
 #include "solver/timing.h"
 
@@ -86,7 +87,7 @@ void WholeRun::judge_run(Trial& trial, const RunComparison& run, const std::stri
   trial.expect(run.moments.front().apart == 0, "the run does not start where the scene does");
   for (const Moment& moment : run.moments) {
     trial.expect_at_most(moment.held_apart, kHeld * run.size,
-                         "the distance of what is held from where it is held", at(moment));
+                         "the distance of held particles from their places", at(moment));
     trial.expect_at_most(std::abs(moment.theirs.energy() - moment.ours.energy()), kEnergy * run.kinetic,
                          "the difference of the energy from ours", at(moment));
     trial.expect_at_most(moment.theirs.stretch, std::max(kStretch * moment.ours.stretch, kLeastStretch),
@@ -102,8 +103,8 @@ void WholeRun::judge_pictures(Trial& trial) const {
     scores << "at " << picture.name << ": blurred RMSE " << picture.blurred_rmse << ", FLIP " << picture.flip;
     trial.expect_at_most(picture.blurred_rmse, kBlurredRmse,
                          "the difference of the blurred pictures at " + picture.name, scores.str());
-    trial.expect_at_most(picture.flip, kFlip,
-                         "the difference that is seen between the pictures at " + picture.name, scores.str());
+    trial.expect_at_most(picture.flip, kFlip, "the visible difference of the pictures at " + picture.name,
+                         scores.str());
   }
   trial.expect(pictures_.size() == hidden_.pictures.size() && !pictures_.back().breaks_off,
                "the run ends before its last picture");

@@ -11,7 +11,7 @@
 // its rounding, and its points are compared.
 //
 // Its pictures. We draw a few frames of the submission and of the reference. The RMSE of the blurred pictures
-// and the mean FLIP must each be below a threshold.
+// and the mean FLIP must each be below a limit (compare.h).
 #pragma once
 
 #include <filesystem>
@@ -40,8 +40,6 @@ inline constexpr double kLeastStretch = 1e-4;
 // each of three weights by 1e-9 if its height is a tenth of that, as in the hidden scene; guides differ by
 // less than the scene's size.
 inline constexpr double kDense = 1e-8;
-// Limit the distances of pictures.
-inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
 // Right runs send 50,000 messages at most. A solver that does not converge asks for products without end:
 // that is a wrong answer, not a slow one, whichever limit it meets first.

@@ -162,7 +162,7 @@ std::optional<Answer> Student::start() {
       case Kind::hello:
         return {};
       case Kind::memory_error:  // is a static object's error
-        if (!setup_.sanitised) return broke_rules("something else than a greeting");
+        if (!setup_.sanitised) return broke_rules("the first message is not the greeting");
         end(1);
         return Answer{Outcome::memory_error, MessageReader(message->body), kLoading};
       case Kind::left:
@@ -175,7 +175,7 @@ std::optional<Answer> Student::start() {
         gave_up_ = Answer{Outcome::cannot_load, MessageReader({}), MessageReader(message->body).get_text()};
         return gave_up_;
       default:
-        return broke_rules("something else than a greeting");
+        return broke_rules("the first message is not the greeting");
     }
   } catch (const MalformedMessage& error) {
     return broke_rules(error.what());
@@ -279,7 +279,7 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
         break;
       case Kind::callback_threw:
         if (conversation.depth > 0) throw CallbackThrew();
-        throw MalformedMessage("an exception of a callback that nobody asked for");
+        throw MalformedMessage("an exception of a callback, but no callback runs");
       case Kind::denied:
         throw Over{broke_rules("it tried " + std::string(denied_syscall(body.get<int>())))};
       case Kind::stopped:
@@ -291,7 +291,7 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
       case Kind::out_of_memory:
         throw Over{{Outcome::out_of_memory, MessageReader({}), {}}};
       case Kind::memory_error:
-        if (!setup_.sanitised) throw MalformedMessage("a memory error that nobody looks for");
+        if (!setup_.sanitised) throw MalformedMessage("a memory error from a worker without sanitizers");
         end(1);
         throw Over{{Outcome::memory_error, std::move(body), {}}};
       case Kind::left:
@@ -373,7 +373,7 @@ Answer Student::ended(const std::string& during) {
     answer.outcome = Outcome::broke_rules;
     answer.note = "it tried " + std::string(denied_syscall(-1));  // signal masks can hide the call
   } else if (ending.signal == SIGKILL) {
-    answer.note += ": killed, and by none of our clocks";
+    answer.note += ": killed, but not by a time limit of the grader";
   } else {
     answer.note += ending.signal != 0 ? ": signal " + std::to_string(ending.signal)
                                       : ": it left with code " + std::to_string(ending.code);

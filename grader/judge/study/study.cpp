@@ -131,7 +131,7 @@ class PartStudied {
     } catch (const CaseFailed& failure) {
       why = failure.feedback;
     } catch (const MalformedMessage&) {
-      why = "the code answered in a form that it has no business with";
+      why = "the code sent the grader a message that does not fit the request";
     }
     if (!side.is_student) throw std::runtime_error("the reference does not play " + part_.name + ": " + why);
     side.over = true;

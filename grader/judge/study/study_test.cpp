@@ -168,7 +168,7 @@ TEST(Study, RefusesARunThatIsShorterThanAskedFor) {
   student.poison = [](Played& played, int) { played.frames.pop_back(); };
   const PartStudy part = study("symplectic Euler", student);
   EXPECT_TRUE(part.student.points.empty());
-  EXPECT_NE(part.note.find("a form that it has no business with"), std::string::npos) << part.note;
+  EXPECT_NE(part.note.find("a message that does not fit the request"), std::string::npos) << part.note;
   EXPECT_EQ(student.plays, 1);
 }
 
@@ -274,7 +274,7 @@ TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
         ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
         EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
       }
-    EXPECT_NE(page_of(found).find(rounds == 0 ? "Times are of first plays" : "medians of 1 round "),
+    EXPECT_NE(page_of(found).find(rounds == 0 ? "Times are those of first runs" : "medians of 1 round "),
               std::string::npos);
   }
 }

@@ -15,7 +15,7 @@
 namespace grader::inline record {
 namespace {
 
-constexpr std::array<const char*, 4> kKinds{"points", "excuse", "comment", "late-days"};
+constexpr std::array<const char*, 5> kKinds{"points", "excuse", "comment", "late-days", "hold"};
 constexpr double kSamePoints = 1e-9;  // points are sums of a few numbers near 1
 
 struct Place {
@@ -53,9 +53,11 @@ std::string with_reason(const std::string& what, const Decision& decision) {
   return what + (decision.why.empty() ? "" : ": " + decision.why);
 }
 
+// A place may be worth less than when it was decided.
 void set_points(const Place& place, const Decision& decision) {
-  const std::string gave = "The staff gave " + shown_number(decision.number) + " of " +
-                           shown_number(place.max_points()) + " points";
+  const double number = std::min(decision.number, place.max_points());
+  const std::string gave =
+      "The staff gave " + shown_number(number) + " of " + shown_number(place.max_points()) + " points";
   if (is_by_hand(*place.exercise)) {
     place.exercise->status = Status::given;
     place.exercise->feedback = with_reason(gave, decision);
@@ -63,15 +65,16 @@ void set_points(const Place& place, const Decision& decision) {
     place.tell(
         with_reason(gave + " here, where " + shown_number(place.points()) + " had been computed", decision));
   }
-  place.exercise->points += decision.number - place.points();
-  if (place.category) place.category->points = decision.number;
+  place.exercise->points += number - place.points();
+  if (place.category) place.category->points = number;
+  place.exercise->points_set = true;
 }
 
 void excuse(ExerciseResult& exercise, const Decision& decision) {
   Place{&exercise, nullptr}.tell(
       with_reason("The staff excused you from this exercise: it does not count", decision));
+  exercise.status = Status::excused;
   exercise.points = exercise.max_points = 0;
-  if (!is_given(exercise)) exercise.status = Status::given;
   for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
 }
 
@@ -90,6 +93,7 @@ void add_points_of_comments(SubmissionResult& result, const std::vector<Decision
     if (!place.exercise || !is_given(*place.exercise)) continue;
     const double before = place.points(), after = std::clamp(before + number, 0.0, place.max_points());
     if (place.category) place.category->points = after;
+    place.exercise->points_set |= after != before;
     double& all = place.exercise->points;
     all = std::clamp(all + after - before, 0.0, place.exercise->max_points);
   }
@@ -112,6 +116,9 @@ void apply(SubmissionResult& result, const Decision& decision) {
     case DecisionKind::late_days:
       result.remarks.push_back(
           with_reason("The staff gave you " + shown_number(decision.number) + " more days", decision));
+      return;
+    case DecisionKind::hold:
+      return;
   }
 }
 
@@ -125,18 +132,7 @@ std::string places_of(const SubmissionResult& result) {
   return all.empty() ? "none" : all;
 }
 
-}  // namespace
-
-std::string to_string(DecisionKind kind) {
-  return kKinds.at(static_cast<std::size_t>(kind));
-}
-
-std::optional<DecisionKind> decision_kind_from(const std::string& word) {
-  const auto* found = std::ranges::find(kKinds, word);
-  if (found == kKinds.end()) return {};
-  return static_cast<DecisionKind>(found - kKinds.begin());
-}
-
+// Returns the line of "H2:17", "" for other places.
 std::string check_place(const std::string& place, const SubmissionResult& computed) {
   SubmissionResult result = computed;
   const Place found = find(result, place);
@@ -157,7 +153,54 @@ std::string check_place(const std::string& place, const SubmissionResult& comput
   return text;
 }
 
-void check(Decision& decision, const SubmissionResult& computed) {
+// Returns the points of the whole exercise beside one of its categories, or the other way round; else null.
+const Decision* contradicted(const Decision& one, const std::vector<Decision>& others) {
+  const auto is_part = [](const Decision& part, const Decision& whole) {
+    return part.place.starts_with(whole.place + ".");
+  };
+  const auto found = std::ranges::find_if(others, [&](const Decision& other) {
+    return one.kind == DecisionKind::points && other.kind == one.kind &&
+           (is_part(one, other) || is_part(other, one));
+  });
+  return found == others.end() ? nullptr : &*found;
+}
+
+std::string conflict_of(const Decision& decision, const Place& place,
+                        const std::vector<Decision>& decisions) {
+  const bool sets = decision.kind == DecisionKind::points;
+  const std::string begin =
+      decision.who + (sets ? " set " + decision.place + " to " + shown_number(decision.number) + " where " +
+                                 shown_number(decision.computed) +
+                                 (decision.worth > 0 ? " of " + shown_number(decision.worth) : "") +
+                                 " points had been computed"
+                           : " decided " + decision_text(decision));
+  if (!place.exercise && !decision.place.empty())
+    return begin + ", and now there is no " + decision.place + "; unset it, or set another place";
+  if (!sets || !place.exercise) return "";
+  if (decision.worth > 0 && std::abs(place.max_points() - decision.worth) > kSamePoints)
+    return begin + ", and now it is worth " + shown_number(place.max_points()) +
+           "; set it again, or unset it";
+  if (std::abs(place.points() - decision.computed) > kSamePoints)
+    return begin + ", and now it is " + shown_number(place.points()) + "; set it again, or unset it";
+  const Decision* other = contradicted(decision, decisions);
+  if (other && decision.place.size() < other->place.size())
+    return begin + ", and " + other->place + " to " + shown_number(other->number) + ": both count; unset one";
+  return "";
+}
+
+}  // namespace
+
+std::string to_string(DecisionKind kind) {
+  return kKinds.at(static_cast<std::size_t>(kind));
+}
+
+std::optional<DecisionKind> decision_kind_from(const std::string& word) {
+  const auto* found = std::ranges::find(kKinds, word);
+  if (found == kKinds.end()) return {};
+  return static_cast<DecisionKind>(found - kKinds.begin());
+}
+
+void check(Decision& decision, const SubmissionResult& computed, const std::vector<Decision>& others) {
   SubmissionResult result = computed;
   const bool is_comment = decision.kind == DecisionKind::comment;
   decision.code = check_place(decision.place, computed);
@@ -167,7 +210,9 @@ void check(Decision& decision, const SubmissionResult& computed) {
   if (decision.kind == DecisionKind::excuse && place.category)
     throw BadInput(decision.place + ": a category can't be excused alone; excuse " + place.exercise->id +
                    ", or set points");
-  const bool needs_no_reason = place.exercise && is_by_hand(*place.exercise) && !is_comment;
+  // Tables of points by hand and of extensions give no reasons.
+  const bool needs_no_reason = decision.kind == DecisionKind::late_days ||
+                               (place.exercise && is_by_hand(*place.exercise) && !is_comment);
   if (!needs_no_reason && decision.why.find_first_not_of(" \t\r\n") == std::string::npos)
     throw BadInput(is_comment ? "the comment is empty; write one"
                               : "there is no reason; add --why TEXT, which the student sees");
@@ -176,6 +221,10 @@ void check(Decision& decision, const SubmissionResult& computed) {
     if (!(decision.number >= 0 && decision.number <= place.max_points() + kSamePoints))
       throw BadInput(shown_number(decision.number) + " points: " + decision.place + " is worth " +
                      shown_number(place.max_points()) + "; write a number from 0 to that");
+    if (const Decision* other = contradicted(decision, others))
+      throw BadInput(decision.place + ": " + other->who + " set " + other->place + " to " +
+                     shown_number(other->number) + " points, and nobody could say which count; unset " +
+                     other->place + " first");
   }
   if (is_comment && (!std::isfinite(decision.number) || (decision.number != 0 && !place.exercise)))
     throw BadInput(std::isfinite(decision.number)
@@ -184,6 +233,13 @@ void check(Decision& decision, const SubmissionResult& computed) {
   if (decision.kind == DecisionKind::late_days && !(decision.number >= 0 && decision.number <= 366))
     throw BadInput(shown_number(decision.number) + " days: write a number from 0 to 366");
   decision.computed = place.exercise ? place.points() : points(computed);
+  decision.title = place.category ? place.category->name : "";
+  decision.worth = place.exercise ? place.max_points() : 0;
+}
+
+std::optional<double> points_at(SubmissionResult result, const std::string& place) {
+  const Place found = find(result, place);
+  return found.exercise ? std::optional(found.points()) : std::nullopt;
 }
 
 SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>& decisions) {
@@ -192,6 +248,9 @@ SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>&
   std::ranges::stable_sort(in_order, {}, [](const Decision& one) {
     return one.kind == DecisionKind::excuse ? 2 : one.place.find('.') != std::string::npos ? 1 : 0;
   });
+  for (const Decision& one : in_order)
+    computed.decided.push_back({one.place, to_string(one.kind), decision_text(one),
+                                conflict_of(one, find(computed, one.place), decisions)});
   for (const Decision& decision : in_order) apply(computed, decision);
   add_points_of_comments(computed, decisions);
   return computed;
@@ -216,26 +275,9 @@ std::string decision_text(const Decision& decision) {
 }
 
 std::vector<std::string> conflicts(const SubmissionResult& computed, const std::vector<Decision>& decisions) {
-  SubmissionResult result = computed;
   std::vector<std::string> lines;
-  for (const Decision& decision : decisions) {
-    const bool is_comment = decision.kind == DecisionKind::comment && !decision.place.empty();
-    if (decision.kind != DecisionKind::points && !is_comment) continue;
-    const Place place = find(result, decision.place);
-    const std::string begin =
-        result.name + ": " + decision.who +
-        (is_comment ? " put comment " + std::to_string(decision.comment) + " at " + decision.place
-                    : " set " + decision.place + " to " + shown_number(decision.number) + " where " +
-                          shown_number(decision.computed) + " points had been computed");
-    if (!place.exercise)
-      lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
-    else if (!is_comment && decision.number > place.max_points() + kSamePoints)
-      lines.push_back(begin + ", and now it is worth " + shown_number(place.max_points()) +
-                      "; set it again, or unset it");
-    else if (!is_comment && std::abs(place.points() - decision.computed) > kSamePoints)
-      lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
-                      "; set it again, or unset it");
-  }
+  for (const Decided& one : decided(computed, decisions).decided)
+    if (!one.conflict.empty()) lines.push_back(computed.name + ": " + one.conflict);
   return lines;
 }
 

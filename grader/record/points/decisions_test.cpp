@@ -66,18 +66,19 @@ TEST_F(Decisions, SurviveEachRegradeAndListWhatHasChanged) {
   decide(DecisionKind::points, "H2.2", 4);
   record_.put({alice()});
   EXPECT_EQ(points(now()), 11);
-  EXPECT_TRUE(conflicts(alice(), record_.decisions("alice")).empty());
+  EXPECT_EQ(now().decided.at(0).conflict, "");
   record_.put({alice(5)});
   EXPECT_EQ(points(now()), 11) << "a decision is not taken back by itself";
-  EXPECT_EQ(
-      conflicts(alice(5), record_.decisions("alice")),
-      std::vector<std::string>{"alice: " + user() +
-                               " set H2.2 to 4 where 1.5 points had been computed, and now it is 5; set it "
-                               "again, or unset it"});
+  const std::string conflict =
+      user() +
+      " set H2.2 to 4 where 1.5 of 5 points had been computed, and now it is 5; set it "
+      "again, or unset it";
+  EXPECT_EQ(conflicts(alice(5), record_.decisions("alice")), std::vector{"alice: " + conflict});
+  EXPECT_EQ(now().decided.at(0).conflict, conflict);
   SubmissionResult shorter = alice();
   shorter.exercises[1].cases.pop_back();
   record_.put({shorter});
-  EXPECT_EQ(now(), shorter);
+  EXPECT_EQ(now().exercises, shorter.exercises);
   EXPECT_NE(conflicts(shorter, record_.decisions("alice")).at(0).find("now there is no H2.2"),
             std::string::npos);
   record_.put({alice(5)});
@@ -87,14 +88,22 @@ TEST_F(Decisions, SurviveEachRegradeAndListWhatHasChanged) {
   EXPECT_EQ(now(), alice(5));
 }
 
-TEST_F(Decisions, OfAnExerciseAndItsCategoryCountBoth) {
+TEST_F(Decisions, OfAnExerciseAndItsCategoryContradict) {
   decide(DecisionKind::points, "H2.2", 2.5);
   decide(DecisionKind::points, "S1", 5);
   EXPECT_EQ(points(now()), 5 + 3 + 2.5);
   decide(DecisionKind::points, "S1", 0);
   EXPECT_EQ(points(now()), 3 + 2.5) << "the later one of a place replaces the earlier one";
+  EXPECT_EQ(refusal(DecisionKind::points, "H2", 6),
+            "H2: " + user() + " set H2.2 to 2.5 points, and nobody could say which count; unset H2.2 first");
+  decide(DecisionKind::comment, "H2", 0, "a word");
+  record_.undo("alice", DecisionKind::points, "H2.2");
   decide(DecisionKind::points, "H2", 6);
-  EXPECT_EQ(points(now()), 6 + 1) << "its category gets one more than was computed";
+  EXPECT_NE(refusal(DecisionKind::points, "H2.2", 2.5).find("unset H2 first"), std::string::npos);
+  const Decision whole = record_.decisions("alice").at(1),
+                 part{DecisionKind::points, "H2.2", 2, 1.5, "", "tom"};
+  EXPECT_EQ(points(decided(alice(), {part, whole})), 4 + 6 + 0.5) << "as an older record has them";
+  EXPECT_EQ(conflicts(alice(), {part, whole}).size(), 1U);
 }
 
 TEST_F(Decisions, ExcuseFromAnExerciseOrFromAll) {
@@ -102,6 +111,8 @@ TEST_F(Decisions, ExcuseFromAnExerciseOrFromAll) {
   decide(DecisionKind::points, "H2.2", 4);
   EXPECT_EQ(points(now()), 4);
   EXPECT_EQ(max_points(now()), 5);
+  EXPECT_EQ(now().exercises[0].status, alice().exercises[0].status);
+  EXPECT_EQ(now().exercises[1].status, Status::excused);
   decide(DecisionKind::excuse, "");
   EXPECT_EQ(max_points(now()), 0);
 }
@@ -110,10 +121,15 @@ TEST_F(Decisions, CommentAPlaceOrTheWhole) {
   decide(DecisionKind::comment, "S1", 0, "nicely short");
   decide(DecisionKind::comment, "", 0, "well done");
   decide(DecisionKind::late_days, "", 2, "ill");
+  decide(DecisionKind::hold, "", 0, "the student does not read this");
   EXPECT_EQ(now().exercises[0].said, (std::vector<Said>{{"S1", "", "The staff say: nicely short"}}));
   EXPECT_EQ(now().remarks,
             (std::vector<std::string>{"The staff say: well done", "The staff gave you 2 more days: ill"}));
   EXPECT_EQ(points(now()), points(alice()));
+  decide(DecisionKind::excuse, "H2");
+  record_.undo("alice", DecisionKind::excuse, "");
+  EXPECT_EQ(points(now()), points(alice())) << "the only one of its kind needs no place";
+  EXPECT_THROW(record_.undo("alice", DecisionKind::excuse, ""), BadInput);
 }
 
 TEST_F(Decisions, ThatCanNotBeAreRefusedInOneLine) {

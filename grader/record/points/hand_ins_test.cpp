@@ -161,13 +161,12 @@ TEST_F(HandIns, OfARecordThatBeganWithoutAShareOfExtraCreditHaveNone) {
   alice.exercises.push_back(alice.exercises.front());
   alice.exercises[0].points = 2;
   alice.exercises[1].extra_credit = true;
-  const auto make_version_7 = [&](const std::string& people) {
+  const auto begin_with_version_7 = [&](const std::string& people) {
     fs::remove(dir_ / kRecordFile);
     Database database(dir_ / kRecordFile);
     migrate(database, {migrations().front()});
     database.run_all(people);
   };
-  Record(dir_, "week 1").put({alice});
   const auto total = [&](const std::string& hand_in, std::optional<double> share) {
     HandInRules rules;
     rules.extra_credit_share = share;
@@ -180,12 +179,12 @@ TEST_F(HandIns, OfARecordThatBeganWithoutAShareOfExtraCreditHaveNone) {
     return reached;
   };
   EXPECT_EQ(total("week 1", {}), 3);
-  make_version_7("INSERT INTO people (name, drawn_from) VALUES ('alice', 'alice')");
+  begin_with_version_7("INSERT INTO people (name, drawn_from) VALUES ('bob', 'bob')");
   EXPECT_EQ(total("week 1", {}), 10) << "all counts, up to the full points";
   EXPECT_EQ(total("week 2", {}), 10) << "and in hand-ins that are new";
   EXPECT_EQ(total("week 1", 0.2), 4) << "unless the course file says a share";
   EXPECT_EQ(total("week 1", {}), 10);
-  make_version_7("");
+  begin_with_version_7("");
   EXPECT_EQ(total("week 1", {}), 3) << "nothing was begun there";
 }
 

@@ -76,7 +76,8 @@ std::vector<FailAlike> who_fail_alike(const std::vector<const SubmissionResult*>
       }
       // A person who loses all categories shows no single misunderstanding.
       const bool says_something = lost.size() >= kFewestLost || sizes != std::vector{ErrorSize::unknown};
-      if (!lost.empty() && lost.size() < exercise.cases.size() && says_something)
+      if (exercise.status != Status::excused && !lost.empty() && lost.size() < exercise.cases.size() &&
+          says_something)
         found[{exercise.id, std::move(lost), std::move(sizes)}].push_back(result->name);
     }
   std::vector<FailAlike> groups;

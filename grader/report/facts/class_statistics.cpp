@@ -31,7 +31,8 @@ bool passes(const SubmissionResult& result, const std::string& exercise, std::si
 // Sorts from the strongest to the weakest. Equal ones stay in the order of their names.
 std::vector<const SubmissionResult*> by_points(const Results& results) {
   std::vector<const SubmissionResult*> people;
-  for (const SubmissionResult& result : results) people.push_back(&result);
+  for (const SubmissionResult& result : results)
+    if (!is_excused(result)) people.push_back(&result);
   std::stable_sort(people.begin(), people.end(),
                    [](const auto* a, const auto* b) { return points(*a) > points(*b); });
   return people;
@@ -45,9 +46,17 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
+std::vector<double> totals_of(const Results& results) {
+  std::vector<double> totals;
+  for (const SubmissionResult& result : results)
+    if (!is_excused(result)) totals.push_back(points(result));
+  return totals;
+}
+
 Tenths tenths_of_totals(const Results& results) {
   Tenths tenths{};
-  for (const SubmissionResult& result : results) ++tenths[tenth(points(result), max_points(result))];
+  for (const SubmissionResult& result : results)
+    if (!is_excused(result)) ++tenths[tenth(points(result), max_points(result))];
   return tenths;
 }
 
@@ -57,7 +66,7 @@ std::vector<ExerciseStatistics> exercise_statistics(const Results& results) {
     ExerciseStatistics one{column, {}};
     for (const SubmissionResult& result : results) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
-      if (!exercise || !is_given(*exercise)) continue;
+      if (!exercise || !has_points(*exercise)) continue;
       one.points.push_back(exercise->points);
       one.passed += exercise->status == Status::passed;
       ++one.tenths[tenth(exercise->points, column.max_points)];
@@ -71,7 +80,7 @@ std::vector<CategoryStatistics> category_statistics(const Results& results) {
   std::map<std::pair<std::string, std::size_t>, CategoryStatistics> found;
   for (const SubmissionResult& result : results)
     for (const ExerciseResult& exercise : result.exercises)
-      for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+      for (std::size_t i = 0; i < exercise.cases.size() && exercise.status != Status::excused; ++i) {
         const CaseResult& one = exercise.cases[i];
         CategoryStatistics& category = found[{exercise.id, i}];
         category.number = number(exercise, i);
@@ -112,8 +121,9 @@ double quantile(std::vector<double> values, double share) {
 std::vector<SectionStatistics> section_statistics(const Results& results,
                                                   const std::vector<ClassLine>& people) {
   if (std::ranges::all_of(people, [](const ClassLine& line) { return line.section.empty(); })) return {};
-  std::map<std::string, double> points_of;
-  for (const SubmissionResult& result : results) points_of[result.name] = points(result);
+  std::map<std::string, double> points_of;  // NaN for people who are excused
+  for (const SubmissionResult& result : results)
+    points_of[result.name] = is_excused(result) ? NAN : points(result);
   const auto by_number = [](const std::string& a, const std::string& b) {
     return strverscmp(a.c_str(), b.c_str()) < 0;
   };
@@ -122,14 +132,17 @@ std::vector<SectionStatistics> section_statistics(const Results& results,
   for (const ClassLine& line : people) {
     std::optional<double>& best = sections[line.section][{line.id, line.name}];
     if (const auto found = points_of.find(line.hand_in); found != points_of.end())
-      best = std::max(best.value_or(found->second), found->second);
+      best = std::fmax(best.value_or(found->second), found->second);
   }
   std::vector<SectionStatistics> all;
   for (const auto& [name, members] : sections) {
     std::vector<double> reached;
-    for (const auto& [person, best] : members)
-      if (best) reached.push_back(*best);
-    all.push_back({name, members.size(), reached.size(), quantile(reached, 0.25), quantile(reached, 0.5),
+    std::size_t handed_in = 0;
+    for (const auto& [person, best] : members) {
+      handed_in += best.has_value();
+      if (best && !std::isnan(*best)) reached.push_back(*best);
+    }
+    all.push_back({name, members.size(), handed_in, quantile(reached, 0.25), quantile(reached, 0.5),
                    quantile(reached, 0.75)});
   }
   return all;

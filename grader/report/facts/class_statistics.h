@@ -1,4 +1,5 @@
-// STAFF ONLY. Counts a class's results by exercise and category. Each person counts once.
+// STAFF ONLY. Counts a class's results by exercise and category. Each person counts once. A person who is
+// excused from an exercise counts neither there nor in totals.
 #pragma once
 
 #include <array>
@@ -44,6 +45,7 @@ struct SectionStatistics {
 };
 
 double mean(const std::vector<double>& values);  // is 0 for no values
+std::vector<double> totals_of(const std::vector<SubmissionResult>& results);
 Tenths tenths_of_totals(const std::vector<SubmissionResult>& results);
 std::vector<ExerciseStatistics> exercise_statistics(const std::vector<SubmissionResult>& results);
 std::vector<CategoryStatistics> category_statistics(

@@ -33,6 +33,8 @@ std::string word(Status status) {
       return "look";
     case Status::unreadable:
       return "file";
+    case Status::excused:
+      return "exc";
     case Status::given:
       return "0";
     case Status::not_given:
@@ -47,10 +49,11 @@ std::vector<Column> columns_of(const std::vector<SubmissionResult>& results) {
   std::vector<Column> columns;
   for (const SubmissionResult& result : results) {
     for (const ExerciseResult& exercise : result.exercises) {
-      const bool known = std::any_of(columns.begin(), columns.end(),
-                                     [&](const Column& column) { return column.id == exercise.id; });
-      if (!known)
+      const auto known = std::ranges::find(columns, exercise.id, &Column::id);
+      if (known == columns.end())
         columns.push_back({exercise.id, exercise.title, exercise.max_points, exercise.extra_credit});
+      else  // it is worth nothing for people who are excused
+        known->max_points = std::max(known->max_points, exercise.max_points);
     }
   }
   return columns;
@@ -63,10 +66,30 @@ const ExerciseResult* find_exercise(const SubmissionResult& result, const std::s
 }
 
 std::string in_short(const ExerciseResult& exercise) {
+  if (exercise.status == Status::excused) return word(exercise.status);
+  if (exercise.points_set && exercise.status != Status::given) return short_points(exercise.points) + "*";
   if (exercise.points <= 0) return word(exercise.status);
   const bool to_its_end =
       exercise.status == Status::passed || exercise.status == Status::partly || is_by_hand(exercise);
   return short_points(exercise.points) + (to_its_end ? "" : "!");
+}
+
+bool is_excused_from_all(const SubmissionResult& result) {
+  return !result.exercises.empty() &&
+         std::ranges::all_of(
+             result.exercises, [](Status status) { return status == Status::excused; },
+             &ExerciseResult::status);
+}
+
+std::string in_short(const Decided& decided) {
+  return (decided.conflict.empty() ? "" : "conflict: ") + decided.kind +
+         (decided.place.empty() ? "" : " " + decided.place);
+}
+
+std::string decided_in_short(const SubmissionResult& result) {
+  std::vector<std::string> all;
+  for (const Decided& decided : result.decided) all.push_back(in_short(decided));
+  return in_a_row(all);
 }
 
 std::string not_given_yet(const SubmissionResult& result) {

@@ -19,8 +19,13 @@ const ExerciseResult* find_exercise(const SubmissionResult& result,
                                     const std::string& id);  // null if there is none
 
 // Writes a result in at most five letters: the points, "stub", "crash". "!" after points means that a case
-// crashed, ran into a limit or broke the rules.
+// crashed, ran into a limit or broke the rules; "*" means that a person gave points.
 std::string in_short(const ExerciseResult& exercise);
+
+bool is_excused_from_all(const SubmissionResult& result);  // it has no total
+
+std::string in_short(const Decided& decided);                  // "points S1.2", "conflict: points S1.2"
+std::string decided_in_short(const SubmissionResult& result);  // "points S1.2, comment"; "": nothing
 
 // Writes "Oral examination is not given yet"; "" if all points by hand are given: else the total is not final.
 std::string not_given_yet(const SubmissionResult& result);

@@ -134,6 +134,28 @@ std::vector<SubmissionResult> class_of_ten_exercises(int size) {
   return results;
 }
 
+std::vector<SubmissionResult> class_with_decisions() {
+  std::vector<SubmissionResult> results = sample_class(4);
+  const auto excuse = [](ExerciseResult& one) {
+    one.status = Status::excused;
+    one.points = one.max_points = 0;
+  };
+  const auto set = [](ExerciseResult& one, double points) {
+    one.points = points;
+    one.points_set = true;
+  };
+  excuse(results[0].exercises[2]);
+  set(results[1].exercises[0], 20);
+  set(results[2].exercises[1], 16);
+  for (ExerciseResult& one : results[3].exercises) excuse(one);
+  results[0].decided = {{"P1", "excuse", "excuse P1: ill", ""}};
+  results[1].decided = {{"S1.2", "points", "points S1.2: 10 (computed: 5): <b>", ""},
+                        {"", "comment", "comment: well done", ""}};
+  results[2].decided = {{"S2", "points", "points S2: 16", "ada set S2 to 16, and now it is 10"}};
+  results[3].decided = {{"", "excuse", "excuse: ill", ""}};
+  return results;
+}
+
 SubmissionResult submission_full_of(const std::string& text) {
   SubmissionResult result;
   result.name = "mallory";

@@ -23,6 +23,10 @@ std::vector<SubmissionResult> sample_class(int size);
 // Makes the same with the course's ten exercises for each submission, two of them extra credit.
 std::vector<SubmissionResult> class_of_ten_exercises(int size);
 
+// Makes four submissions. A person excused the first from P1 and the last from all, set points of the second
+// with a comment, and of the third where other points are computed now.
+std::vector<SubmissionResult> class_with_decisions();
+
 // Makes a submission in which every text is `text`, including the staff's.
 SubmissionResult submission_full_of(const std::string& text);
 

@@ -2,7 +2,6 @@
 #include "grader/report/facts/student_view.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "grader/compare/montage.h"
 #include "hair/io/image/read_png.h"
@@ -62,14 +61,11 @@ std::string coarse(const std::string& png) {
   return hair::encode_png(shrunk(hair::decode_png(png, "a picture"), kCoarseWidth));
 }
 
-double to_hundredths(double value) {
-  return std::round(100 * value) / 100;
-}
-
 }  // namespace
 
 SubmissionResult for_student(const SubmissionResult& result) {
   SubmissionResult view = result;
+  view.decided.clear();
   for (ExerciseResult& exercise : view.exercises) {
     exercise.staff_log.clear();
     exercise.source.clear();
@@ -87,8 +83,6 @@ SubmissionResult for_student(const SubmissionResult& result) {
       if (!picture.far_off) continue;
       picture.student = coarse(picture.student);
       picture.heat = coarse(picture.heat);
-      picture.blurred_rmse = to_hundredths(picture.blurred_rmse);
-      picture.flip = to_hundredths(picture.flip);
     }
   }
   return view;

@@ -15,11 +15,10 @@ namespace {
 // Sorts answers by their text, so that their order does not show the authors.
 Html answers(const char* question, std::vector<std::string> texts) {
   std::erase(texts, "");
-  if (texts.empty()) return {};
   std::ranges::sort(texts);
   Html items;
   for (const std::string& text : texts) items += html("<li>{}</li>\n", {text});
-  return html("<details><summary>{}: {}</summary><ul>\n{}</ul></details>\n", {question, texts.size(), items});
+  return folded(html("{}:", {question}), texts.size(), html("<ul>\n{}</ul>\n", {items}));
 }
 
 bool is_word_in(const std::string& text, const std::string& word) {

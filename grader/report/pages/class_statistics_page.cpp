@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "grader/report/facts/alike.h"
 #include "grader/report/facts/class_statistics.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
@@ -10,6 +9,8 @@
 
 namespace grader::inline report {
 namespace {
+
+constexpr std::size_t kHardest = 10;  // categories are not folded
 
 std::string percent(double share) {
   return shown_points(100 * std::clamp(share, 0.0, 1.0));
@@ -51,6 +52,16 @@ Html small_bars(const Tenths& tenths) {
 }
 
 }  // namespace
+
+Html folded(const Html& heading, std::size_t count, const Html& content, std::size_t most_open) {
+  if (count == 0) return {};
+  return html("<details{}><summary>{} {}</summary>\n{}</details>\n",
+              {count > most_open ? Html() : html(" open=\"\""), heading, count, content});
+}
+
+Html fold(const std::string& label) {
+  return html("<label class=\"fold\"><input type=\"checkbox\"/> Show {}</label>\n", {label});
+}
 
 Html exercises_part(const std::vector<SubmissionResult>& results) {
   Html table = html(R"(<section id="exercises">
@@ -104,41 +115,29 @@ Html sections_part(const std::vector<SubmissionResult>& results, const std::vect
 
 // Puts the categories with most lost points first: a lecturer explains them again.
 Html categories_part(const std::vector<SubmissionResult>& results) {
-  Html table = html(R"(<section id="categories">
+  const std::vector<CategoryStatistics> all = category_statistics(results);
+  Html table =
+      html(R"(<section id="categories">
 <h2>Categories, hardest first</h2>
 <p class="quiet">Among the people whose code ran. "Strong less weak": how much oftener the strongest 27 % of the class pass than the weakest 27 %, from -1 to 1. Near 0 a category does not tell them apart; below 0 look at the category.</p>
-<div class="wide"><table class="class">
+{}<div class="wide"><table class="class">
 <thead><tr><th scope="col" data-sort="text">No.</th><th scope="col" data-sort="text">Category</th><th scope="col" class="number" data-sort="number">Passed</th><th scope="col" class="number" data-sort="number">Points reached</th><th scope="col" class="number" data-sort="number">Strong less weak</th><th scope="col">Share</th></tr></thead>
 <tbody>
-)");
-  for (const CategoryStatistics& category : category_statistics(results)) {
+)",
+           {all.size() > kHardest ? fold("all " + std::to_string(all.size()) + " categories") : Html()});
+  std::size_t rank = 0;
+  for (const CategoryStatistics& category : all) {
     const std::string reached = percent(category.share());
     const std::string apart = category.discrimination ? shown_points(*category.discrimination) : "";
     table += html(
-        "<tr><td data-value=\"{}\">{}</td><th scope=\"row\" data-value=\"{}\">{}</th><td class=\"number\" "
+        "<tr{}><td data-value=\"{}\">{}</td><th scope=\"row\" data-value=\"{}\">{}</th><td class=\"number\" "
         "data-value=\"{}\">{} of {}</td><td class=\"number\" data-value=\"{}\">{}%</td><td class=\"number\" "
         "data-value=\"{}\">{}</td><td>{}</td></tr>\n",
-        {category.number, category.number, category.name, category.name, category.passed, category.passed,
-         category.ran, reached, reached, apart.empty() ? "-2" : apart, apart, share_bar(category.share())});
+        {++rank > kHardest ? html(" class=\"more\"") : Html(), category.number, category.number,
+         category.name, category.name, category.passed, category.passed, category.ran, reached, reached,
+         apart.empty() ? "-2" : apart, apart, share_bar(category.share())});
   }
   return table += html("</tbody>\n</table></div>\n</section>\n");
-}
-
-Html alike_part(const std::vector<SubmissionResult>& results, const NamesForPeople& people) {
-  Html items;
-  for (const FailAlike& group : who_fail_alike(results)) {
-    std::vector<std::string> names;
-    for (const std::string& name : group.people) names.push_back(called(name, people));
-    items += html("<li>{} people lose {}: {}</li>\n",
-                  {group.people.size(), in_a_row(group.categories), in_a_row(names)});
-  }
-  if (items.text.empty()) return {};
-  return html(
-      "<section id=\"alike\">\n<h2>Who fail alike</h2>\n<p class=\"quiet\">The same categories of an "
-      "exercise, "
-      "two at least: one misunderstanding, or one source (hairgrade "
-      "similar).</p>\n<ul>\n{}</ul>\n</section>\n",
-      {items});
 }
 
 }  // namespace grader::report

@@ -50,15 +50,16 @@ void sort_by_cost(std::vector<Named>& rows, const std::vector<CostColumn>& colum
   });
 }
 
-Html number(double value, CostKind kind, bool mean) {
-  return html("<td class=\"number\" data-value=\"{}\">{}</td>",
-              {std::to_string(value), shown_cost(value, kind, mean)});
+Html number(const std::string& heading, double value, CostKind kind, bool mean, const char* look) {
+  return html("<td class=\"number{}\" data-id=\"{}\" data-value=\"{}\">{}</td>",
+              {look, heading, std::to_string(value), shown_cost(value, kind, mean)});
 }
 
-// Writes the sum and each column.
+// Writes the sum and each column. The columns are folded: few readers need them.
 Html numbers(const Values& values, const std::vector<CostColumn>& columns, bool mean = false) {
-  Html cells = number(seconds_of(values, columns), CostKind::wall_seconds, mean);
-  for (std::size_t i = 0; i < columns.size(); ++i) cells += number(values[i], columns[i].kind, mean);
+  Html cells = number("Cost", seconds_of(values, columns), CostKind::wall_seconds, mean, "");
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    cells += number(columns[i].heading, values[i], columns[i].kind, mean, " more");
   return cells;
 }
 
@@ -75,20 +76,21 @@ enum class Sorted { never, by_readers };
 
 Html head_of(const char* first, const std::vector<CostColumn>& columns, const Html& more,
              Sorted sorted = Sorted::never) {
-  const auto cell = [&](const std::string& heading, const std::string& explanation, const char* kind) {
-    return html("<th scope=\"col\"{}{}{}>{}</th>",
-                {kind == std::string("text") ? Html() : html(" class=\"number\""),
-                 sorted == Sorted::by_readers ? html(" data-sort=\"{}\"", {kind}) : Html(),
+  const auto cell = [&](const std::string& heading, const std::string& explanation, const char* kind,
+                        const char* look) {
+    return html("<th scope=\"col\" class=\"{}\"{}{}>{}</th>",
+                {look, sorted == Sorted::by_readers ? html(" data-sort=\"{}\"", {kind}) : Html(),
                  explanation.empty() ? Html() : html(" title=\"{}\"", {explanation}), heading});
   };
-  Html cells = cell(first, "", "text");
-  cells += cell("Cost", "what a submission had to wait for, seconds by the wall clock", "number");
-  for (const CostColumn& column : columns) cells += cell(column.heading, column.explanation, "number");
+  Html cells = cell(first, "", "text", "");
+  cells += cell("Cost", "what a submission had to wait for, seconds by the wall clock", "number", "number");
+  for (const CostColumn& column : columns)
+    cells += cell(column.heading, column.explanation, "number", "number more");
   return html("<thead><tr>{}{}</tr></thead>\n<tbody>\n", {cells, more});
 }
 
-Html table_of(const Html& head, const Html& rows, const char* look) {
-  return html("<div class=\"wide\"><table class=\"{}\">\n{}{}</tbody>\n</table></div>\n", {look, head, rows});
+Html table_of(const Html& head, const Html& rows) {
+  return html("<div class=\"wide\"><table class=\"class\">\n{}{}</tbody>\n</table></div>\n", {head, rows});
 }
 
 Html in_all(const Costs& costs, const Values& all) {
@@ -106,7 +108,7 @@ Html in_all(const Costs& costs, const Values& all) {
       "<section id=\"all\">\n<h2>In all</h2>\n{}<details><summary>What the columns are</summary><ul>\n"
       "<li><strong>Cost</strong>: what a submission had to wait for, seconds by the wall clock</li>\n"
       "{}</ul></details>\n</section>\n",
-      {table_of(head_of("", costs.columns, {}), rows, ""), meanings});
+      {table_of(head_of("", costs.columns, {}), rows), meanings});
 }
 
 // Writes an average over the submissions that have the part, and below it the reference's.
@@ -137,7 +139,7 @@ Html by_part(const Costs& costs) {
   return html(
       "<section id=\"parts\">\n<h2>By exercise</h2>\n<p class=\"quiet\">A submission, on average; below "
       "it the reference. {}</p>\n{}</section>\n",
-      {"“study” are the studies.", table_of(head_of("Exercise", costs.columns, more), rows, "class")});
+      {"“study” are the studies.", table_of(head_of("Exercise", costs.columns, more), rows)});
 }
 
 Html most_in(const CostsByPart& parts, const std::vector<CostColumn>& columns) {
@@ -170,7 +172,7 @@ Html by_submission(const Costs& costs, double whole, const NamesForPeople& peopl
       "<th scope=\"col\">Most of it in</th><th scope=\"col\" class=\"number\">Of all</th><th "
       "scope=\"col\"></th>");
   return html("<section id=\"submissions\">\n<h2>Submissions, most expensive first</h2>\n{}</section>\n",
-              {table_of(head_of("Submission", costs.columns, more, Sorted::by_readers), rows, "class")});
+              {table_of(head_of("Submission", costs.columns, more, Sorted::by_readers), rows)});
 }
 
 }  // namespace
@@ -188,6 +190,7 @@ std::string costs_page(const Costs& costs, const NamesForPeople& people) {
       "<nav><a href=\"#all\">In all</a> <a href=\"#parts\">By exercise</a> <a "
       "href=\"#submissions\">Submissions</a></nav>\n</header>\n<main>\n",
       {shown_cost(whole, CostKind::count), costs.submissions.size()});
+  body += fold("all columns");
   body += in_all(costs, all);
   body += by_part(costs);
   body += by_submission(costs, whole, people);

@@ -50,6 +50,22 @@ TEST(CostsPage, ShowsTheWholeClassBesideTheReference) {
       page, {">H4<", ">4.50<", ">1.50<", ">3.00<", ">2.25<", ">4.0<", "69 %", "the reference", ">0.75<"});
 }
 
+// A person needs the cost, its share and its main part.
+TEST(CostsPage, FoldsTheColumns) {
+  const std::string page = costs_page(three_submissions());
+  const std::string table = page.substr(page.find("id=\"submissions\""));
+  const std::string head = table.substr(0, table.find("</thead>"));
+  std::size_t cells = 0, folded = 0;
+  for (std::size_t at = head.find("<th "); at != head.npos; at = head.find("<th ", at + 1)) {
+    ++cells;
+    folded += head.compare(at, 35, "<th scope=\"col\" class=\"number more\"") == 0;
+  }
+  EXPECT_EQ(cells - folded, 5U) << head;
+  EXPECT_EQ(folded, 4U);
+  expect_in_order(page,
+                  {"<label class=\"fold\"><input type=\"checkbox\"/> Show all columns</label>", "<section"});
+}
+
 // In the other tables each row belongs to the row above it.
 TEST(CostsPage, LetsReadersSortTheSubmissionsAlone) {
   const std::string page = costs_page(three_submissions());

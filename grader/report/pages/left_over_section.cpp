@@ -12,12 +12,6 @@ std::size_t how_many(const std::vector<Accounted>& listed, Accounted::As as) {
   return static_cast<std::size_t>(std::ranges::count(listed, as, &Accounted::as));
 }
 
-Html folded(const Html& heading, std::size_t count, const Html& content) {
-  if (count == 0) return {};
-  return html("<details{}><summary>{} {}</summary>\n{}</details>\n",
-              {count > kMostUnfolded ? Html() : html(" open=\"\""), heading, count, content});
-}
-
 Html table_of(const std::vector<Accounted>& listed, Accounted::As as, const NamesForPeople& people,
               const Html& heading) {
   Html rows;
@@ -30,7 +24,8 @@ Html table_of(const std::vector<Accounted>& listed, Accounted::As as, const Name
                 html("<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">File</th><th "
                      "scope=\"col\">Whose</th><th scope=\"col\">Why</th></tr></thead>\n<tbody>\n{}</tbody>\n"
                      "</table></div>\n",
-                     {rows}));
+                     {rows}),
+                kMostUnfolded);
 }
 
 }  // namespace
@@ -44,7 +39,7 @@ Html left_over_section(const std::vector<Accounted>& listed, const NamesForPeopl
       "{}{}{}",
       {table_of(listed, left_over, people, html("<span class=\"badge bad\">not graded</span>")),
        folded(html("<span class=\"badge bad\">to look at</span>"), how_many(listed, notice),
-              html("<ul class=\"notes\">\n{}</ul>\n", {lines})),
+              html("<ul class=\"notes\">\n{}</ul>\n", {lines}), kMostUnfolded),
        table_of(listed, older, people, html("<span class=\"badge quiet\">older, does not count</span>"))});
   if (parts.text.empty()) return {};
   return html(

@@ -36,6 +36,9 @@ std::string course_page(const CourseTable& course, const std::vector<ClassLine>&
 // Writes the folder's name, which commands take, behind a person's name.
 Html folder_beside(const std::string& name, const NamesForPeople& people);
 
+// Writes a heading with a count that opens and closes. It is open for few of them; empty for none.
+Html folded(const Html& heading, std::size_t count, const Html& content, std::size_t most_open = 0);
+
 // Lists people who are missing, or on no roster; empty if there are none.
 Html people_section(const std::vector<ClassLine>& people);
 
@@ -54,14 +57,13 @@ Html distribution_part(const std::vector<SubmissionResult>& results);
 Html categories_part(const std::vector<SubmissionResult>& results);
 Html sections_part(const std::vector<SubmissionResult>& results,
                    const std::vector<ClassLine>& people);  // empty without sections
-Html alike_part(const std::vector<SubmissionResult>& results,
-                const NamesForPeople& people = {});  // empty if no two people fail alike
-
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Is a script with which a reader sorts a table of class "class" by its columns with data-sort, "text" or
-// "number".
+// Shows what has class "more" in the section around it, or the page: it is folded at first. No script runs.
+Html fold(const std::string& label);
+
+// Is a script: it lets readers sort a table of class "class" by columns with data-sort, "text" or "number".
 std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet

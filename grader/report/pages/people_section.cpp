@@ -5,7 +5,6 @@ namespace grader::inline report {
 namespace {
 
 Html names_of(const Html& heading, const std::vector<const ClassLine*>& lines) {
-  if (lines.empty()) return {};
   Html items;
   for (const ClassLine* line : lines) {
     const std::string who = line->name.empty() ? line->id : line->name;
@@ -18,8 +17,7 @@ Html names_of(const Html& heading, const std::vector<const ClassLine*>& lines) {
       items += html("<li><a href=\"staff/{}.html\">{}</a>{}: {}</li>\n",
                     {line->hand_in, who.empty() ? line->hand_in : who, id, line->note});
   }
-  return html("<details><summary>{} {}</summary><ul class=\"notes\">\n{}</ul></details>\n",
-              {heading, lines.size(), items});
+  return folded(heading, lines.size(), html("<ul class=\"notes\">\n{}</ul>\n", {items}));
 }
 
 }  // namespace

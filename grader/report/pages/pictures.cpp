@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/result/base64.h"
@@ -18,6 +19,12 @@ std::string name_of(const PictureResult& picture) {
   return picture.name + (picture.breaks_off ? ", the last moment that can be drawn" : "");
 }
 
+// Says "blurred RMSE 0.0033, 6.6 times the limit".
+std::string measured(const char* name, double distance, double limit) {
+  return name + (" " + shown_distance(distance)) +
+         (distance > limit ? ", " + shown_distance(distance / limit) + " times the limit" : "");
+}
+
 Html moment(const PictureResult& picture, const std::string& whose, const PicturePlace& place) {
   if (picture.heat.empty()) {
     return html(
@@ -29,10 +36,11 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
   }
   const bool is_coarse = picture.far_off && place.folder.empty();
   return html(
-      "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>blurred RMSE {}</span><span>FLIP "
-      "{}</span></div>\n<div "
+      "<div class=\"moment\">\n<div "
+      "class=\"line\"><strong>{}</strong><span>{}</span><span>{}</span></div>\n<div "
       "class=\"pictures\">\n{}{}{}</div>\n</div>\n",
-      {name_of(picture), shown_distance(picture.blurred_rmse), shown_distance(picture.flip),
+      {name_of(picture), measured("blurred RMSE", picture.blurred_rmse, kBlurredRmse),
+       measured("FLIP", picture.flip, kFlip),
        figure(image(picture.student, whose + " at " + picture.name, place),
               html("{}{}", {whose, is_coarse ? ", shown coarsely: it is far from the reference's" : ""})),
        figure(image(picture.reference, "The reference's at " + picture.name, place),

@@ -124,7 +124,8 @@ std::string time_text(double seconds) {
 }
 
 std::string times_of(const PartStudy& part) {
-  if (part.rounds == 0) return "Times are of first plays, yours and ours: no round was measured to its end.";
+  if (part.rounds == 0)
+    return "Times are those of first runs, yours and ours: no round was measured to its end.";
   return "Times are medians of " + std::to_string(part.rounds) + (part.rounds == 1 ? " round" : " rounds") +
          " in which both took turns.";
 }
@@ -134,8 +135,8 @@ hair::Table table_of(const PartStudy& part) {
   for (const StudyCurve* curve : {&part.student, &part.reference})
     for (const StudyPoint& point : curve->points) all.insert(point.steps);
   hair::Table table{"Numbers of " + part.name,
-                    {"Steps", "h", "Your error, m", "Ours, m", "Your time, ms", "Your first play",
-                     "Our time, ms", "Our first play", "Your solver steps", "Ours"},
+                    {"Steps", "h", "Your error, m", "Ours, m", "Your time, ms", "Your first run",
+                     "Our time, ms", "Our first run", "Your solver steps", "Ours"},
                     {}};
   for (const int steps : all) {
     std::vector<std::string> row = {std::to_string(steps) + (steps == part.own_steps ? " (the scene)" : ""),
@@ -162,12 +163,12 @@ Html part_of(const SceneStudy& scene, const PartStudy& part, const std::string& 
   if (far_less_again(part))
     section.paragraphs.push_back(
         "Asked for the same again, your code took " + rounded(again(part.student, part.reference)) +
-        " times the time of its first plays, ours " + rounded(again(part.reference, part.student)) +
-        " times: it may remember what it answered. First plays are in the numbers below.");
+        " times the time of its first runs, ours " + rounded(again(part.reference, part.student)) +
+        " times: it may remember its answers. First runs are in the numbers below.");
   section.paragraphs.push_back("Stable: " + stability(part, part.student) +
                                " (ours: " + stability(part, part.reference) + ").");
-  section.paragraphs.push_back(times_of(part) + " Errors are against " + part.truth + "; what is below " +
-                               to_text(part.least_error) + " m says nothing.");
+  section.paragraphs.push_back(times_of(part) + " Errors are against " + part.truth + "; errors below " +
+                               to_text(part.least_error) + " m mean nothing.");
   section.figures = figure_of(part, "plot-" + id);
   section.tables = {table_of(part)};
   return hair::html_of(section, "part-" + id);
@@ -186,7 +187,7 @@ Html noise_of(const SubmissionStudy& beside_itself) {
   if (most == 0) return {};
   return html(
       "<p>Our code beside itself, measured like this before the batch, gave {} to {} in single rounds: a "
-      "ratio within that says nothing.</p>\n",
+      "ratio within that range means nothing.</p>\n",
       {rounded(least), rounded(most)});
 }
 
@@ -213,17 +214,17 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 <p class="quiet"><a href="report.html">The report</a> &#183; <a href="study.json">study.json</a></p>
 </header>
 <main>
-<p>Small scenes, which all of your files play together, with more steps and with fewer, by your code and by ours. This is to look at: it
-gives no points and takes none. Another run gives other times.</p>
+<p>Your code and ours run small scenes with more steps and with fewer; all of your files work together. These numbers
+are for you to look at: they give no points and take none. Another run gives other times.</p>
 <p>Error: the root mean square of the particles&#39; distances from where they should be, over the whole motion.
 Time: CPU time of a whole run, by the kernel&#39;s clock, the median of rounds in which your code and ours took
-turns, each in a worker of its own; a run that failed stands where it would have been by its steps. Ratios are medians
+turns, each in a worker of its own; a failed run is drawn at the time that its steps would have taken. Ratios are medians
 of these rounds, with the least and the largest. Steps are stable if no particle is ever further from where it should
 be than the motion is large, with these and with all shorter ones.</p>
-<p>Errors are found by us, from where your code says that the particles are. What proves nothing: numbers of solver
-steps are what the code itself reports, and code that keeps its answers takes no time when the same is asked for
-again. So the tables have what first plays took, too (the scene&#39;s own steps were played once before, to warm up).
-Code that works before it is asked is charged for it in another play.</p>
+<p>Errors are found by us, from where your code says that the particles are. Two numbers need care. Your code
+itself reports its solver steps. Code that keeps its answers takes no time when it is asked the same again; so the
+tables show the time of each first run, too. (The scene&#39;s own steps were run once before, to warm up.) Code that
+works before it is asked pays for this in another run.</p>
 )",
                {shown_name(result.name, people)});
   body += noise_of(beside_itself);

@@ -1,4 +1,6 @@
 // STAFF ONLY. Writes the page of a submission, for the student or for staff.
+#include <sstream>
+
 #include "grader/report/facts/columns.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
@@ -31,6 +33,15 @@ Html block(const std::string& heading, const std::string& text) {
   const bool cut = text.size() > most_log;
   return html("<h3>{}</h3>\n<pre>{}{}</pre>\n",
               {heading, text.substr(0, most_log), cut ? "\n... (cut here)" : ""});
+}
+
+// Leaves out the lines that the compiler's messages have already.
+std::string rest_of(const std::string& log, const std::string& messages) {
+  std::string rest;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (("\n" + messages + "\n").find("\n" + line + "\n") == std::string::npos) rest += line + "\n";
+  return rest;
 }
 
 // Students read only that a category broke off; their exercise says how.
@@ -106,7 +117,8 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader, const Pictu
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
-    section += block("What compiler, linker and worker printed", exercise.staff_log);
+    section += block("What compiler, linker and worker printed",
+                     rest_of(exercise.staff_log, exercise.compiler_messages));
   return section += html("</section>\n");
 }
 
@@ -140,13 +152,19 @@ Html total_line(const SubmissionResult& result) {
 
 Html sections_of(const SubmissionResult& result, Reader reader, const PicturePlace& place) {
   Html body;
+  for (const Decided& decided : result.decided)
+    if (!decided.conflict.empty()) body += html("<p class=\"stamp\">{}</p>\n", {decided.conflict});
   if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
   for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
   body += overview(result);
   // The overview has the course's order; below it exercises that lost points come first.
-  for (const bool passed : {false, true})
-    for (const ExerciseResult& exercise : result.exercises)
-      if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader, place);
+  using enum Status;
+  for (const bool later : {false, true})
+    for (const ExerciseResult& exercise : result.exercises) {
+      const Status status = exercise.status;
+      if ((status == passed || status == excused || status == given || status == not_given) == later)
+        body += exercise_section(exercise, reader, place);
+    }
   return body;
 }
 
@@ -174,12 +192,13 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
 const char* look_of(Status status) {
   switch (status) {
     case Status::passed:
+    case Status::given:
       return "good";
     case Status::partly:
       return "part";
     case Status::missing:
     case Status::not_implemented:
-    case Status::given:
+    case Status::excused:
     case Status::not_given:
       return "none";
     default:

@@ -3,9 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sstream>
+
+#include "grader/report/facts/class_statistics.h"
 #include "grader/report/facts/sample_results.h"
 #include "grader/report/pages/pages.h"
+#include "grader/report/points_files.h"
 #include "grader/report/report.h"
+#include "grader/report/results_json.h"
 #include "grader/report/student_text.h"
 
 namespace grader::inline report {
@@ -61,6 +66,20 @@ TEST(SubmissionPage, SaysOnceWhereToGoOn) {
   EXPECT_EQ(times(page, "public checks"), 0U) << "not in each row";
 }
 
+TEST(SubmissionPage, ShowsTheCompilersWordsOnce) {
+  SubmissionResult result = two_exercises();
+  ExerciseResult& one = result.exercises[0];
+  one.compiler_messages = "a.cpp:1: first\na.cpp:2: second\n";
+  one.staff_log = "a.cpp:1: first\na.cpp:2: second\n/usr/bin/ld: third\n";
+  one.cases[0].feedback = one.cases[0].memory_error = "The code follows a null pointer.";
+  one.cases[0].status = Status::wrong;
+  for (const char* words : {"a.cpp:1: first", "a.cpp:2: second", "/usr/bin/ld: third"})
+    EXPECT_EQ(times(staff_page(result), words), 1U) << words;
+  one.staff_log = one.compiler_messages;
+  EXPECT_EQ(times(staff_page(result), "worker printed"), 0U);
+  EXPECT_EQ(times(student_text(result), "null pointer"), 1U);
+}
+
 TEST(SubmissionPage, CallsNoTimeOutACrash) {
   const std::string page = student_page(two_exercises());
   EXPECT_EQ(times(page, ">broke off<"), 1U);
@@ -107,6 +126,51 @@ TEST(SubmissionPage, CountsExtraCreditWithoutAZeroToReach) {
   const std::string page = student_page(result);
   EXPECT_EQ(times(page, "<strong>15</strong> points of extra credit</p>"), 1U);
   EXPECT_EQ(times(page, "of 0"), 0U);
+}
+
+TEST(SubmissionPage, ShowsWordsOfTheStaffBesideTheLine) {
+  SubmissionResult result = two_exercises();
+  result.exercises[0].file = "conj_grad.cpp";
+  result.exercises[0].source = "never shown whole";
+  result.exercises[0].said = {{result.exercises[0].id + ":17", "x < <b>", "The staff say: <script>"},
+                              {result.exercises[0].id + ".1", "", "You asked: a\nb"}};
+  for (const std::string& page : {student_page(result), staff_page(result)}) {
+    EXPECT_EQ(times(page,
+                    "conj_grad.cpp, line 17: <pre>x &lt; &lt;b&gt;</pre><p class=\"said\">The staff say: "
+                    "&lt;script&gt;</p>"),
+              1U);
+    EXPECT_EQ(times(page, result.exercises[0].id + ".1 " + result.exercises[0].cases[0].name +
+                              ": <p class=\"said\">You asked: a\nb</p>"),
+              1U);
+    EXPECT_EQ(times(page, "never shown whole"), 0U);
+  }
+  for (const std::string& text : {student_text(result), student_json(result)})
+    EXPECT_GE(times(text, "conj_grad.cpp, line 17: x < <b>"), 1U) << text;
+}
+
+TEST(SubmissionPage, SaysWhichPointsByHandAreMissing) {
+  SubmissionResult result = two_exercises();
+  ExerciseResult oral;
+  oral.id = "oral";
+  oral.title = "Oral examination";
+  oral.status = Status::not_given;
+  oral.max_points = 10;
+  result.exercises.push_back(oral);
+  const std::string missing = "Oral examination is not given yet";
+  EXPECT_EQ(times(student_page(result), "Not final: " + missing), 1U);
+  EXPECT_EQ(times(first_lines(result), ", not final: " + missing), 1U);
+  EXPECT_EQ(in_short(result.exercises.back()), "");
+  EXPECT_NE(grades_csv({result}, {}).find(",,not given yet,"), std::string::npos);
+  std::ostringstream table;
+  print_table(table, {result, result});
+  EXPECT_NE(table.str().find("NOT FINAL, 2 of 2: " + missing + "\n"), std::string::npos) << table.str();
+  EXPECT_EQ(table.str().find("nan"), std::string::npos) << table.str();
+  EXPECT_TRUE(exercise_statistics({result}).back().points.empty()) << "it is in no mean";
+  result.exercises.back().status = Status::given;
+  EXPECT_EQ(times(student_page(result), "Not final"), 0U);
+  EXPECT_EQ(in_short(result.exercises.back()), "0");
+  result.exercises.back().points = 7;
+  EXPECT_EQ(in_short(result.exercises.back()), "7");
 }
 
 }  // namespace

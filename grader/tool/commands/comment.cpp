@@ -21,12 +21,12 @@ int comment(const CommentOptions& options) {
   if (options.id != 0 && options.points)
     throw BadInput("--points: comment " + std::to_string(options.id) +
                    " has its own; `hairgrade comments` changes them");
-  return change_record(options, [&](Record& record) {
-    record.decide(options.name, {.kind = DecisionKind::comment,
-                                 .place = options.place == kWhole ? "" : options.place,
-                                 .number = options.points.value_or(0),
-                                 .why = options.text,
-                                 .comment = options.id});
+  return change_record(options, [&](Record& record, const std::string& name) {
+    record.decide(name, {.kind = DecisionKind::comment,
+                         .place = options.place == kWhole ? "" : options.place,
+                         .number = options.points.value_or(0),
+                         .why = options.text,
+                         .comment = options.id});
   });
 }
 
@@ -41,7 +41,7 @@ int change(const CommentOptions& options) {
     list(open_record(options.folder, options.hand_in)->comments());
     return 0;
   }
-  return change_record(options, [&](Record& record) {
+  return change_record(options, [&](Record& record, const std::string&) {
     const Comment before = record.comment(options.id);
     record.change_comment(options.id, options.text.empty() ? before.text : options.text,
                           options.points.value_or(before.points));

@@ -1,8 +1,9 @@
-// STAFF ONLY. `hairgrade set`, `excuse`, `late-days` and `unset`: decisions of people, which
-// survive each regrade.
+// STAFF ONLY. `hairgrade set`, `excuse`, `late-days`, `hold`, `unset` and `unhold`: decisions of people,
+// which survive each regrade.
 #include <iostream>
 
 #include "grader/course/input.h"
+#include "grader/report/facts/text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
@@ -14,8 +15,36 @@ struct DecideOptions : OfARecord {
   std::string kind = "points";
 };
 
+// Writes "H2.3 1.5, 20 of 200 points".
+std::string points_in(Record& record, const std::string& name, const std::string& place) {
+  const std::optional<Recorded> found = record.find_decided(name);
+  if (!found) return "no points";
+  const std::optional<double> here = points_at(found->result, place);
+  return (here ? place + " " + shown_points(*here) + ", " : "") + shown_points(points(found->result)) +
+         " of " + shown_points(max_points(found->result)) + " points";
+}
+
+// Prints the points before and after.
+int change_decisions(const DecideOptions& options,
+                     const std::function<void(Record&, const std::string& name)>& change) {
+  return change_record(options, [&](Record& record, const std::string& name) {
+    const std::string& place = options.decision.place;
+    const std::string who = called(name, record.names_for_people());
+    const std::string before = points_in(record, name, place);
+    change(record, name);
+    std::cout << who << ": " << before << " -> " << points_in(record, name, place) << "\n";
+  });
+}
+
 int decide(const DecideOptions& options) {
-  return change_record(options, [&](Record& record) { record.decide(options.name, options.decision); });
+  return change_decisions(
+      options, [&](Record& record, const std::string& name) { record.decide(name, options.decision); });
+}
+
+int undo(const DecideOptions& options) {
+  return change_decisions(options, [&](Record& record, const std::string& name) {
+    record.undo(name, *decision_kind_from(options.kind), options.decision.place);
+  });
 }
 
 CLI::App* add(CLI::App& hairgrade, const char* name, const char* help, DecisionKind kind,
@@ -32,8 +61,9 @@ void add_place(CLI::App& command, DecideOptions& options, bool needed) {
       ->required(needed);
 }
 
-void add_why(CLI::App& command, DecideOptions& options) {
-  command.add_option("--why", options.decision.why, "The reason; the student sees it")->required();
+void add_why(CLI::App& command, DecideOptions& options,
+             const char* help = "The reason; the student sees it") {
+  command.add_option("--why", options.decision.why, help)->required();
 }
 
 }  // namespace
@@ -74,11 +104,23 @@ Command add_unset(CLI::App& hairgrade) {
   add_folder(*command, *options);
   command->add_option("--kind", options->kind, "points (the default), excuse, comment or late-days")
       ->check(CLI::IsMember({"points", "excuse", "comment", "late-days"}));
-  return {command, [options] {
-            return change_record(*options, [&](Record& record) {
-              record.undo(options->name, *decision_kind_from(options->kind), options->decision.place);
-            });
-          }};
+  return {command, [options] { return undo(*options); }};
+}
+
+Command add_hold(CLI::App& hairgrade) {
+  const auto options = std::make_shared<DecideOptions>();
+  CLI::App* command =
+      add(hairgrade, "hold", "Keep a student out of gradebooks and feedback", DecisionKind::hold, options);
+  add_why(*command, *options, "The reason, for staff alone");
+  return {command, [options] { return decide(*options); }};
+}
+
+Command add_unhold(CLI::App& hairgrade) {
+  const auto options = std::make_shared<DecideOptions>();
+  CLI::App* command =
+      add(hairgrade, "unhold", "Let a student have grade and feedback again", DecisionKind::hold, options);
+  options->kind = to_string(DecisionKind::hold);
+  return {command, [options] { return undo(*options); }};
 }
 
 }  // namespace grader::tool

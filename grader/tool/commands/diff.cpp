@@ -1,33 +1,37 @@
 // STAFF ONLY. `hairgrade diff`: lists changes of the last grading, by student and category.
 #include <iostream>
 
+#include "grader/class_folder/changes_page.h"
 #include "grader/course/input.h"
-#include "grader/record/changes.h"
-#include "grader/report/facts/text.h"
+#include "grader/gradebook/published_changes.h"
+#include "grader/report/report.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
 namespace grader::inline tool {
 namespace {
 
-std::string shown(const std::optional<double>& points) {
-  return points ? shown_points(*points) : "not there";
-}
+struct Diff : OfARecord {
+  std::string since;
+  std::optional<std::filesystem::path> published;
+};
 
-int diff(const OfARecord& options, const std::string& since) {
+int diff(const Diff& options) {
   const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
-  const NamesForPeople people = record->names_for_people();
-  int students = 0;
-  for (const std::string& name : record->names()) {
-    const std::vector<PointsChange> all = changes(record->log(name), since);
-    students += !all.empty();
-    const std::string who = called(name, people);
-    for (const PointsChange& one : all)
-      std::cout << who << "  " << one.place << "  " << shown(one.before) << " -> " << shown(one.after) << "  "
-                << printable(one.title) << "\n";
+  if (options.published) {
+    const PublishedChanges found = published_changes(*record);
+    write_file(*options.published, found.csv);
+    std::cout << found.students << " published totals have changed: " << options.published->string() << "\n";
+    return 0;
   }
-  std::cout << (students == 0 ? "nobody's"
-                              : std::to_string(students) + (students == 1 ? " student's" : " students'"))
+  const NamesForPeople people = record->names_for_people();
+  const ClassChanges all = class_changes(*record, options.since);
+  for (const auto& [name, theirs] : all)
+    for (const PointsChange& one : theirs)
+      std::cout << called(name, people) << "  " << one.place << "  " << shown_change(one) << "  "
+                << printable(one.title) << "\n";
+  std::cout << (all.empty() ? "nobody's"
+                            : std::to_string(all.size()) + (all.size() == 1 ? " student's" : " students'"))
             << " points have changed\n";
   return 0;
 }
@@ -35,13 +39,12 @@ int diff(const OfARecord& options, const std::string& since) {
 }  // namespace
 
 Command add_diff(CLI::App& hairgrade) {
-  const auto options = std::make_shared<OfARecord>();
-  const auto since = std::make_shared<std::string>();
+  const auto options = std::make_shared<Diff>();
   CLI::App* command = hairgrade.add_subcommand(
       "diff", "Tell what each student's last grading changed, by category, against the one before");
   add_folder(*command, *options);
   command
-      ->add_option("--since", *since,
+      ->add_option("--since", options->since,
                    "Compare with the last grading up to this time (UTC), such as \"2025-03-04 10:15:00\"")
       ->check([](const std::string& text) {
         const std::string form = "dddd-dd-dd dd:dd:dd";
@@ -50,7 +53,10 @@ Command add_diff(CLI::App& hairgrade) {
           right = form[i] == 'd' ? text[i] >= '0' && text[i] <= '9' : text[i] == form[i];
         return right ? "" : "write a time such as \"2025-03-04 10:15:00\"";
       });
-  return {command, [options, since] { return diff(*options, *since); }};
+  command->add_option("--published", options->published,
+                      "Write a table of those whose total is another than feedback or gradebook had, with "
+                      "e-mail addresses; name a .csv");
+  return {command, [options] { return diff(*options); }};
 }
 
 }  // namespace grader::tool

@@ -91,23 +91,22 @@ class Entering {
       const std::string text = composed(row.at(column));
       return text == "-" ? "" : text;
     };
+    const std::string request = cell(table_.request), place = cell(table_.place);
+    std::vector<std::pair<const NumberColumn*, std::string>> numbers;
     for (const NumberColumn& one : table_.numbers)
-      if (const std::string text = cell(one.column); !text.empty()) {
-        const std::optional<double> number = number_in(text);
-        if (names.size() != 1)
-          leave(row, called + (names.empty() ? " has no hand-in here" : " has several hand-ins"));
-        else if (!number)
-          leave(row, called + ": \"" + legible(text, 40) + "\" is no number");
-        else
-          want(names.front(), {&row, {one.kind, one.place, *number, 0, cell(table_.why)}});
-      }
-    if (const std::string text = cell(table_.request); !text.empty()) {
-      const std::string place = cell(table_.place);
-      if (names.size() != 1)
-        leave(row, called + (names.empty() ? " has no hand-in here" : " has several hand-ins"));
+      if (const std::string text = cell(one.column); !text.empty()) numbers.emplace_back(&one, text);
+    if (request.empty() && numbers.empty()) return;
+    if (names.size() != 1)
+      return leave(row, called + (names.empty() ? " has no hand-in here" : " has several hand-ins"));
+    for (const auto& [column, text] : numbers)
+      if (const std::optional<double> number = number_in(text))
+        want(names.front(), {&row, {column->kind, column->place, *number, 0, cell(table_.why)}});
       else
-        try_to(row, [&] { return record_.ask(names.front(), place == kWhole ? "" : place, text) != 0; });
-    }
+        leave(row, called + ": \"" + legible(text, 40) + "\" is no number");
+    if (!request.empty())
+      try_to(row, [&] {
+        return record_.ask(names.front(), place == kWhole ? "" : place, row.at(table_.request)) != 0;
+      });
   }
 
   void want(const std::string& name, Wanted wanted) {
@@ -147,7 +146,7 @@ class Entering {
 
 int enter(const EnterOptions& options) {
   bool all = true;
-  const int code = change_record(options, [&](Record& record) {
+  const int code = change_record(options, [&](Record& record, const std::string&) {
     const Entering entering(record, read_table(options.table, record.rules()));
     for (const std::string& line : entering.not_entered())
       std::cerr << "hairgrade: not entered: " << line << "\n";

@@ -55,8 +55,10 @@ int write_feedback(const FeedbackOptions& options) {
     throw BadInput("--out " + printable(options.out.string(), 4096) +
                    ": the archive is a .zip; give it such a name");
   const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
-  const std::vector<Grade> grades = recorded_grades(*record, options.grades);
+  const RecordedGrades recorded = recorded_grades(*record, options.grades);
+  std::set<std::string> given;
   const ReportOf report = [&](const std::string& hand_in) {
+    given.insert(hand_in);
     const fs::path page = record->pages() / hand_in / "report.html";
     std::string bytes = hair::bytes_of(page);
     if (bytes.empty())
@@ -64,13 +66,15 @@ int write_feedback(const FeedbackOptions& options) {
     return ReportOfStudent{std::move(bytes), student_text(record->find_decided(hand_in)->result)};
   };
   const Feedback feedback = options.system == "canvas"
-                                ? feedback_for_canvas(files_in(options.table), grades, report)
-                                : feedback_for_moodle(read_csv(options.table), grades, report);
+                                ? feedback_for_canvas(files_in(options.table), recorded.grades, report)
+                                : feedback_for_moodle(read_csv(options.table), recorded.grades, report);
+  for (const std::string& line : recorded.held) std::cerr << "hairgrade: " << line << "\n";
   for (const std::string& line : feedback.said) std::cerr << "hairgrade: " << line << "\n";
   if (feedback.entries.empty())
     throw BadInput(printable(options.table.string(), 4096) +
                    ": nobody in it gets feedback; give the one that these hand-ins came with");
   write_zip(options.out, feedback.entries);
+  put_published(*record, recorded, given, "feedback " + options.system);
   std::cout << feedback.entries.size() << " reports in " << options.out.string() << "\n";
   return 0;
 }

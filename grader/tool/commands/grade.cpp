@@ -7,11 +7,13 @@
 #include "grader/class_folder/at_rest.h"
 #include "grader/class_folder/batch.h"
 #include "grader/class_folder/blind.h"
+#include "grader/class_folder/changes_page.h"
 #include "grader/class_folder/folder_of_grades.h"
 #include "grader/class_folder/rows.h"
 #include "grader/class_folder/says_yes.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/gradebook/published_changes.h"
 #include "grader/grading/grading.h"
 #include "grader/grading/secret.h"
 #include "grader/intake/archives/sandboxed_archive.h"
@@ -20,6 +22,7 @@
 #include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/record.h"
+#include "grader/report/points_files.h"
 #include "grader/report/report.h"
 #include "grader/roster/groups.h"
 #include "grader/roster/times.h"
@@ -27,6 +30,7 @@
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/grade_settings.h"
+#include "grader/tool/commands/of_a_record.h"
 
 namespace grader::inline tool {
 namespace {
@@ -38,6 +42,7 @@ struct GradeOptions {
   std::optional<fs::path> roster, times;
   GradeSettings settings;
   BatchSettings batch;
+  bool junit = false;
 };
 
 std::vector<StaffPlace> staff_places(const GradingSettings& settings, const GradeOptions& options) {
@@ -70,13 +75,6 @@ bool say_people(Record& record, const std::optional<Roster>& roster) {
   return list->to_look_at.empty();
 }
 
-std::string without_time(const std::vector<Submission>& submissions, Record& record) {
-  std::vector<std::string> names;
-  for (const Submission& one : submissions)
-    if (!read_time(one.handed_in) && !read_time(record.handed_in(one.name))) names.push_back(one.name);
-  return names.empty() ? "" : some_of(names);
-}
-
 // A time's offset does not give lateness if the due date has no offset.
 void check_zone(const HandInRules& rules, const std::vector<Submission>& submissions) {
   if (rules.due.empty() || !rules.zone.empty()) return;
@@ -86,6 +84,16 @@ void check_zone(const HandInRules& rules, const std::vector<Submission>& submiss
                      ", and nobody knows the offset of the due date " + rules.due +
                      "; write the course's zone beside it in the course file, such as \"zone\": "
                      "\"Europe/Berlin\"");
+}
+
+// Names the difference that a regrade makes.
+void say_changes(Record& record) {
+  if (const std::size_t students = class_changes(record).size(); students > 0)
+    std::cout << students << " of " << record.names().size() << " have other points: "
+              << fs::absolute(record.pages() / kChangesPage).lexically_normal().string() << "\n";
+  if (const std::size_t students = published_changes(record).students; students > 0)
+    std::cout << students
+              << " published totals have changed; hairgrade diff --published FILE.csv lists them\n";
 }
 
 int grade(GradeOptions options) {
@@ -121,8 +129,8 @@ int grade(GradeOptions options) {
         one.handed_in = time;
   check_zone(rules, intake.submissions);
   const std::atomic<bool>& interrupted = note_interruptions();
-  const std::optional<FolderOfGrades> folder =
-      FolderOfGrades::open(options.batch.out, made_by(settings), interrupted, std::cerr, hand_in);
+  const std::optional<FolderOfGrades> folder = FolderOfGrades::open(
+      options.batch.out, made_by(settings), interrupted, std::cerr, hand_in, options.batch.regrade);
   if (!folder) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
     return 130;
@@ -139,15 +147,17 @@ int grade(GradeOptions options) {
   const Batch batch = grade_batch(grading, plan, batch_settings, record, interrupted);
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
-  print_table(std::cout, batch.results, people);
+  if (options.junit) write_file(record.pages() / "junit.xml", junit_xml(batch.results));
+  if (!batch.staged) print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
-  if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
+  if (batch.kept > 0 && !batch.staged) std::cout << ", " << batch.kept << " kept from before";
   if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
   if (grading.isolation() == Isolation::container) std::cout << ", with a container's sandbox";
   if (options.settings.no_images) std::cout << ", without pictures";
   if (!grading.looks_for_memory_errors())
     std::cout << ", without a look for memory errors (no control group bounds memory)";
   std::cout << "\n" << fs::absolute(record.pages() / "index.html").lexically_normal().string() << "\n";
+  if (options.batch.regrade && !batch.staged) say_changes(record);
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
   const bool people_are_clear = say_people(record, options.batch.roster);
@@ -162,9 +172,11 @@ int grade(GradeOptions options) {
   for (const std::string& remark : batch.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& remark : plan.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : plan.notices) std::cerr << "hairgrade: " << notice << "\n";
-  if (const std::string names = without_time(plan.submissions, record); !rules.due.empty() && !names.empty())
+  std::vector<std::string> names;
+  for (const Submission& one : plan.submissions) names.push_back(one.name);
+  if (const std::string unknown = without_time(record, names); !rules.due.empty() && !unknown.empty())
     std::cerr << "hairgrade: nobody knows whether these are late, for the download has no time of them: "
-              << names << "; give their times by --times\n";
+              << unknown << "; give their times by --times\n";
   for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)
@@ -173,14 +185,21 @@ int grade(GradeOptions options) {
   if (!not_final.empty())
     std::cerr << "hairgrade: not final, since the clock ended them: " << not_final
               << "; look at them, and grade them again (--resume grades no others)\n";
+  if (batch.staged && !batch.interrupted)
+    std::cerr << "hairgrade: the results before stay, for not all are graded anew"
+              << (batch.ungraded.empty() ? "" : ": " + some_of(batch.ungraded))
+              << "; grade these, too, with --regrade\n";
   if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
     if (!batch.problems.empty()) return 1;
-    return not_final.empty() && plan.notices.empty() && batch.conflicts.empty() && people_are_clear ? 0 : 3;
+    return not_final.empty() && !batch.staged && plan.notices.empty() && batch.conflicts.empty() &&
+                   people_are_clear
+               ? 0
+               : 3;
   }
   std::cerr << "hairgrade: interrupted after " << batch.done << " of "
-            << (plan.only ? 1 : plan.submissions.size())
-            << " submissions; the same command with --resume goes on\n";
+            << (plan.only ? 1 : plan.submissions.size()) << " submissions; the same command"
+            << (batch.staged ? "" : " with --resume") << " goes on\n";
   return 130;
 }
 
@@ -201,6 +220,12 @@ Command add_grade(CLI::App& hairgrade) {
       ->check(CLI::Range(1, 256));
   command->add_flag("--resume", options->batch.resume,
                     "Keep results whose submission and suite have not changed");
+  command
+      ->add_flag(
+          "--regrade", options->batch.regrade,
+          "Grade all hand-ins of the record again, with another suite or other points; its results change "
+          "places with the new ones once all are there")
+      ->excludes(command->add_option("--exercise", options->settings.exercise, "Grade this exercise alone"));
   command->add_flag("--class", options->batch.word.choices.classes,
                     "The arguments are classes, also where each may be one student's hand-in");
   command->add_option(
@@ -217,8 +242,8 @@ Command add_grade(CLI::App& hairgrade) {
       "Show codes in place of names, to staff, too; the record keeps whose they are, and that it is so");
   command->add_flag("--replace", options->batch.word.replace,
                     "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
+  command->add_flag("--junit", options->junit, "Write junit.xml, too: the class for a build server");
   command->add_option("--only", options->batch.only, "Grade the submission of this name alone");
-  command->add_option("--exercise", options->settings.exercise, "Grade this exercise alone");
   command->add_option("--course", options->settings.course,
                       "The course file: roles and points of the exercises");
   command->add_option("--hand-in", options->batch.hand_in,

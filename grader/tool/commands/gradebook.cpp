@@ -36,8 +36,7 @@ const std::map<std::string, Fill>& fills() {
   return all;
 }
 
-Gradebook gradebook_of(const GradebookOptions& options, Record& record) {
-  const std::vector<Grade> grades = recorded_grades(record, options.grades);
+Gradebook gradebook_of(const GradebookOptions& options, Record& record, const std::vector<Grade>& grades) {
   std::optional<Roster> roster;
   if (options.roster) roster = read_roster(*options.roster);
   const FillOptions filling{options.column.empty() ? record.rules().column : options.column, options.scale,
@@ -69,12 +68,15 @@ int write_gradebook(const GradebookOptions& options) {
     throw BadInput("--out " + printable(options.out.string(), 4096) +
                    ": is the exported table itself; name a new file");
   const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
-  const Gradebook book = gradebook_of(options, *record);
+  const RecordedGrades recorded = recorded_grades(*record, options.grades);
+  const Gradebook book = gradebook_of(options, *record, recorded.grades);
   write_file(options.out, book.csv);
   record->put_entered(book.entered);
+  put_published(*record, recorded, book.given, "gradebook " + options.system);
+  for (const std::string& line : recorded.held) std::cerr << "hairgrade: " << line << "\n";
   for (const std::string& line : book.said) std::cerr << "hairgrade: " << line << "\n";
   std::cout << book.written << " grades in " << options.out.string() << "\n";
-  return book.all_entered ? 0 : 3;
+  return book.all_entered && recorded.held.empty() ? 0 : 3;
 }
 
 }  // namespace

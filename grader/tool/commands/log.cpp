@@ -2,8 +2,9 @@
 #include <iostream>
 
 #include "grader/course/input.h"
-#include "grader/record/points/points_then.h"
+#include "grader/record/published.h"
 #include "grader/report/facts/text.h"
+#include "grader/result/json_fields.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
@@ -12,6 +13,10 @@ namespace {
 
 // Leaves out points by category, which are too many for a line.
 std::string in_short(const LogEntry& entry) {
+  if (entry.did == "published") {
+    const auto one = from_json_text<Published>(entry.detail, "the log");
+    return shown_points(one.total) + " of " + shown_points(one.max_points) + " points, by " + one.by;
+  }
   if (entry.did != "graded") return entry.detail;
   double sum = 0;
   for (const PointsThen& one : points_then(entry.detail, "the log")) sum += one.points;
@@ -20,9 +25,10 @@ std::string in_short(const LogEntry& entry) {
 
 int log(const OfARecord& options) {
   const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
-  const std::vector<LogEntry> entries = record->log(options.name);
-  if (const NamesForPeople people = record->names_for_people(); people.contains(options.name))
-    std::cout << called(options.name, people) << "\n";
+  const std::string name = hand_in_called(*record, options.name);
+  const std::vector<LogEntry> entries = record->log(name);
+  if (const NamesForPeople people = record->names_for_people(); people.contains(name))
+    std::cout << called(name, people) << "\n";
   for (const LogEntry& entry : entries)
     std::cout << entry.at << "  " << printable(entry.who) << "  " << entry.did << "  "
               << printable(in_short(entry), 2000) << "\n";

@@ -1,12 +1,17 @@
 // STAFF ONLY. Opens records for commands, and makes files again after a change.
 #include "grader/tool/commands/of_a_record.h"
 
+#include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "grader/class_folder/class_files.h"
 #include "grader/class_folder/folder_of_grades.h"
 #include "grader/course/input.h"
+#include "grader/intake/names/names.h"
 #include "grader/record/points/hand_ins.h"
+#include "grader/text/letters.h"
+#include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
 
 namespace grader::inline tool {
@@ -21,7 +26,10 @@ void add_hand_in(CLI::App& command, std::string& hand_in) {
 }
 
 void add_name(CLI::App& command, OfARecord& options) {
-  command.add_option("NAME", options.name, "A student, as the folders of reports are called")->required();
+  command
+      .add_option("NAME", options.name,
+                  "A student: a folder of reports, or a name, id or e-mail address of the roster")
+      ->required();
 }
 
 void add_place_of_words(CLI::App& command, std::string& place) {
@@ -58,9 +66,43 @@ std::vector<std::unique_ptr<Record>> open_hand_ins(const std::filesystem::path& 
   return all;
 }
 
-int change_record(const OfARecord& options, const std::function<void(Record&)>& change) {
+std::string hand_in_called(Record& record, const std::string& name) {
+  const std::vector<std::string> names = record.names();
+  if (std::ranges::count(names, name) > 0 || record.is_blind()) return name;
+  const NameKeys keys = keys_of(name);
+  const std::string id = lowered(plain_id(name));
+  std::set<std::string> meant;
+  const auto add = [&](const NameKeys& theirs, const auto& ids, const std::vector<std::string>& hand_ins) {
+    if (!keys.as_spoken.empty() && (theirs == keys || theirs.as_spoken == keys.as_sorted))
+      meant.insert(hand_ins.begin(), hand_ins.end());
+    for (const std::string& one : ids)
+      if (!one.empty() && lowered(plain_id(one)) == id) meant.insert(hand_ins.begin(), hand_ins.end());
+  };
+  if (const std::optional<ClassList> list = record.class_list())
+    for (const ClassList::Row& row : list->rows) add(row.person.keys, row.person.ids, row.hand_ins);
+  for (const HandIn& hand_in : record.hand_ins()) {
+    std::vector<Owner> owners = hand_in.owner.members;
+    owners.push_back(hand_in.owner);
+    for (const Owner& owner : owners)
+      add(keys_of(owner.name), std::vector{owner.id, owner.email}, {hand_in.name});
+  }
+  if (meant.size() > 1)
+    throw BadInput(printable(name) + ": may be " + some_of({meant.begin(), meant.end()}) +
+                   "; write one of these");
+  return meant.empty() ? name : *meant.begin();
+}
+
+std::string without_time(Record& record, const std::vector<std::string>& names) {
+  std::vector<std::string> unknown;
+  for (const std::string& name : names)
+    if (!read_time(record.handed_in(name))) unknown.push_back(name);
+  return unknown.empty() ? "" : some_of(unknown);
+}
+
+int change_record(const OfARecord& options,
+                  const std::function<void(Record&, const std::string& name)>& change) {
   const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
-  change(*record);
+  change(*record, hand_in_called(*record, options.name));
   const std::optional<FolderLock> lock = FolderLock::take(options.folder, note_interruptions(), std::cerr);
   if (!lock) {
     std::cerr

@@ -32,8 +32,16 @@ std::unique_ptr<Record> open_record(const std::filesystem::path& folder, const s
 // Opens all hand-ins of a record.
 std::vector<std::unique_ptr<Record>> open_hand_ins(const std::filesystem::path& folder);
 
+// Returns the hand-in that a name means: a folder's, or, unless grading is blind, a person's name, id or
+// e-mail address on the roster or in the download. Throws BadInput if several hand-ins are meant.
+std::string hand_in_called(Record& record, const std::string& name);
+
+// Lists hand-ins whose time nobody knows; "" if there are none.
+std::string without_time(Record& record, const std::vector<std::string>& names);
+
 // Lets `change` change the record, then makes all files again. If another hairgrade grades into the folder,
 // it waits after the change, so that an interruption loses none. Returns hairgrade's exit code.
-int change_record(const OfARecord& options, const std::function<void(Record&)>& change);
+int change_record(const OfARecord& options,
+                  const std::function<void(Record&, const std::string& name)>& change);
 
 }  // namespace grader::tool

@@ -14,9 +14,8 @@ struct RequestOptions : OfARecord {
 };
 
 int ask(const RequestOptions& options) {
-  return change_record(options, [&](Record& record) {
-    const std::int64_t id =
-        record.ask(options.name, options.place == kWhole ? "" : options.place, options.text);
+  return change_record(options, [&](Record& record, const std::string& name) {
+    const std::int64_t id = record.ask(name, options.place == kWhole ? "" : options.place, options.text);
     std::cout << (id == 0 ? "was asked before" : "request " + std::to_string(id)) << "\n";
   });
 }
@@ -66,8 +65,9 @@ Command add_answer(CLI::App& hairgrade) {
   command->add_option("TEXT", options->text, "The answer")->required();
   add_folder(*command, *options);
   return {command, [options] {
-            return change_record(*options,
-                                 [&](Record& record) { record.answer(options->id, options->text); });
+            return change_record(*options, [&](Record& record, const std::string&) {
+              record.answer(options->id, options->text);
+            });
           }};
 }
 

@@ -57,6 +57,9 @@ int what_if(const WhatIf& options) {
     for (const Adjustment& adjustment : then.adjustments)
       if (!same) std::cout << "    " << adjustment.reason << ": " << shown_points(adjustment.points) << "\n";
   }
+  if (const std::string unknown = without_time(*record, names); !rules.due.empty() && !unknown.empty())
+    std::cerr << "hairgrade: nobody knows whether these are late, and here they are not: " << unknown
+              << "; give their times by hairgrade grade --times\n";
   const auto people = static_cast<double>(std::max<std::size_t>(1, names.size()));
   std::cout << changed << " of " << names.size() << " totals would change, the mean from "
             << shown_points(before / people) << " to " << shown_points(after / people) << "\n";

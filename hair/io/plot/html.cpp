@@ -31,6 +31,7 @@ body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 60rem; background
 h1 { margin: 0; font-size: 1.75rem; line-height: 1.2; overflow-wrap: anywhere; }
 h2 { margin: 2.75rem 0 .25rem; font-size: 1.25rem; line-height: 1.3; }
 h3 { margin: 1.25rem 0 .25rem; font-size: 1rem; }
+li { overflow-wrap: anywhere; }
 p { margin: .4rem 0; max-width: 44rem; }
 a { color: var(--link); text-underline-offset: .15em; }
 code, pre { font: .875rem/1.5 ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace; }
@@ -66,9 +67,11 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
 .category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }
 nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
-.wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: 84rem; }
+.wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: none; }
+.fold { display: block; margin: .5rem 0; } :is(main, section):has(> .fold input:not(:checked)) .more { display: none; }
 .wide .overview { width: auto; min-width: 0; } .overview th, .overview td { padding: .3rem 1.5rem .3rem 0; }
-.class th, .class td { padding: .35rem .6rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class a.badge { text-decoration: none; min-width: 3.75rem; text-align: right; } .class a.badge:hover { text-decoration: underline; }
+.class th, .class td { padding: .35rem .25rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class tbody td.decided, :is(.decided, summary) .badge { white-space: normal; } .class tbody th { min-width: 8.5rem; }
+.class a.badge { text-decoration: none; min-width: 2.75rem; padding: .1rem .35rem; font-size: .75rem; text-align: right; } .class a.badge:hover { text-decoration: underline; }
 th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
 th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
@@ -90,6 +93,14 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .cases tr { display: grid; grid-template: "no name points" "no badge badge" "no saw saw" / 3.25rem 1fr auto; gap: .2rem .5rem; padding: .5rem 0; }
 .cases tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
 .cases td:nth-child(4) { grid-area: points; } .cases td:nth-child(5) { grid-area: saw; } .cases pre { white-space: pre-wrap; }
+}
+@media screen and (min-width: 75rem) {
+body:has(.overview) { max-width: 130rem; } main:has(.overview) { display: grid; grid-template-columns: 22rem minmax(0, 1fr); gap: 0 2.5rem; align-items: start; }
+main:has(.overview) > * { grid-column: 2; } main > :has(> .overview) { grid-area: 1 / 1 / span 99; position: sticky; top: 1rem; } .category { width: 20%; } .saw { width: 55%; }
+}
+@media screen and (min-width: 100rem) {
+main:has(.class):not(:has(> .fold :checked)) { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 3rem; align-items: start; }
+main:has(.class) > :is(.fold, [id=submissions], [id=hand-ins], [id=pictures]) { grid-column: 1 / -1; }
 }
 /* A row is a card: it fits a telephone and a sheet of paper. */
 @media (max-width: 40rem), print {
