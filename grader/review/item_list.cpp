@@ -111,10 +111,11 @@ const Item& ItemList::as_shown(const std::string& key, const std::string& versio
 void ItemList::keep_decision(const std::string& name, const Item& item) {
   const ItemPerson& person = facts_.people.at(name);
   for (const Decision& decision : person.decisions) {
-    if (place_of_conflict(decision) != item.place || conflicts(person.computed, {decision}).empty()) continue;
+    if (place_of_conflict(decision.place, to_string(decision.kind)) != item.place) continue;
     try {
       record_.decide(name, decision);
     } catch (const BadInput&) {
+      if (points_at(person.computed, decision.place)) throw;
       record_.undo(name, decision.kind, decision.place, decision.comment);
     }
   }

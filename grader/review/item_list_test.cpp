@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "grader/course/input.h"
+#include "grader/record/schema.h"
 #include "grader/review/made_class.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"
@@ -163,6 +164,21 @@ TEST_F(Lists, GoOnToWhatNobodyHasOpen) {
   const std::string conflict = "conflict/H2.3/ann";
   ada_.save(conflict, version_of(ada_, conflict));
   EXPECT_EQ(ada_.next(conflict, {}), kGroup) << "and after one that has left the list";
+}
+
+TEST_F(Lists, KeepWhatWasDecidedThroughARegrade) {
+  ada_.save(kGroup, version_of(ada_, kGroup));
+  Record stage(temporary_.path(), kStage);
+  stage.begin_stage("another suite");
+  for (const std::string& name : record_.names()) {
+    SubmissionResult result = record_.find(name).value().result;
+    if (name == "ann") result.exercises[0] = made_exercise("H2");
+    stage.put({result});
+  }
+  EXPECT_TRUE(bob_.find(kNear)) << "the old results count until all new ones are there";
+  ASSERT_TRUE(record_.take_stage().empty());
+  EXPECT_FALSE(bob_.find(kNear));
+  EXPECT_EQ(bob_.find(kGroup)->decided_by, "ada");
 }
 
 TEST_F(Lists, KeepNothingOfAPersonWhoIsForgotten) {

@@ -184,13 +184,17 @@ class Making {
       item.why = in_a_row(ended) + " ended by the clock: grade again";
       add(std::move(item), in_a_row(ended));
     }
-    std::vector<std::string> of_two = conflicts(result, person.decisions);
-    for (const Decision& decision : person.decisions)
-      for (const std::string& line : conflicts(result, {decision})) {
-        std::erase(of_two, line);
-        conflict(name, place_of_conflict(decision), decision.place, line);
+    std::map<std::string, std::string> lines;  // by the item's place: a place may have several comments
+    for (const Decided& one : decided(result, person.decisions).decided)
+      if (!one.conflict.empty()) {
+        std::string& line = lines[place_of_conflict(one.place, one.kind)];
+        line += (line.empty() ? "" : "; ") + one.conflict;
       }
-    if (!of_two.empty()) conflict(name, "", "", in_a_row(of_two));
+    for (const auto& [place, line] : lines) {
+      Item item{.kind = ItemKind::conflict, .place = place, .people = {name}, .why = line};
+      at(item, place.substr(0, place.find(' ')));
+      add(std::move(item), line);
+    }
     HandInRules later = facts_.rules;
     later.grace_minutes += kLittleLate;
     if (late_days(facts_.rules, person.handed_in).value_or(0) > 0 && late_days(later, person.handed_in) == 0)
@@ -207,13 +211,6 @@ class Making {
          .why = (known ? "The result is another one than before: " : "The hand-in is new: ") +
                 shown_total(points(result), max_points(result))},
         look_of(result));
-  }
-
-  void conflict(const std::string& name, const std::string& place, const std::string& about,
-                const std::string& why) {
-    Item item{.kind = ItemKind::conflict, .place = place, .people = {name}, .why = why};
-    at(item, about);
-    add(std::move(item), why);
   }
 
   void not_taken(const std::string& name, const SubmissionResult& result) {
@@ -333,8 +330,8 @@ std::optional<ItemKind> kind_from(const std::string& word) {
   return static_cast<ItemKind>(found - kWords.begin());
 }
 
-std::string place_of_conflict(const Decision& decision) {
-  return decision.place + (decision.comment == 0 ? "" : " comment " + std::to_string(decision.comment));
+std::string place_of_conflict(const std::string& place, const std::string& kind) {
+  return place + (kind == to_string(DecisionKind::points) ? "" : " (" + kind + ")");
 }
 
 RowOfItem Item::row() const {

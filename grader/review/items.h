@@ -73,8 +73,8 @@ std::vector<Item> items_of(const ItemFacts& facts);
 // Returns the rows that make each person's present result a known one; nothing if the class has had this.
 std::map<RowOfItem, std::string> first_look(const ItemFacts& facts);
 
-// Returns the place of an item about this decision.
-std::string place_of_conflict(const Decision& decision);
+// Returns the place of an item about decisions of a kind, such as "points", at a place.
+std::string place_of_conflict(const std::string& place, const std::string& kind);
 
 // Compare in the list's order, or by lost points, decided or not.
 bool comes_before(const Item& a, const Item& b, bool by_lost_points = false);

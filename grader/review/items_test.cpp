@@ -87,7 +87,7 @@ TEST(Items, AreOfTheseKinds) {
            person.decisions.push_back(
                {DecisionKind::points, place, 2, place[2] == 0 ? 16.0 : 2.0, "why", "bob"});
        },
-       "conflict//ann\n", "both count"},
+       "conflict/H2/ann\n", "both count"},
       {"a place that is gone", points(1, 1, "H2.9"), "conflict/H2.9/ann\n", "now there is no H2.9"},
       {"below 10 times the limit", becomes(made_exercise("H2", {{3, 6.6}, {5, 1e7}})),
        "near-threshold/H2/ann\n", "H2 is nearly right: H2.3 (Ill-conditioned): 6.6 times the limit"},

@@ -73,7 +73,7 @@ function take(answer) {
   }
   list.dataset.stamp = answer.stamp;
   $("progress").innerHTML = answer.progress;
-  if (answer.item) {
+  if (answer.item && !isOpen()) {
     $("item").innerHTML = answer.item;
     sessionStorage.setItem("item", current());
     if ($("item").getBoundingClientRect().top < 0) $("told").scrollIntoView();
@@ -93,12 +93,14 @@ async function ask(path, body) {
 async function alone(work) {
   if (busy) return;
   busy = true;
+  $("item").setAttribute("aria-busy", "true");
   try {
     await work();
   } catch (error) {
     tell(error instanceof TypeError ? "hairgrade review does not answer: it has ended. Nothing more is saved; start it again and open its new address." : error.message, true);
   }
   busy = false;
+  $("item").setAttribute("aria-busy", "false");
 }
 
 const show = (key) => alone(async () => {
@@ -165,12 +167,14 @@ const ACTIONS = {
   answer: () => open("answer"),
   help: () => open("help"),
 };
+// While an answer is on its way, the item is not the one that it would be about.
+const act = (name) => busy || ACTIONS[name]();
 const KEYS = { j: "next", k: "back", u: "undecided", e: "points", c: "comment", z: "undo", "?": "help" };
 
 document.addEventListener("click", (event) => {
   const target = event.target.closest("[data-action], [data-comment], [data-close], #list a");
   if (!target) return;
-  if (target.dataset.action) ACTIONS[target.dataset.action]();
+  if (target.dataset.action) act(target.dataset.action);
   else if (target.dataset.comment) send({ do: "comment", comment: Number(target.dataset.comment), place: target.form.elements.place.value, line: target.form.elements.line.value });
   else if (target.closest("#list")) {
     event.preventDefault();
@@ -194,7 +198,7 @@ document.addEventListener("keydown", (event) => {
     const action = event.key === "a" ? article().dataset.accept : KEYS[event.key];
     if (!action) return;
     event.preventDefault(); // the letter is not for a field that opens now
-    ACTIONS[action]();
+    act(action);
   }
 });
 
