@@ -120,7 +120,7 @@ TEST(SolveConstraints, EndsForContradictionsAndSaysHowFarItCame) {
   const VectorXd C = motion.values();
   EXPECT_GE(report.residual, 0.99 * 100 * std::abs(C[0] - C[2]) / std::sqrt(2.0));
   EXPECT_TRUE(motion.lambda.allFinite());
-  EXPECT_LE(report.steps, 100);
+  EXPECT_LE(report.steps, 3 * 100) << "three tolerances, each with as many iterations as the header allows";
 }
 
 TEST(SolveConstraints, EndsForNumbersThatAreNotFinite) {
