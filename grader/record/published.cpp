@@ -38,26 +38,33 @@ Published published(const SubmissionResult& result) {
   return one;
 }
 
-std::string changed_places(const Published& before, const Published& now) {
+std::string changed_places(const Published& before, const Published& now, std::size_t most_categories) {
   const std::vector<PointsChange> all = changes(before.points, now.points);
+  const auto is_category = [](const PointsChange& one) { return one.place.find('.') != std::string::npos; };
+  const bool categories =
+      static_cast<std::size_t>(std::ranges::count_if(all, is_category)) <= most_categories;
   std::string text;
   for (const PointsChange& one : all) {
     const auto shown = [](const std::optional<double>& points) {
       return points ? shown_number(*points) : "not there";
     };
     // An exercise stands for itself if none of its categories does.
-    if (std::ranges::none_of(
-            all, [&](const PointsChange& part) { return part.place.starts_with(one.place + "."); }))
+    const bool has_part = std::ranges::any_of(
+        all, [&](const PointsChange& part) { return part.place.starts_with(one.place + "."); });
+    if (categories ? !has_part : !is_category(one))
       text += (text.empty() ? "" : "; ") + one.place + " " + one.title + " " + shown(one.before) + " -> " +
               shown(one.after);
   }
-  return text.empty() ? "lateness, extra credit or what it is out of" : text;
+  return !text.empty()                         ? text
+         : before.max_points != now.max_points ? "it is out of other points"
+                                               : "lateness or extra credit";
 }
 
 std::string change_in_words(const Published& before, const Published& now) {
+  constexpr std::size_t kMostCategories = 4;  // else a sentence names exercises
   if (total_of(before) == total_of(now)) return "";
   return "Your total was " + total_of(before) + " points and is " + total_of(now) +
-         " now: " + changed_places(before, now) + ".";
+         " now: " + changed_places(before, now, kMostCategories) + ".";
 }
 
 void Record::put_published(const std::map<std::string, Published>& by_name) {

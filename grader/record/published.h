@@ -1,6 +1,7 @@
 // STAFF ONLY. The points that a student was told last, by feedback or a gradebook.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ Published published(const SubmissionResult& result);
 // empty if the total is the same.
 std::string change_in_words(const Published& before, const Published& now);
 
-// Lists what makes it another total: "H2.3 Forces 2 -> 4; S1 3 -> 4".
-std::string changed_places(const Published& before, const Published& now);
+// Lists what makes it another total: "H2.3 Forces 2 -> 4; S1 3 -> 4"; if more categories have changed, exercises.
+std::string changed_places(const Published& before, const Published& now,
+                           std::size_t most_categories = std::numeric_limits<std::size_t>::max());
 
 }  // namespace grader::record
 

@@ -147,7 +147,7 @@ int grade(GradeOptions options) {
   const Batch batch = grade_batch(grading, plan, batch_settings, record, interrupted);
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
-  if (options.junit) write_file(record.pages() / "junit.xml", junit_xml(batch.results));
+  if (options.junit && !batch.staged) write_file(record.pages() / "junit.xml", junit_xml(batch.results));
   if (!batch.staged) print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0 && !batch.staged) std::cout << ", " << batch.kept << " kept from before";
