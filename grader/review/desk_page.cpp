@@ -269,7 +269,7 @@ std::string desk_page(const std::string& who, const std::string& where, const Ht
 </section>
 <section class="item" aria-label="Item">
 <p id="told" role="status"></p>
-<div id="item">{}</div>
+<div id="item" aria-busy="false">{}</div>
 </section>
 </main>
 <dialog id="help" aria-labelledby="help-heading"><form method="dialog">

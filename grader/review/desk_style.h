@@ -25,7 +25,7 @@ kbd { font: .75rem ui-monospace, Menlo, Consolas, monospace; padding: 0 .3rem; b
 #item > article > header .note { margin: .5rem 0; padding: .4rem .75rem; }
 .actions { position: sticky; top: 0; z-index: 1; display: flex; flex-wrap: wrap; gap: .5rem; padding: .6rem 0; background: var(--page); border-bottom: 1px solid var(--line); }
 .actions button:first-child { background: var(--link); border-color: var(--link); color: var(--page); font-weight: 600; }
-.what .wide table { min-width: 0; } .what td { overflow-wrap: anywhere; } #item .what h2 { margin-top: 1.25rem; font-size: 1.25rem; }
+.what .wide table { min-width: 0; } .what td:last-child { overflow-wrap: anywhere; } #item .what h2 { margin-top: 1.25rem; font-size: 1.25rem; }
 #told { max-width: none; margin: 0; } #told:not(:empty) { margin-bottom: .75rem; padding: .5rem .75rem; border-radius: .375rem; background: var(--soft); } #told.bad { background: var(--bad-soft); color: var(--bad); }
 dialog { width: min(40rem, calc(100vw - 2rem)); max-height: calc(100vh - 4rem); padding: 1.25rem 1.5rem; color: var(--text); background: var(--page); border: 1px solid var(--line); border-radius: .5rem; box-shadow: 0 1rem 3rem #0006; }
 dialog::backdrop { background: #0008; } dialog h2, dialog h3 { margin: 0 0 .75rem; font-size: 1.125rem; } dialog label { display: block; margin: .6rem 0; } dialog :is(textarea, select) { display: block; width: 100%; }

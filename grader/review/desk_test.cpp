@@ -75,6 +75,7 @@ class DeskTest : public testing::Test {
 TEST_F(DeskTest, ShowsItsPagesAndNoOtherFile) {
   Ta ada(folder_, "ada");
   hair::write_file(folder_ / "grades.csv", "planted");
+  std::filesystem::create_directories(folder_ / "staff/pictures");
   for (const char* path : {"", "class/index.html", "class/staff/p001.html", "class/p002/report.html"})
     EXPECT_EQ(status_of(ada.get(path)), 200) << path;
   for (const char* path :

@@ -78,7 +78,9 @@ const testing::TestInfo& current() {
   return *testing::UnitTest::GetInstance()->current_test_info();
 }
 
-void note(const std::string& hint) {
+}  // namespace
+
+void note_hint(const std::string& hint) {
   const testing::TestResult& so_far = *current().result();
   if (so_far.Failed()) return;  // the first failure is shown, and this hint is another one's
   for (int i = 0; i < so_far.test_property_count(); ++i)
@@ -86,18 +88,16 @@ void note(const std::string& hint) {
   if (!hint.empty()) testing::Test::RecordProperty("hint", hint);
 }
 
-}  // namespace
-
 void note_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block,
                std::span<const double> before) {
-  note(hint(actual, expected, bound, block, before));
+  note_hint(hint(actual, expected, bound, block, before));
 }
 
 testing::AssertionResult is_near(const char* words, const char* expected_words, const char* bound_words,
                                  double actual, double expected, double bound) {
   const double error = std::abs(actual - expected);
   if (error <= bound) return testing::AssertionSuccess();
-  note(hint_of_one(actual, expected, current().test_suite_name() == std::string("Energy")));
+  note_hint(hint_of_one(actual, expected, current().test_suite_name() == std::string("Energy")));
   return testing::AssertionFailure() << words << "\nexpected = " << expected << " = " << expected_words
                                      << "\nactual   = " << actual << "\nerror    = " << error
                                      << ", bound = " << bound << " = " << bound_words;
@@ -105,7 +105,7 @@ testing::AssertionResult is_near(const char* words, const char* expected_words, 
 
 testing::AssertionResult counts(const char* words, const char* expected_words, long actual, long expected) {
   if (actual == expected) return testing::AssertionSuccess();
-  note(actual == expected + 1 ? "one too many" : actual == expected - 1 ? "one too few" : "");
+  note_hint(actual == expected + 1 ? "one too many" : actual == expected - 1 ? "one too few" : "");
   return testing::AssertionFailure() << words << "\nexpected = " << expected << " = " << expected_words
                                      << "\nactual   = " << actual;
 }

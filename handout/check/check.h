@@ -66,6 +66,7 @@ double residual_gap(double norm_of_A, double e, const Vector& solution, const Ve
 // Keeps a hint for the failure that follows (hint.h), if the numbers show one. The first of a check counts.
 void note_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block = 1,
                std::span<const double> before = {});
+void note_hint(const std::string& hint);
 
 // Compare a number, within a bound, and a count of steps, products or calls. Both keep a hint from the value.
 #define EXPECT_NUMBER(actual, expected, bound) EXPECT_PRED_FORMAT3(::checks::is_near, actual, expected, bound)

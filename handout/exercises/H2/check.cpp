@@ -138,20 +138,6 @@ TEST(Energy, OfOneJoint) {
   EXPECT_NUMBER(bend_energy(strand, kFold), 2 * pi * pi, 32 * kU * 4) << "folded, phi = pi; bound: rounding";
 }
 
-TEST(NoDirection, WithoutAJointIsZero) {
-  EXPECT_NUMBER(bend_energy(strand_of(vector({1})), vector({1, 2, 3, 3, 3, 3})), 0, 0)
-      << "two particles, free";
-  EXPECT_NUMBER(bend_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0, 0) << "one particle";
-  EXPECT_NUMBER(bend_energy(clamped({strand_of(VectorXd(0)), {}}).strand, vector({1, 2, 3})), 0, 0)
-      << "one particle, clamped: no segment begins there";
-  EXPECT_NUMBER(bend_energy(kLone.strand, kLone.x), 0, 0) << "clamped, and its only segment has the length 0";
-  EXPECT_NUMBER(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 1, 0, 0, 1, 0})), 0, 0)
-      << "a segment of length 0";
-  EXPECT_NUMBER(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, -1, -2, -2, -1, -2, -2})), 0, 0)
-      << "a segment of length 0 behind one along (-1, -2, -2): their dot product is -0, and atan2(0, -0) is "
-         "pi";
-}
-
 TEST(Sampling, TakesTheMeanOfTwoRestLengths) {
   for (const int joint : {1, 2, 3})
     EXPECT_NUMBER(bend_energy(strand_of(kRestLengths), with_corner(4, joint)),
@@ -193,6 +179,20 @@ TEST(ClampedRoot, OfAClampedRoot) {
   EXPECT_NUMBER(bend_energy(c.strand, c.x), 16 * pi * pi / 8, 32 * kU * 16)
       << "straight, at a right angle to root_tangent, the first rest length 0.5 m: k = 2 EI / l = 16 N m; "
          "bound: rounding";
+}
+
+TEST(NoDirection, WithoutAJointIsZero) {
+  EXPECT_NUMBER(bend_energy(strand_of(vector({1})), vector({1, 2, 3, 3, 3, 3})), 0, 0)
+      << "two particles, free";
+  EXPECT_NUMBER(bend_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0, 0) << "one particle";
+  EXPECT_NUMBER(bend_energy(clamped({strand_of(VectorXd(0)), {}}).strand, vector({1, 2, 3})), 0, 0)
+      << "one particle, clamped: no segment begins there";
+  EXPECT_NUMBER(bend_energy(kLone.strand, kLone.x), 0, 0) << "clamped, and its only segment has the length 0";
+  EXPECT_NUMBER(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 1, 0, 0, 1, 0})), 0, 0)
+      << "a segment of length 0";
+  EXPECT_NUMBER(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, -1, -2, -2, -1, -2, -2})), 0, 0)
+      << "a segment of length 0 behind one along (-1, -2, -2): their dot product is -0, and atan2(0, -0) is "
+         "pi";
 }
 
 TEST(Forces, OfOneJoint) {

@@ -102,14 +102,14 @@ void moves_by_masses(Correction correction) {
     VectorXd corner = before;
     const int iterations = correction(strand, 1e-13, 100000, corner).iterations;
     const bool as_one_pass = (corner - before).head(6).isZero(0) && iterations == 1;
+    if (as_one_pass)
+      note_hint(
+          "one pass of placing moves so: was a step refused whose sum of squares falls, or is lambda NaN?");
     expect_entries(
         corner - before, vector({0, 0, 0, 0, 0.6 * e, 0, 0, -0.4 * e, 0}), 10 * e * e + 1e-12,
         "the correction of a right angle of segments of 2 and 1.5 m, masses 2 and 3 kg; the second one is " +
             std::string(e > 0 ? "1e-6 m too long" : "1e-6 m too short") + "; " + std::to_string(iterations) +
-            " iterations" +
-            (as_one_pass ? ". One pass from the root on moves so: was the step refused, though its sum of "
-                           "squares falls?"
-                         : ""),
+            " iterations",
         "10 e^2 + 1e-12: second order, and the tolerance");
   }
 }
@@ -278,7 +278,7 @@ TEST(Relaxation, CorrectsOneSegment) {
 }
 
 TEST(Relaxation, SaysThatItConverged) {
-  look_at("repeat");
+  look_at("report");
   says_that_it_converged(relax);
 }
 
@@ -350,7 +350,7 @@ TEST(Lengths, CorrectsOneSegment) {
 }
 
 TEST(Lengths, SaysThatItConverged) {
-  look_at("matrix");
+  look_at("report");
   says_that_it_converged(correct);
 }
 

@@ -485,15 +485,6 @@ TEST(LongChains, BeginAtTheTipOfALongChain) {
 
 // ---- Pass 3
 
-TEST(Accelerations, TakeTheGainOfPass2) {
-  look_at("gain");
-  const Links links = pendulum(2, 0.5, 1.5, 9.81);
-  Passes passes = pass_2(links, one(0), pass_1(links, one(0)));
-  const double found = pass_3(links, one(0), passes)[0];
-  passes[1].gain *= 3;
-  EXPECT_NUMBER(pass_3(links, one(0), passes)[0], 3 * found, 1e-12) << "q\" with three times the gain";
-}
-
 TEST(Accelerations, OfAPendulum) {
   for (const double angle : {0.0, 0.3, 1.5, 3.0}) {
     const Links links = pendulum(2, 0.5, angle, 9.81);
@@ -505,6 +496,15 @@ TEST(Accelerations, OfAPendulum) {
     expect_vector(passes[1].a.linear, Vector3d(0, found[0], 0).cross(d) - 16 * d, 1e-12,
                   "a of its mass, which circles at 4 rad/s", "1e-12");
   }
+}
+
+TEST(Accelerations, TakeTheGainOfPass2) {
+  look_at("gain");
+  const Links links = pendulum(2, 0.5, 1.5, 9.81);
+  Passes passes = pass_2(links, one(0), pass_1(links, one(0)));
+  const double found = pass_3(links, one(0), passes)[0];
+  passes[1].gain *= 3;
+  EXPECT_NUMBER(pass_3(links, one(0), passes)[0], 3 * found, 1e-12) << "q\" with three times the gain";
 }
 
 TEST(LongChains, OfABaseAlone) {

@@ -87,6 +87,14 @@ struct Linked {
     return same;
   }
 
+  // New links that are as weak as these: the second has 0.75 of its strength, and the third is broken.
+  Linked as_weak_new_links() const {
+    Linked same = fresh();
+    same.links[1].stiffness *= 0.75;
+    same.links[2].stiffness = 0;
+    return same;
+  }
+
   // The same in frames that are not turned.
   Linked straight() const {
     Linked same = *this;
@@ -95,6 +103,11 @@ struct Linked {
     return same;
   }
 };
+
+const std::string kCompared =
+    " of a new link, one that has 0.75 of its strength, and a broken one, compared with that of new links "
+    "that "
+    "are less stiff";
 
 VectorXd stretches_of(const Linked& s) {
   VectorXd stretches = Vector3d::Zero();
@@ -214,20 +227,12 @@ TEST(WornLinks, OfABrokenLinkIsNothing) {
 TEST(WornLinks, TakeTheirOwnStrength) {
   look_at("force");
   const Linked s;
-  Linked fresh = s.fresh();
-  fresh.links[1].stiffness *= 0.75;
-  fresh.links[2].stiffness = 0;
-  const VectorXd dx = scattered_vector(15, 2);
-  const std::string beside =
-      " of a new link, one that has 0.75 of its strength, and a broken one, compared with that of "
-      "new links that are less stiff";
+  const Linked fresh = s.as_weak_new_links();
   EXPECT_NUMBER(link_energy(s.links, s.frames, s.largest, s.x),
                 link_energy(fresh.links, s.frames, fresh.largest, s.x), 1e-11)
-      << "the energy" << beside;
+      << "the energy" << kCompared;
   expect_entries(forces(s.links, s.frames, s.largest, s.x), forces(fresh.links, s.frames, fresh.largest, s.x),
-                 1e-11, "the force" + beside, kRounding);
-  expect_entries(products(s.links, s.largest, dx), products(fresh.links, fresh.largest, dx), 1e-11,
-                 "the product" + beside, kRounding);
+                 1e-11, "the force" + kCompared, kRounding);
 }
 
 TEST(LinkProducts, IsTheSlopeOfTheForce) {
@@ -238,6 +243,13 @@ TEST(LinkProducts, IsTheSlopeOfTheForce) {
         products(s.links, s.largest, dx),
         [&](const VectorXd& x) { return forces(s.links, s.frames, s.largest, x); }, s.x, dx, 1, 10);
   }
+}
+
+TEST(LinkProducts, TakeTheStrengthOfEachLink) {
+  const Linked s, fresh = s.as_weak_new_links();
+  const VectorXd dx = scattered_vector(15, 2);
+  expect_entries(products(s.links, s.largest, dx), products(fresh.links, fresh.largest, dx), 1e-11,
+                 "the product" + kCompared, kRounding);
 }
 
 TEST(Added, AddsToWhatIsThereByAddLinkProduct) {

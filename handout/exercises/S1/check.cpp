@@ -62,10 +62,14 @@ double residual(const System& s, const Vector& x) {
 
 void expect_solved(const System& s, const Outcome& out, double epsilon) {
   const double bound = std::sqrt(epsilon) + gap(s);
+  if (residual(s, out.x) > bound && out.steps == 0)
+    note_hint(out.x == s.b ? "x is still b: which test ends the loop before x moves, and is its r^T r right?"
+                           : "no step was counted, and x is not b: which return comes before x = b?");
+  else if (residual(s, out.x) > bound && out.x == s.b)
+    note_hint("steps were counted, and x is still b: is x += alpha d there?");
   EXPECT_LE(residual(s, out.x), bound)
       << "||b - Ax||; bound: sqrt(epsilon) and rounding, see solver/linearSolver.h\nx = " << in_words(out.x)
-      << " after " << out.steps << " steps, returned " << out.returned
-      << (out.x == s.b ? "\nhint       = x is still b: which test ends the loop before x moves?" : "");
+      << " after " << out.steps << " steps, returned " << out.returned;
   expect_near(out.x, s.solution, bound / s.smallest, "that of ||b - Ax|| / smallest eigenvalue");
 }
 
