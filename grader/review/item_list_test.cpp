@@ -140,6 +140,14 @@ TEST_F(Lists, AcceptADecisionAsItIs) {
   EXPECT_EQ(decisions(), "ann points H2.3: 1 (computed: 2): why (ada)\n");
   EXPECT_EQ(ada_.undo(), "conflict/S1/ann");
   EXPECT_EQ(record_.decisions("ann").size(), 2U);
+
+  // Points that a place is not worth any more can't hold.
+  ExerciseResult less = made_exercise("H2");
+  less.cases[2].max_points = less.cases[2].points = 0.5;
+  record_.put({made_result("ann", {less})});
+  const std::string key = "conflict/H2.3/ann";
+  EXPECT_THROW(ada_.save(key, version_of(ada_, key)), BadInput);
+  EXPECT_EQ(record_.decisions("ann").size(), 2U);
 }
 
 TEST_F(Lists, GoOnToWhatNobodyHasOpen) {
