@@ -162,6 +162,13 @@ hair::WebAnswer Desk::save(const std::string& body) {
           if (request.is_open() && request.name == name && item && request.place == item->place)
             record.answer(request.id, text);
       });
+    } else if (what == "unset") {
+      const std::optional<Item> item = list_.find(key);
+      list_.save(key, version, [&](Record& record, const std::string& name) {
+        for (const Decision& one : record.decisions(name))
+          if (item && place_of_conflict(one.place, to_string(one.kind)) == item->place)
+            record.undo(name, one.kind, one.place, one.comment);
+      });
     } else if (what == "reopen") {
       list_.reopen(key);
     } else if (what == "undo") {

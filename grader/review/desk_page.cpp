@@ -104,7 +104,10 @@ Html used_comments(const OpenItem& open) {
                   comment.text, points});
   }
   if (rows.text.empty()) return {};
-  return html("<p class=\"quiet\">Used before: press its digit.</p>\n<ol class=\"used\">\n{}</ol>\n", {rows});
+  return html(
+      "<p class=\"quiet\">Used before: press its digit, or write another one.</p>\n<ol class=\"used\" "
+      "tabindex=\"-1\">\n{}</ol>\n",
+      {rows});
 }
 
 Html why_field(const char* says) {
@@ -112,21 +115,23 @@ Html why_field(const char* says) {
 }
 
 Html dialogs(const OpenItem& open) {
+  const std::size_t count = open.item.people.size();
+  const std::string for_all = count > 1 ? " for all " + std::to_string(count) + " people" : "";
   const Html points = html(
       "<label>Points <input name=\"number\" type=\"number\" step=\"any\" min=\"0\" "
       "required=\"\"/></label>\n");
   Html all =
-      dialog("points", "Set points",
+      dialog("points", "Set points" + for_all,
              html("{}{}{}", {points, place_field(open, true, {}), why_field("Why? The student reads it")}));
   all += dialog(
-      "comment", "Comment",
+      "comment", "Comment" + for_all,
       html("{}{}{}<label>Line of the file <input name=\"line\" type=\"number\" "
            "min=\"1\"/></label>\n<label>Points "
            "<input name=\"number\" type=\"number\" step=\"any\"/></label>\n",
            {used_comments(open), why_field("A new one. The student reads it"),
             place_field(open, true, open.item.exercise.empty() ? option("", "the whole", true) : Html())}));
   all += dialog(
-      "excuse", "Excuse",
+      "excuse", "Excuse" + for_all,
       html("{}{}",
            {place_field(open, false, open.item.exercise.empty() ? option("", "everything", true) : Html()),
             why_field("Why? The student reads it")}));
@@ -209,6 +214,7 @@ Html item_part(const OpenItem& open, const DeskPeople& people) {
   all += button("points", "e", "Points");
   all += button("comment", "c", "Comment");
   all += button("excuse", "", "Excuse");
+  if (item.kind == ItemKind::conflict) all += button("unset", "", "Unset");
   if (item.is_decided()) all += button("reopen", "", "Not decided");
   all += html("</div>\n<div class=\"what\">\n");
   for (const SubmissionResult& result : open.results) {

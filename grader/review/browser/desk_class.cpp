@@ -21,7 +21,7 @@ int main(int argc, char* argv[]) {
         picture.reference = drawn.reference;
         picture.heat = drawn.heat;
       }
-    record.put(one);
+    record.put(one, {record.handed_in(name), name});
   }
   // Without a picture: "x" is none.
   const std::string planted = "<script>window.planted=1</script><img src=x onerror=window.planted=2>\"'&amp;";

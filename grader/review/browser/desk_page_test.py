@@ -109,6 +109,13 @@ class DeskPage(PageTest):
         self.wait_for("return document.readyState === 'complete'")
         self.assertIn("decided", self.run_script("return [...document.querySelectorAll('#list > li')].find((row) => row.dataset.key === arguments[0]).className", first))
 
+    def desk_has_a_comment(self, text):
+        self.open_one()
+        self.press("c", text)
+        before = self.key()
+        self.run_script("document.querySelector('#comment button[type=submit]').click()")
+        self.wait_for("return ![undefined, arguments[0]].includes(document.querySelector('#item[aria-busy=false] > article')?.dataset.key)", before)
+
     def test_sets_points_by_three_keys(self):
         key = self.open_one()
         name = key.split("/")[-1]
@@ -135,6 +142,30 @@ class DeskPage(PageTest):
         self.press("c", "1")
         self.wait_for("return ![undefined, arguments[0]].includes(document.querySelector('#item[aria-busy=false] > article')?.dataset.key)", before)
         self.assertEqual(self.ask("SELECT text, count(*) FROM comments JOIN commented ON comment = comments.id GROUP BY comments.id"), [(text, 2)])
+
+    def test_takes_letters_for_a_new_comment(self):
+        self.desk_has_a_comment("hand-in.rar can't be read")
+        self.open_one()
+        self.press("c", "Y", "o", " ", "1")
+        self.assertEqual(self.dialog(), "comment")
+        self.assertEqual(self.run_script("return document.querySelector('#comment [name=text]').value"), "Yo 1")
+
+    def test_shows_what_the_filters_choose_and_no_more(self):
+        self.run_script("const s = document.getElementById('search'); s.value = 'zzz'; s.dispatchEvent(new Event('input'))")
+        self.assertEqual(self.text("count"), "Nothing matches.")
+        self.assertEqual(self.run_script("return document.querySelectorAll('#list > li:not([hidden])').length"), 0)
+        self.press("j")
+        self.wait_told("This is the last one")
+        self.run_script("const s = document.getElementById('search'); s.value = 'chloe'; s.dispatchEvent(new Event('input'))")
+        self.assertIn("Chloé", self.text("list"))
+
+    def test_unsets_what_was_decided_for_other_points(self):
+        self.run_script("[...document.querySelectorAll('#list > li')].find((row) => row.dataset.kind === 'conflict').firstElementChild.click()")
+        self.wait_for("return document.querySelector('#item [data-action=unset]') !== null")
+        before = self.key()
+        self.run_script("document.querySelector('#item [data-action=unset]').click()")
+        self.wait_for("return ![undefined, arguments[0]].includes(document.querySelector('#item[aria-busy=false] > article')?.dataset.key)", before)
+        self.assertEqual(self.ask("SELECT count(*) FROM decisions WHERE kind = 'points' AND place = 'S2.2'"), [(0,)])
 
     def test_says_what_is_wrong_and_keeps_the_text(self):
         self.open_one()

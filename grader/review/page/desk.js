@@ -8,7 +8,6 @@ const list = $("list"), who = document.querySelector(".desk").dataset.who;
 let busy = false;
 
 const rows = () => [...list.children];
-const shown = () => rows().filter((row) => !row.hidden);
 const rowOf = (key) => rows().find((row) => row.dataset.key === key);
 const article = () => document.querySelector("#item > article");
 const current = () => article().dataset.key;
@@ -19,18 +18,22 @@ function tell(text, bad = false) {
   $("told").classList.toggle("bad", bad);
 }
 
+// Without capitals and accents.
+const plain = (text) => text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, "").replaceAll("đ", "d").replaceAll("ø", "o").replaceAll("ł", "l");
+
 // The list: filters, order, and where we are in it.
 function choose() {
-  const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean);
+  const words = plain($("search").value).split(/\s+/).filter(Boolean);
   let left = 0;
   for (const row of rows()) {
-    const { key, owner, kind, words: more } = row.dataset, text = `${row.textContent} ${more} ${row.dataset.section}`.toLowerCase();
+    const { owner, kind, words: more } = row.dataset, text = plain(`${row.textContent} ${more} ${row.dataset.section}`);
     const decided = row.classList.contains("decided");
-    row.hidden = key !== current() && (($("whose").value !== "*" && owner !== $("whose").value) ||
+    row.hidden = (($("whose").value !== "*" && owner !== $("whose").value) ||
       ($("kind").value && kind !== $("kind").value) || ($("undecided").checked && decided) || !words.every((word) => text.includes(word)));
     left += !row.hidden && !decided;
   }
-  $("count").textContent = `${shown().length} shown, ${left} of them undecided`;
+  const count = rows().filter((row) => !row.hidden).length;
+  $("count").textContent = count ? `${count} shown, ${left} of them undecided` : "Nothing matches.";
 }
 
 function sort() {
@@ -55,10 +58,16 @@ function mark(scrolls) {
   if (top < list.scrollTop || top + row.offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = top - list.clientHeight / 3;
 }
 
-// Keys of the rows after this one, then of those before it.
+// Keys of the rows before this one and after it that the filters show. They may hide this one.
+function around() {
+  const all = rows(), at = all.findIndex((row) => row.dataset.key === current());
+  const keys = (some) => some.filter((row) => !row.hidden).map((row) => row.dataset.key);
+  return { before: keys(all.slice(0, Math.max(at, 0))), after: keys(all.slice(at + 1)) };
+}
+
 function others() {
-  const all = shown().map((row) => row.dataset.key), at = all.indexOf(current());
-  return [...all.slice(at + 1), ...all.slice(0, Math.max(at, 0))];
+  const { before, after } = around();
+  return [...after, ...before];
 }
 
 function take(answer) {
@@ -110,7 +119,7 @@ const show = (key) => alone(async () => {
 });
 
 function step(by) {
-  const all = shown().map((row) => row.dataset.key), at = all.indexOf(current()), key = all[at + by];
+  const { before, after } = around(), key = by > 0 ? after[0] : before.at(-1);
   if (key !== undefined) show(key);
   else tell(by > 0 ? "This is the last one." : "This is the first one.");
 }
@@ -142,7 +151,7 @@ function open(name) {
     dialog.querySelector("[name=number]").select();
     if (!why.value) why.value = sessionStorage.getItem("why") ?? "After a look at your code.";
   } else if (name === "comment" && dialog.querySelector(".used")) {
-    dialog.querySelector(".used button").focus();
+    dialog.querySelector(".used").focus();
   } else if (why) {
     why.focus();
   }
@@ -161,6 +170,7 @@ const ACTIONS = {
   accept: () => send({ do: "accept" }),
   reopen: () => send({ do: "reopen" }, true),
   undo: () => send({ do: "undo" }, true),
+  unset: () => send({ do: "unset" }),
   points: () => open("points"),
   comment: () => open("comment"),
   excuse: () => open("excuse"),
@@ -194,6 +204,8 @@ document.addEventListener("keydown", (event) => {
   const dialog = isOpen();
   if (dialog?.id === "comment" && $("keys").checked && /^[1-9]$/.test(event.key)) {
     dialog.querySelectorAll("[data-comment]")[event.key - 1]?.click();
+  } else if (dialog?.id === "comment" && event.key.length === 1 && !event.target.closest("button")) {
+    dialog.querySelector("[name=text]").focus(); // and the key is its first letter
   } else if (!dialog && $("keys").checked) {
     const action = event.key === "a" ? article().dataset.accept : KEYS[event.key];
     if (!action) return;
