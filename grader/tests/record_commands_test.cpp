@@ -9,12 +9,14 @@
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 
 // All texts about a student have a word that occurs nowhere else.
 SubmissionResult result_of(const string& name, double points) {
@@ -48,7 +50,7 @@ class RecordCommands : public testing::Test {
   void expect_refused(const std::vector<string>& words, const string& because) const {
     const ProgramRun refused = run(words);
     EXPECT_EQ(refused.code, 2) << refused.errors;
-    EXPECT_NE(refused.errors.find(because), string::npos) << refused.errors;
+    EXPECT_TRUE(says(refused.errors, because));
     EXPECT_EQ(refused.errors.find('\n') + 1, refused.errors.size()) << refused.errors;
   }
 
@@ -59,17 +61,16 @@ class RecordCommands : public testing::Test {
 TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   const std::map<string, string> before = files();
   ASSERT_EQ(run({"set", "alice", "H2.1", "7.5", "--why", "the test <was> wrong"}).code, 0);
-  EXPECT_NE(files().at("alice/report.html").find("the test &lt;was&gt; wrong"), string::npos);
+  EXPECT_TRUE(says(files().at("alice/report.html"), "the test &lt;was&gt; wrong"));
   EXPECT_EQ(nlohmann::json::parse(files().at("alice/results.json")).at("score"), 7.5);
-  EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << files().at("grades.csv");
+  EXPECT_TRUE(says(files().at("grades.csv"), "alice,7.5,8"));
   Record(out_).put({result_of("alice", 3)});
   ASSERT_EQ(run({"comment", "carol", "well done", "--at", "H2"}).code, 0);
-  EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";
+  EXPECT_TRUE(says(files().at("grades.csv"), "alice,7.5,8")) << "graded again";
   const ProgramRun log = run({"log", "alice"});
-  EXPECT_NE(log.output.find("points H2.1: 7.5 (computed: 2): the test <was> wrong"), string::npos)
-      << log.output;
-  EXPECT_NE(log.output.find("3 points computed"), string::npos) << log.output;
-  EXPECT_NE(run({"diff"}).output.find("alice  H2.1  2 -> 3  Easy"), string::npos) << run({"diff"}).output;
+  EXPECT_TRUE(says(log.output, "points H2.1: 7.5 (computed: 2): the test <was> wrong"));
+  EXPECT_TRUE(says(log.output, "3 points computed"));
+  EXPECT_TRUE(says(run({"diff"}).output, "alice  H2.1  2 -> 3  Easy"));
   Record(out_).put({result_of("alice", 2)});
   ASSERT_EQ(run({"unset", "alice", "H2.1"}).code, 0);
   ASSERT_EQ(run({"unset", "carol", "H2", "--kind", "comment"}).code, 0);
