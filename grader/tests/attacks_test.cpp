@@ -1,25 +1,17 @@
 // STAFF ONLY. Grades the attack corpus place by place, and tests each attack's points and costs, and that it
 // reaches no other submission. The environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of
 // isolation. Results are kept: an interrupted test goes on, as long as hairgrade and its suite are the same.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <system_error>
 #include <thread>
 
 #include "grader/course/course.h"
