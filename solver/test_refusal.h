@@ -1,5 +1,7 @@
-// STAFF ONLY. For tests: what a function says as it refuses its input.
+// STAFF ONLY. For tests: what a function or a program says, as when it refuses its input.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -14,6 +16,12 @@ std::string refusal(const auto& call) {
     return error.what();
   }
   return "";
+}
+
+// True if the text has these words. A failing test shows both.
+inline testing::AssertionResult says(const std::string& text, const std::string& words) {
+  return testing::AssertionResult(text.find(words) != std::string::npos)
+         << "\"" << words << "\" is looked for in: " << text;
 }
 
 }  // namespace tests

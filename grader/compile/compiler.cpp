@@ -1,12 +1,16 @@
 // STAFF ONLY. Makes an object of a student's file: from the cache, or by compiler and linker in sandboxes.
 #include "grader/compile/compiler.h"
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "grader/compile/cache.h"
 #include "grader/compile/hash.h"
-#include "grader/compile/messages.h"
 #include "grader/compile/switched_off.h"
 #include "grader/compile/symbols.h"
 #include "grader/course/input.h"
@@ -17,6 +21,69 @@
 namespace grader::inline compile {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// Returns the first `most` lines, and how many more there are.
+std::string first_lines(const std::vector<std::string>& lines, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) text += lines[i] + "\n";
+  if (lines.size() > most) text += "... and " + std::to_string(lines.size() - most) + " more\n";
+  return text;
+}
+
+// True for "a.h:11:7: error: ...": it concerns a line of code, not a tool.
+bool is_error(const std::string& line) {
+  for (const std::string saying : {": error: ", ": fatal error: "})
+    if (const std::size_t at = line.find(saying); at != std::string::npos && at > 0)
+      return std::isdigit(static_cast<unsigned char>(line[at - 1])) != 0;
+  return false;
+}
+
+// Returns the compiler's messages about `file`'s own lines, a line each, and its errors elsewhere: these come
+// from definitions that this file repeats or functions that it calls wrongly.
+std::string own_messages(const std::string& log, const std::string& file) {
+  const std::string handout = "/handout/";
+  std::istringstream lines(log);
+  std::string own;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(file + ":") || is_error(line))
+      own += line.substr(line.starts_with(handout) ? handout.size() : 0) + "\n";
+  return own;
+}
+
+// Returns the warnings about `file`'s own lines, a line each: unset variables come first. Twenty at most.
+std::string own_warnings(const std::string& log, const std::string& file) {
+  std::istringstream text(log);
+  std::vector<std::string> lines;
+  std::set<std::string> seen;
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with(file + ":") && line.find(": warning: ") != std::string::npos &&
+        seen.insert(line).second)
+      lines.push_back(line);
+  std::stable_partition(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.ends_with("uninitialized]");  // -Wuninitialized, -Wmaybe-uninitialized
+  });
+  return first_lines(lines, 20);
+}
+
+// Returns names that the linker does not find, a line each, as C++ writes them. Ten at most.
+std::string undefined_names(const std::string& log) {
+  const std::string saying = "undefined reference to ";
+  std::istringstream text(log);
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t at = line.find(saying), first = at + saying.size() + 1;
+    if (at == std::string::npos || line.size() < first + 2) continue;
+    // The name stands between the linker's quotes.
+    const std::string name = "  " + printable(line.substr(first, line.size() - 1 - first));
+    if (seen.insert(name).second) names.push_back(name);
+  }
+  return first_lines(names, 10);
+}
+
+}  // namespace
 
 Compiler::Compiler(const StagedKit& kit, fs::path cache, Isolation isolation, std::uintmax_t cache_bytes)
     : toolchain_(kit, isolation),
@@ -34,7 +101,10 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   const fs::path object = job / (exercise.id + ".so");
   const std::string hash = key(exercise, source, build);
   const fs::path kept = cache_ / (hash + ".object");
-  const Turns::Turn turn(turns_, hash);
+  std::unique_lock turns(turns_mutex_);
+  std::mutex& turn = turns_[hash];
+  turns.unlock();
+  const std::lock_guard own_turn(turn);
   // An object that was compiled without a sandbox may hold anything, and is not kept.
   if (toolchain_.isolated())
     if (const std::optional<KeptObject> found = read_kept(kept)) {
@@ -79,20 +149,13 @@ std::string Compiler::key(const Exercise& exercise, const std::string& source, B
 
 Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& source, const fs::path& job,
                                 double cpu_seconds, Build build) const {
-  const fs::path in = job / "source", out = writable_folder(job / "object");
-  fs::create_directory(in);
-  share_with_sandbox(in, false);
-  std::ofstream(in / exercise.file, std::ios::binary) << source;
-  fs::permissions(in / exercise.file, fs::perms(0644));
-  fs::last_write_time(in / exercise.file, fs::file_time_type());  // makes __TIMESTAMP__ constant
+  const fs::path in = source_folder(job / "source", exercise.file, source),
+                 out = writable_folder(job / "object");
 
   double taken = 0;
   Sandbox sandbox;
   auto run = [&](bool precompiled, bool& used) {
-    sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds - taken);
-    sandbox.mounts.push_back({in, kStudentFolder});
-    sandbox.mounts.push_back({out, "/out", true});
-    sandbox.folder = kStudentFolder;
+    sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds - taken, in, out);
     std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, build);
     const PrecompiledHeader& header = build == Build::sanitised ? precompiled_sanitised_ : precompiled_;
     used = precompiled && header.use(exercise.libraries, sandbox, command);
@@ -132,15 +195,9 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
 Compiled Compiler::look_for_switches(const Exercise& exercise, const std::string& source, const fs::path& job,
                                      double cpu_seconds) const {
   constexpr std::size_t kMostText = 64 << 20;
-  const fs::path in = job / "to-preprocess", out = writable_folder(job / "preprocessed");
-  fs::create_directory(in);
-  share_with_sandbox(in, false);
-  std::ofstream(in / exercise.file, std::ios::binary) << source;
-  fs::permissions(in / exercise.file, fs::perms(0644));
-  Sandbox sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds);
-  sandbox.mounts.push_back({in, kStudentFolder});
-  sandbox.mounts.push_back({out, "/out", true});
-  sandbox.folder = kStudentFolder;
+  const fs::path in = source_folder(job / "to-preprocess", exercise.file, source),
+                 out = writable_folder(job / "preprocessed");
+  const Sandbox sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds, in, out);
   std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, Build::sanitised);
   command.insert(command.end(), {"-E", exercise.file, "-o", "/out/text"});
   const Toolchain::Run found = toolchain_.run(sandbox, command, exercise.file);

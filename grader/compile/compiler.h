@@ -8,13 +8,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <string>
 
 #include "grader/compile/cache.h"
 #include "grader/compile/kit.h"
 #include "grader/compile/precompiled.h"
 #include "grader/compile/toolchain.h"
-#include "grader/compile/turns.h"
 #include "grader/course/course.h"
 
 namespace grader::inline compile {
@@ -57,7 +58,8 @@ class Compiler {
   PrecompiledHeader precompiled_, precompiled_sanitised_;
   std::filesystem::path cache_;
   std::uintmax_t cache_bytes_;
-  mutable Turns turns_;  // by the object's key
+  mutable std::mutex turns_mutex_;                   // guards the map
+  mutable std::map<std::string, std::mutex> turns_;  // by the object's key: one thread at a time makes it
 };
 
 }  // namespace grader::compile

@@ -12,11 +12,13 @@
 #include "grader/course/course.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/read_file.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline compile {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::says;
 
 const fs::path kCache = HAIR_TEST_CACHE;
 
@@ -35,28 +37,35 @@ class CompilerTest : public testing::Test {
     return hair::bytes_of(HAIR_PROJECT / solution_of(exercise));
   }
 
+  Compiled compile(const Exercise& exercise, const std::string& source, const fs::path& job) const {
+    return compiler_.compile(exercise, source, job, kSeconds);
+  }
+  Compiled compile(const Exercise& exercise, const std::string& source) {
+    return compile(exercise, source, kit_.new_job(std::to_string(++jobs_)));
+  }
+
   static constexpr double kSeconds = 200;  // is CPU time for a slow machine, too
 
   const Course course_ = read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json");
   const Exercise& with_eigen_ = *course_.find("H1");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
   const Compiler compiler_{kit_, kCache, isolation_for_tests()};
+  int jobs_ = 0;
 };
 
 TEST_F(CompilerTest, WhatMustComeBeforeEigenMayComeBeforeEigen) {
   // Eigen has this function with this macro alone, which comes too late for a precompiled header.
   const std::string source = "#define EIGEN_RUNTIME_NO_MALLOC\n" + reference(with_eigen_) +
                              "bool may_allocate() { return Eigen::internal::is_malloc_allowed(); }\n";
-  const Compiled compiled = compiler_.compile(with_eigen_, source, kit_.new_job("before-eigen"), kSeconds);
+  const Compiled compiled = compile(with_eigen_, source);
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
 TEST_F(CompilerTest, MessagesAreThoseOfTheFileItself) {
-  const Compiled compiled = compiler_.compile(
-      with_eigen_, "#include \"hair/stretch_springs.h\"\nint one = two;\n", kit_.new_job("wrong"), kSeconds);
+  const Compiled compiled = compile(with_eigen_, "#include \"hair/stretch_springs.h\"\nint one = two;\n");
   EXPECT_TRUE(compiled.object.empty());
   EXPECT_EQ(compiled.messages, "stretch_springs.cpp:2:11: error: 'two' was not declared in this scope\n");
-  EXPECT_EQ(compiled.log.find("precompiled"), std::string::npos) << compiled.log;
+  EXPECT_FALSE(says(compiled.log, "precompiled"));
 }
 
 TEST_F(CompilerTest, TellsTheErrorsThatAHeaderHasBecauseOfTheFile) {
@@ -70,11 +79,9 @@ TEST_F(CompilerTest, TellsTheErrorsThatAHeaderHasBecauseOfTheFile) {
          ": error: static assertion failed: YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES\n",
          "stretch_springs.cpp:2:"}}) {
     const Exercise& exercise = *course_.find(id);
-    const Compiled compiled =
-        compiler_.compile(exercise, source, kit_.new_job(std::to_string(source.size())), kSeconds);
-    for (const std::string& part : {error, place})
-      EXPECT_NE(compiled.messages.find(part), std::string::npos) << compiled.messages << compiled.log;
-    EXPECT_EQ(compiled.messages.find("/handout"), std::string::npos) << compiled.messages;
+    const Compiled compiled = compile(exercise, source);
+    for (const std::string& part : {error, place}) EXPECT_TRUE(says(compiled.messages, part)) << compiled.log;
+    EXPECT_FALSE(says(compiled.messages, "/handout"));
   }
 }
 
@@ -89,8 +96,7 @@ TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
   std::string first;
   for (int run = 0; run < 2; ++run) {
     forget_objects();
-    const Compiled compiled =
-        compiler_.compile(exercise, source, kit_.new_job("when-" + std::to_string(run)), kSeconds);
+    const Compiled compiled = compile(exercise, source);
     ASSERT_FALSE(compiled.object.empty()) << compiled.log;
     if (run == 0) {
       first = hair::bytes_of(compiled.object);
@@ -104,11 +110,11 @@ TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
 TEST_F(CompilerTest, WarningsAreKeptWithTheObject) {
   const Exercise& exercise = *course_.find("S1");
   const std::string source = reference(exercise) + "#warning look here\n";
-  const Compiled first = compiler_.compile(exercise, source, kit_.new_job("warns-1"), kSeconds);
+  const Compiled first = compile(exercise, source);
   ASSERT_FALSE(first.object.empty()) << first.log;
-  EXPECT_NE(first.log.find("look here"), std::string::npos) << first.log;
+  EXPECT_TRUE(says(first.log, "look here"));
   const fs::path job = kit_.new_job("warns-2");
-  const Compiled again = compiler_.compile(exercise, source, job, kSeconds);
+  const Compiled again = compile(exercise, source, job);
   EXPECT_FALSE(fs::exists(job / "source")) << "it was compiled once more";
   EXPECT_EQ(again.log, first.log);
 }
@@ -119,31 +125,28 @@ TEST_F(CompilerTest, AFileWithALotOfWarningsCompiles) {
   std::string warnings;
   for (int i = 0; i < 500; ++i)
     warnings += "#warning " + std::string(400, 'w') + " number " + std::to_string(i) + "\n";
-  const Compiled right =
-      compiler_.compile(exercise, reference(exercise) + warnings, kit_.new_job("warned"), kSeconds);
+  const Compiled right = compile(exercise, reference(exercise) + warnings);
   EXPECT_FALSE(right.object.empty());
   EXPECT_LT(right.log.size(), 70000U);
   for (const char* said : {"number 0 [", "bytes are left out here)", "number 499 ["})
-    EXPECT_NE(right.log.find(said), std::string::npos) << said;
-  const Compiled wrong = compiler_.compile(exercise, reference(exercise) + warnings + "int one = two;\n",
-                                           kit_.new_job("warned-and-wrong"), kSeconds);
+    EXPECT_TRUE(says(right.log, said));
+  const Compiled wrong = compile(exercise, reference(exercise) + warnings + "int one = two;\n");
   EXPECT_TRUE(wrong.object.empty());
-  EXPECT_NE(wrong.messages.find("'two' was not declared"), std::string::npos);
+  EXPECT_TRUE(says(wrong.messages, "'two' was not declared"));
 }
 
 TEST_F(CompilerTest, ASourceInAnotherEncodingIsToldByItsName) {
   const Exercise& exercise = *course_.find("S1");
   std::string wide;
   for (const char letter : reference(exercise)) wide += {letter, '\0'};
-  const Compiled utf16 = compiler_.compile(exercise, wide, kit_.new_job("utf-16"), kSeconds);
+  const Compiled utf16 = compile(exercise, wide);
   EXPECT_TRUE(utf16.object.empty());
   EXPECT_TRUE(utf16.messages.starts_with("conj_grad.cpp is UTF-16 (little-endian)")) << utf16.messages;
   // In a comment Latin-1 is no mistake, nor are NULs.
   const std::string stray = reference(exercise) + "// L\xf6sung\n" + std::string(3, '\0');
-  EXPECT_FALSE(compiler_.compile(exercise, stray, kit_.new_job("stray"), kSeconds).object.empty());
-  const Compiled both =
-      compiler_.compile(exercise, "int l\xf6sung;\nint one = two;\n", kit_.new_job("both"), kSeconds);
-  EXPECT_NE(both.messages.find("conj_grad.cpp holds a byte in line 1"), std::string::npos) << both.messages;
+  EXPECT_FALSE(compile(exercise, stray).object.empty());
+  const Compiled both = compile(exercise, "int l\xf6sung;\nint one = two;\n");
+  EXPECT_TRUE(says(both.messages, "conj_grad.cpp holds a byte in line 1"));
 }
 
 TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
@@ -153,8 +156,7 @@ TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
   {
     std::vector<std::jthread> threads;
     for (int i = 0; i < 2; ++i)
-      threads.emplace_back(
-          [&, i] { compiled[i] = compiler_.compile(exercise, reference(exercise), jobs[i], kSeconds); });
+      threads.emplace_back([&, i] { compiled[i] = compile(exercise, reference(exercise), jobs[i]); });
   }
   EXPECT_NE(fs::exists(jobs[0] / "source"), fs::exists(jobs[1] / "source"));
   EXPECT_NE(compiled[0].cpu_seconds > 0, compiled[1].cpu_seconds > 0);
@@ -164,10 +166,9 @@ TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
 
 TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {
   const Exercise& without = *course_.find("S1");
-  const Compiled compiled = compiler_.compile(without, "#include <Eigen/Core>\n" + reference(without),
-                                              kit_.new_job("without"), kSeconds);
+  const Compiled compiled = compile(without, "#include <Eigen/Core>\n" + reference(without));
   EXPECT_TRUE(compiled.object.empty());
-  EXPECT_NE(compiled.messages.find("Eigen/Core: No such file"), std::string::npos) << compiled.messages;
+  EXPECT_TRUE(says(compiled.messages, "Eigen/Core: No such file"));
 }
 
 // A file that does not compile is itself at fault, whatever it makes the tools print.
@@ -178,8 +179,7 @@ TEST_F(CompilerTest, IsNotToldByTheFileThatTheMachineFails) {
         std::string("#line 1 \"x\"\n#error Resource temporarily unavailable\n"),
         std::string("asm(\".globl cannot_execute\\n.error \\\"cannot execute\\\"\");\n"),
         std::string("void cannot() asm(\"cannot execute \x1b[31m\"); void f() { cannot(); }\n")}) {
-    const Compiled compiled =
-        compiler_.compile(exercise, source, kit_.new_job(std::to_string(source.size())), kSeconds);
+    const Compiled compiled = compile(exercise, source);
     EXPECT_TRUE(compiled.object.empty()) << source;
     EXPECT_NE(compiled.messages, "") << source;
   }
@@ -210,8 +210,7 @@ TEST_F(CompilerTest, EndsWhatTakesTooLong) {
 }
 
 TEST_F(CompilerTest, SaysWhatItTook) {
-  const Compiled compiled = compiler_.compile(
-      with_eigen_, "// never compiled before\n" + reference(with_eigen_), kit_.new_job("cost"), kSeconds);
+  const Compiled compiled = compile(with_eigen_, "// never compiled before\n" + reference(with_eigen_));
   EXPECT_GT(compiled.cpu_seconds, 0.1);
   EXPECT_LT(compiled.cpu_seconds, kSeconds);
 }

@@ -64,18 +64,9 @@ void PrecompiledHeader::make() const {
 
 std::optional<std::string> PrecompiledHeader::compile() const {
   const fs::path job = toolchain_.kit().new_job(std::string("precompile-") + name_of(build_)),
-                 in = job / "source";
-  fs::create_directory(in);
-  share_with_sandbox(in, false);
-  std::ofstream(in / "given.h") << kText;
-  fs::permissions(in / "given.h", fs::perms(0644));
-  const fs::path out = writable_folder(job / "object");
-
-  Sandbox sandbox = toolchain_.compiling(kLibraries, kMostSeconds);
+                 in = source_folder(job / "source", "given.h", kText), out = writable_folder(job / "object");
+  Sandbox sandbox = toolchain_.compiling(kLibraries, kMostSeconds, in, out);
   sandbox.limits.file_bytes = kMostBytes;
-  sandbox.mounts.push_back({in, kStudentFolder});
-  sandbox.mounts.push_back({out, "/out", true});
-  sandbox.folder = kStudentFolder;
   std::vector<std::string> command = toolchain_.compile_command(kLibraries, build_);
   command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
   const Toolchain::Run run = toolchain_.run(sandbox, command, "given.h");

@@ -136,6 +136,15 @@ Sandbox Toolchain::compiling(const std::vector<std::string>& libraries, double c
   return sandbox;
 }
 
+Sandbox Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_seconds,
+                             const fs::path& in, const fs::path& out) const {
+  Sandbox sandbox = compiling(libraries, cpu_seconds);
+  sandbox.mounts.push_back({in, kStudentFolder});
+  sandbox.mounts.push_back({out, "/out", true});
+  sandbox.folder = kStudentFolder;
+  return sandbox;
+}
+
 std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries,
                                                     Build build) const {
   std::vector<std::string> command = {program_};
@@ -156,6 +165,15 @@ std::vector<std::string> Toolchain::link_command(Build build) const {
   if (fs::exists("/usr/bin/ld.gold"))
     command.emplace_back("-fuse-ld=gold");  // takes a third of the default linker's time
   return command;
+}
+
+fs::path source_folder(const fs::path& path, const std::string& name, const std::string& text) {
+  fs::create_directory(path);
+  share_with_sandbox(path, false);
+  std::ofstream(path / name, std::ios::binary) << text;
+  fs::permissions(path / name, fs::perms(0644));
+  fs::last_write_time(path / name, fs::file_time_type());
+  return path;
 }
 
 fs::path writable_folder(const fs::path& path) {

@@ -44,6 +44,9 @@ class Toolchain {
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
                                            Build build = Build::ordinary) const;
 
+  // Adds `in`, where it runs, and `out`, where it writes.
+  Sandbox compiling(const std::vector<std::string>& libraries, double cpu_seconds,
+                    const std::filesystem::path& in, const std::filesystem::path& out) const;
   // Returns the same for linking: a sandbox without headers.
   Sandbox linking(double cpu_seconds) const;
   std::vector<std::string> link_command(Build build = Build::ordinary) const;
@@ -60,6 +63,10 @@ class Toolchain {
   std::string program_, version_;
   std::vector<Mount> system_;  // has compiler and linker
 };
+
+// Makes a folder with this file, for the sandbox's user. The file's date makes __TIMESTAMP__ constant.
+std::filesystem::path source_folder(const std::filesystem::path& path, const std::string& name,
+                                    const std::string& text);
 
 // Makes a folder that the sandbox's user may write to.
 std::filesystem::path writable_folder(const std::filesystem::path& path);

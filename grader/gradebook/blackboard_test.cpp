@@ -11,6 +11,7 @@ namespace grader::inline gradebook {
 namespace {
 
 using std::string;
+using tests::says;
 
 const string kLab = "Lab 3 [Total Pts: 10 Score] |664617";
 
@@ -89,18 +90,17 @@ TEST(BlackboardGradeCenter, RefusesColumnsThatItsImportWouldMakeAnew) {
         {"A [Total Pts: 10 Score] |1\tB", "Lab 4",
          "no column is \"Lab 4\"; give --column with one of \"A [Total"},
         {"A [Total Pts: 20 Score] |1", "", "is out of 20 points, and the grades are out of 10"}})
-    EXPECT_NE(refused(one.titles, one.wanted).find(one.why), string::npos) << refused(one.titles, one.wanted);
+    EXPECT_TRUE(says(refused(one.titles, one.wanted), one.why));
   for (const char* wanted : {"", "Lab [1: 2]", "7", "|7"})
     EXPECT_EQ(refused("Lab [1: 2] [Total Pts: 10] |7", wanted), "") << wanted;
-  EXPECT_NE(tests::refusal<BadInput>([] {
-              fill_blackboard(parse_csv("User\t" + kLab + "\nso12\t\n", "gc.xls"), {}, {});
-            }).find("no title is Username"),
-            string::npos);
-  EXPECT_NE(tests::refusal<BadInput>([] {
-              fill_blackboard(parse_csv("Username\t" + kLab + "\nso13\t\n", "gc.xls"),
-                              {blackboard_grade("so12", 1)}, {});
-            }).find("nobody who has a grade here is in it"),
-            string::npos);
+  EXPECT_TRUE(says(tests::refusal<BadInput>(
+                       [] { fill_blackboard(parse_csv("User\t" + kLab + "\nso12\t\n", "gc.xls"), {}, {}); }),
+                   "no title is Username"));
+  EXPECT_TRUE(says(tests::refusal<BadInput>([] {
+                     fill_blackboard(parse_csv("Username\t" + kLab + "\nso13\t\n", "gc.xls"),
+                                     {blackboard_grade("so12", 1)}, {});
+                   }),
+                   "nobody who has a grade here is in it"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace grader::inline gradebook {
 namespace {
 
 using std::string;
+using tests::says;
 using Scores = std::map<string, string>;
 
 const string kTitles =
@@ -52,7 +53,7 @@ TEST(MoodleWorksheet, ImportsTheGrades) {
   EXPECT_EQ(book.written, 2u);
   EXPECT_TRUE(says(book, "line 4: hand_in_4713's grade is not entered: Moodle has locked it"));
   EXPECT_TRUE(says(book, "1 person has no grade here"));
-  EXPECT_NE(book.csv.find("<p>3 tests failed</p>\n"), string::npos);
+  EXPECT_TRUE(says(book.csv, "<p>3 tests failed</p>\n"));
   for (const Csv::Row& row : parse_csv(book.csv, "x").rows)
     for (const string& cell : row.cells) EXPECT_FALSE(starts_formula(cell)) << cell;
 }
@@ -74,14 +75,13 @@ TEST(MoodleWorksheet, DecimalsAreTheWorksheets) {
   commas.replace(commas.find("7.50"), 4, "\"7,50\"");
   const Gradebook book = fill_sheet(commas, {moodle_grade("4711", 9.5)});
   EXPECT_EQ(import_into_moodle(book.csv, kParticipants, true).scores, (Scores{{"4711", "9.5"}}));
-  EXPECT_NE(book.csv.find("\"9,5\""), string::npos);
+  EXPECT_TRUE(says(book.csv, "\"9,5\""));
   EXPECT_TRUE(says(book, "not certain: decimals have a comma"));
 }
 
 TEST(MoodleWorksheet, AnotherMaximumIsNoAccident) {
-  EXPECT_NE(sheet_error_of(kTitles + "Participant 4711,A,S,,5.00,Yes,-,-,\n")
-                .find("is out of 5 points, and the grades are out of 10"),
-            string::npos);
+  EXPECT_TRUE(says(sheet_error_of(kTitles + "Participant 4711,A,S,,5.00,Yes,-,-,\n"),
+                   "is out of 5 points, and the grades are out of 10"));
   const Gradebook book =
       fill_sheet(kWorksheet, {moodle_grade("4711", 150, 200)}, {.column = "", .scale = true});
   EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores.at("4711"), "7.5");
@@ -160,24 +160,18 @@ TEST(MoodleWorksheet, InAnotherLanguageHasTheGradesThatAPersonNames) {
       replaced(replaced(in_language(kLanguages[0]), "Vollständiger Name,", "Vollständiger Name,Alt,Von,"),
                "Submitted for grading,", "3,20,Submitted for grading,");
   const string two = replaced(unclear, "Ann Oh,", "Ann Oh,,20,");
-  EXPECT_NE(sheet_error_of(two).find(
-                "several columns look like grades; give --column with one of \"Alt\", \"Bewertung\""),
-            string::npos)
-      << sheet_error_of(two);
+  EXPECT_TRUE(says(sheet_error_of(two),
+                   "several columns look like grades; give --column with one of \"Alt\", \"Bewertung\""));
   const Gradebook book = fill_sheet(two, {moodle_grade("4711", 9)}, {.column = "bewertung"});
-  EXPECT_NE(
-      book.csv.find("Teilnehmer/in 4711,Jörg Müller-Lüdenscheidt,3,20,Submitted for grading,9,10.00,Ja"),
-      string::npos)
-      << book.csv;
-  EXPECT_NE(sheet_error_of(in_language(kLanguages[0]), {.column = "Note"}).find("no title is \"Note\""),
-            string::npos);
+  EXPECT_TRUE(
+      says(book.csv, "Teilnehmer/in 4711,Jörg Müller-Lüdenscheidt,3,20,Submitted for grading,9,10.00,Ja"));
+  EXPECT_TRUE(says(sheet_error_of(in_language(kLanguages[0]), {.column = "Note"}), "no title is \"Note\""));
   const string words =
       replaced(replaced(in_language(kLanguages[0]), "10.00", "\"Gut, Schlecht\""), "7.50", "");
-  EXPECT_NE(
-      sheet_error_of(words).find(
-          "no column looks like grades with a maximum behind it; give --column with the title of the grades"),
-      string::npos);
-  EXPECT_NE(sheet_error_of(words, {.column = "Bewertung"}).find("is a scale of words"), string::npos);
+  EXPECT_TRUE(says(
+      sheet_error_of(words),
+      "no column looks like grades with a maximum behind it; give --column with the title of the grades"));
+  EXPECT_TRUE(says(sheet_error_of(words, {.column = "Bewertung"}), "is a scale of words"));
 }
 
 TEST(MoodleWorksheet, InAnotherLanguageMayBeBlind) {
@@ -187,24 +181,17 @@ TEST(MoodleWorksheet, InAnotherLanguageMayBeBlind) {
     blind += "Teilnehmer/in " + string(id) +
              ",Zur Bewertung abgegeben,,\"10,00\",Ja,\"Dienstag, 4. März 2025, 10:15\",-,\n";
   const Gradebook book = fill_sheet(blind, {moodle_grade("4712", 9.5)});
-  EXPECT_NE(book.csv.find("4712,Zur Bewertung abgegeben,\"9,5\",\"10,00\""), string::npos) << book.csv;
+  EXPECT_TRUE(says(book.csv, "4712,Zur Bewertung abgegeben,\"9,5\",\"10,00\""));
 }
 
 TEST(MoodleWorksheet, SaysWhatIsNoWorksheet) {
-  EXPECT_NE(sheet_error_of("id,name\n1,A\n").find("sheet.csv, line 1: no title is \"Identifier\", and"),
-            string::npos);
-  EXPECT_NE(sheet_error_of("Identifier,Bewertung,x\nTeilnehmer/in 4711,,-\n")
-                .find("give --column with the title of the grades"),
-            string::npos);
-  EXPECT_NE(sheet_error_of("Identifier,Grade,x\nParticipant 4711,,-\n")
-                .find("no title is \"Last modified (grade)\""),
-            string::npos);
-  EXPECT_NE(
-      sheet_error_of(kTitles + "Participant 4711,A,S\n").find("line 2: has 3 cells, and there are 9 titles"),
-      string::npos);
-  EXPECT_NE(sheet_error_of(kTitles + "Participant 4711,A,S,,\"Good, Bad\",Yes,-,-,\n")
-                .find("\"Good, Bad\" is a scale of words"),
-            string::npos);
+  for (const auto& [text, why] : std::vector<std::pair<string, string>>{
+           {"id,name\n1,A\n", "sheet.csv, line 1: no title is \"Identifier\", and"},
+           {"Identifier,Bewertung,x\nTeilnehmer/in 4711,,-\n", "give --column with the title of the grades"},
+           {"Identifier,Grade,x\nParticipant 4711,,-\n", "no title is \"Last modified (grade)\""},
+           {kTitles + "Participant 4711,A,S\n", "line 2: has 3 cells, and there are 9 titles"},
+           {kTitles + "Participant 4711,A,S,,\"Good, Bad\",Yes,-,-,\n", "\"Good, Bad\" is a scale of words"}})
+    EXPECT_TRUE(says(sheet_error_of(text), why));
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "grader/intake/draft.h"
 #include "grader/intake/hand_in_reader.h"
-#include "grader/intake/layouts/several_people.h"
 #include "grader/intake/layouts/system.h"
 
 namespace grader::inline intake {
@@ -34,6 +33,12 @@ Argument checked_argument(const std::filesystem::path& file);
 // Makes a draft of the argument, or of a path `below` it.
 Draft new_draft(const Owner& owner, const Argument& argument, const std::string& below,
                 const IntakeLimits& limits);
+
+struct Arguments {
+  bool several = false;  // each argument is then one student's hand-in
+  bool classes = false;  // the caller says that each may be a class
+  bool may_be_class() const { return classes || !several; }
+};
 
 // Holds the drafts of an argument, and their parts of its container.
 struct Planned {

@@ -70,9 +70,8 @@ class Generator {
   int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
   bool chance(int of) { return below(of) == 0; }
   std::string any_name(int i) {
-    static const std::vector<std::string> kFirst{
-        "Ann",        "J\xc3\xb6rg", "O'Brien",     "Mary-Lou",  "\xe7\x8e\x8b\xe4\xbc\x9f",
-        "de la Cruz", "LATE",        "Se\xc3\xa1n", "Zo\xc3\xab"};
+    static const std::vector<std::string> kFirst{"Ann",        "Jörg", "O'Brien", "Mary-Lou", "王伟",
+                                                 "de la Cruz", "LATE", "Seán",    "Zoë"};
     return kFirst[static_cast<std::size_t>(below(static_cast<int>(kFirst.size())))] + " " +
            std::string(1, static_cast<char>('A' + i)) + "son";
   }

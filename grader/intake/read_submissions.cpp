@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "grader/course/input.h"
 #include "grader/intake/archives/folder.h"
 #include "grader/intake/clashes.h"
 #include "grader/intake/draft.h"
 #include "grader/intake/hand_in_reader.h"
+#include "grader/intake/layouts/system.h"
 #include "grader/intake/left_over.h"
 #include "grader/intake/names/archive_format.h"
 #include "grader/intake/names/ignored.h"
@@ -24,6 +28,23 @@ namespace grader::inline intake {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Returns why an argument of this name, which holds submissions of these names, is no class: a part of a
+// sentence for staff, which kSaysClass ends. Empty: it is a class.
+std::string why_no_class(const std::vector<std::string>& names, std::string_view name,
+                         const Arguments& arguments) {
+  if (arguments.classes) return {};
+  std::string why;
+  if (arguments.several)
+    why = "is one of several arguments";
+  else if (names.size() > 1 && std::ranges::count(names, submission_name(name)) > 0)
+    why = "is called as one of them";
+  else if (told_by_name(name, false) || told_by_name(without_archive_ending(name), true))
+    why = "is called as a learning system calls one student's";
+  if (why.empty()) return {};
+  return "was not graded: it holds hand-ins under people's names (" + some_of(names) + "), and " + why +
+         ", so it may be one student's hand-in; if it is a class, say";
+}
 
 constexpr std::size_t kClassEntriesFactor = 10;
 constexpr std::uintmax_t kMostShrinking = 20;

@@ -14,7 +14,7 @@
 // Each of several arguments is a hand-in of one student: a hand-in can look like a class, and must not act
 // for others. One that looks so is refused, unless the caller says that there are classes. A lone argument is
 // refused if it looks so and has a hand-in's name: that of a folder or archive in it, or one that a learning
-// system gives. See several_people.h.
+// system gives.
 //
 // Nobody gets lost: an archive, or a document in the place of one, always gives a submission, and every file
 // is accounted for.

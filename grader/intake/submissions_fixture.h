@@ -93,8 +93,9 @@ class Submissions : public testing::Test {
     for (const Submission& submission : submissions) names.push_back(submission.name);
     return names;
   }
-  static std::string bad_input(const std::vector<fs::path>& arguments) {
-    return tests::refusal<BadInput>([&] { read(arguments); });
+  static std::string bad_input(const std::vector<fs::path>& arguments, const IntakeChoices& choices = {}) {
+    return tests::refusal<BadInput>(
+        [&] { read_submissions(arguments, two_exercises(), opener(), {}, choices); });
   }
 
   hair::TemporaryFolder temporary_{"intake"};

@@ -17,7 +17,7 @@ SuiteJob job() {
   job.seed = "5eed";
   job.kit = "/tmp/kit";
   job.provided = {"S1", "P1"};
-  job.objects = {"/tmp/a b/H4.so", "/tmp/\xc3\xb6.so"};
+  job.objects = {"/tmp/a b/H4.so", "/tmp/ö.so"};
   job.log = "/tmp/log";
   job.isolation = Isolation::none;
   job.cpu_seconds = 7;

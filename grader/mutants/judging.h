@@ -8,9 +8,17 @@
 #include "grader/compile/compiler.h"
 #include "grader/compile/kit.h"
 #include "grader/grading/suite_jobs.h"
-#include "grader/mutants/judgement.h"
+#include "grader/result/result.h"
 
 namespace grader::inline mutants {
+
+enum class Judgement { does_not_compile, loses_points, gets_all };
+
+struct Judged {
+  Judgement judgement = Judgement::does_not_compile;
+  // Lists categories, also the whole run; empty if they were not counted.
+  std::vector<CaseResult> lost = {};
+};
 
 class Judging {
  public:

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <regex>
@@ -17,11 +18,13 @@
 #include "grader/package/manifest.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::says;
 
 class RealProject : public testing::Test {
  protected:
@@ -142,7 +145,7 @@ TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
     ++items;
     const std::string row =
         "| [" + found[2].str() + "](" + found[2].str() + ".json) | " + found[1].str() + " |";
-    EXPECT_NE(scenes.find(row), std::string::npos) << line;
+    EXPECT_TRUE(says(scenes, row)) << line;
   }
   EXPECT_GE(items, 5);
 }
@@ -163,7 +166,7 @@ TEST_F(RealProject, ShowsEachExerciseByASceneThatCallsIt) {
     ASSERT_NE(at, std::string::npos) << exercise.id << ": " << exercise.show;
     const std::size_t begin = at + name.size();
     const std::string called = ", " + scenes.substr(begin, scenes.find(" |", begin) - begin) + ",";
-    EXPECT_NE(called.find(", " + exercise.id + ","), std::string::npos) << exercise.id << ": " << called;
+    EXPECT_TRUE(says(called, ", " + exercise.id + ",")) << exercise.id << ": ";
   }
 }
 
@@ -262,13 +265,11 @@ TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
                            "\nbuild/hairlab run head-of-hair --jobs 2",
                            "\nbuild/hairlab study long-straight --out study            # error against run "
                            "time, of each method\n"})
-    EXPECT_NE(readme.find(line), std::string::npos) << line << readme;
-  EXPECT_NE(
-      files.at("assignment/work-precision.md").find("\nbuild/hairlab study long-straight --out study\n"),
-      std::string::npos);
-  EXPECT_NE(
-      files.at("exercises/H4/text.md").find("\n\n*(Not in your course: the scene angular-momentum.)*\n\n"),
-      std::string::npos);
+    EXPECT_TRUE(says(readme, line));
+  EXPECT_TRUE(
+      says(files.at("assignment/work-precision.md"), "\nbuild/hairlab study long-straight --out study\n"));
+  EXPECT_TRUE(
+      says(files.at("exercises/H4/text.md"), "\n\n*(Not in your course: the scene angular-momentum.)*\n\n"));
 }
 
 // Some hand in the whole folder, or the two folders whose names promise their files.
@@ -299,11 +300,9 @@ TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
   for (Exercise& exercise : course_.exercises)
     if (exercise.id == "S1" || exercise.id == "S2") exercise.role = Role::given;
   const std::string readme = handout_files(sources_, course_).at("README.md");
-  EXPECT_NE(
-      readme.find("begins with P1: read `check-P1` for `check-S1` and `student/explicit_integrators.cpp` "
-                  "for `student/conj_grad.cpp`"),
-      std::string::npos)
-      << readme;
+  EXPECT_TRUE(says(readme,
+                   "begins with P1: read `check-P1` for `check-S1` and `student/explicit_integrators.cpp` "
+                   "for `student/conj_grad.cpp`"));
 }
 
 // The build needs the packages in packages.cmake.
@@ -351,17 +350,40 @@ TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
     if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
     for (const char* word :
          {"jthread", "stop_token", "atomic_ref", "std::format", "std::execution", "<stacktrace>"})
-      EXPECT_EQ(text.find(word), std::string::npos) << path << ": " << word;
+      EXPECT_FALSE(says(text, word)) << path << ": ";
   }
 }
 
-// A text promises only numbers that a command or a check prints.
-TEST_F(RealProject, PromisesWhatIsThere) {
-  const auto text = [&](const char* name) { return hair::bytes_of(root_ / "handout/assignment" / name); };
-  EXPECT_NE(text("README.md").find("fewer than five checks it says only that the category is not right"),
-            std::string::npos);
-  // check-H5 goes to 60 segments.
-  EXPECT_EQ(text("H5-length-correction.md").find("| 120 | 108,066 | |"), std::string::npos);
+// Lists the project's headers that a text includes, "hair/strand.h".
+std::vector<std::string> included_by(const std::string& text) {
+  static const std::regex line("#include \"([^\"]+)\"");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
+    found.push_back((*it)[1]);
+  return found;
+}
+
+// On top lie only the exercises' headers and those that these and the stubs include.
+TEST(ContractsOnTop, AreThereAndNoOtherGivenCode) {
+  const fs::path root = HAIR_SOURCE_DIR;
+  const Course course = read_course(root / "handout/exercises.json");
+  const Files files = handout_files({root, HAIR_GOLDEN_DIR}, course);
+  std::vector<std::string> open = {"solver/lecture/linearSolver.h"};
+  for (const Exercise& exercise : course.exercises) {
+    open.push_back(exercise.header);
+    for (const std::string& header : included_by(files.at(stub_of(exercise)))) open.push_back(header);
+  }
+  Paths contracts;
+  while (!open.empty()) {
+    const std::string header = open.back();
+    open.pop_back();
+    if (!contracts.insert(header).second) continue;
+    ASSERT_TRUE(files.contains(header)) << header << " is a contract or a part of one, and must lie on top";
+    for (const std::string& other : included_by(files.at(header))) open.push_back(other);
+  }
+  for (const auto& [path, text] : files)
+    for (const char* room : {"solver/", "particles/", "hair/"})
+      EXPECT_TRUE(!path.starts_with(room) || contracts.contains(path)) << path << " must lie below given/";
 }
 
 }  // namespace

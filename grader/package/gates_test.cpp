@@ -12,6 +12,8 @@
 namespace grader::inline package {
 namespace {
 
+using tests::says;
+
 const std::string solution =
     "// the solution\n"
     "#include <vector>\n"
@@ -21,55 +23,49 @@ const std::string solution =
     "  return y * y;\n"
     "}\n";
 
-// Returns the message that `call` throws, or nothing.
-template <typename Call>
-std::string complaint_of(Call call) {
-  return tests::refusal<HandoutError>([&] { call(); });
-}
-
-TEST(ListingGate, OpensForWhatIsListed) {
-  EXPECT_EQ(complaint_of([] { check_listing({{"a", ""}, {"b/c", ""}}, {"a", "b/c"}); }), "");
-}
-
-TEST(ListingGate, ClosesForAFileTooManyOrTooFew) {
-  EXPECT_EQ(complaint_of([] {
-              check_listing({{"a", ""}, {"secret", ""}}, {"a"});
-            }),
+TEST(ListingGate, OpensForWhatIsListedAlone) {
+  const auto said = [](const Files& files, const Paths& listed) {
+    return tests::refusal<HandoutError>([&] { check_listing(files, listed); });
+  };
+  EXPECT_EQ(said({{"a", ""}, {"b/c", ""}}, {"a", "b/c"}), "");
+  EXPECT_EQ(said({{"a", ""}, {"secret", ""}}, {"a"}),
             "the archive holds secret, which the manifest does not list");
-  EXPECT_EQ(complaint_of([] {
-              check_listing({{"a", ""}}, {"a", "b"});
-            }),
-            "the archive lacks b, which the manifest lists");
+  EXPECT_EQ(said({{"a", ""}}, {"a", "b"}), "the archive lacks b, which the manifest lists");
 }
 
 TEST(AcceptedGate, OpensForTheListAndSaysWhatIsNewOrGone) {
-  EXPECT_EQ(complaint_of([] { check_accepted({"a", "b"}, {"a", "b"}); }), "");
-  const std::string said = complaint_of([] { check_accepted({"a", "b"}, {"a", "c"}); });
-  EXPECT_NE(said.find("\nb is new\nc is gone\n"), std::string::npos) << said;
+  const auto said = [](const Paths& accepted) {
+    return tests::refusal<HandoutError>([&] { check_accepted({"a", "b"}, accepted); });
+  };
+  EXPECT_EQ(said({"a", "b"}), "");
+  EXPECT_TRUE(says(said({"a", "c"}), "\nb is new\nc is gone\n"));
 }
 
-TEST(CanaryGate, ClosesForAFileOfTheStaffs) {
-  const Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
-  EXPECT_NE(complaint_of([&] { check_canary(handout, {}); }).find("student/f.cpp"), std::string::npos);
-}
-
-TEST(CanaryGate, ExemptsExactlyTheSolvedFiles) {
+TEST(CanaryGate, ClosesForAFileOfTheStaffsUnlessItIsSolved) {
   Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
-  EXPECT_EQ(complaint_of([&] { check_canary(handout, {"student/f.cpp"}); }), "");
+  const auto said = [&](const Paths& solved) {
+    return tests::refusal<HandoutError>([&] { check_canary(handout, solved); });
+  };
+  EXPECT_TRUE(says(said({}), "student/f.cpp"));
+  EXPECT_EQ(said({"student/f.cpp"}), "");
   handout["notes/f.cpp"] = handout["student/f.cpp"];
-  EXPECT_NE(complaint_of([&] { check_canary(handout, {"student/f.cpp"}); }).find("notes/f.cpp"),
-            std::string::npos);
+  EXPECT_TRUE(says(said({"student/f.cpp"}), "notes/f.cpp"));
+}
+
+// Returns the gate's complaint about a file with this text; empty: the gate is open.
+std::string complaint_of(const std::string& text, const std::string& reference = solution,
+                         const Paths& solved = {}) {
+  return tests::refusal<HandoutError>([&] {
+    check_reference_lines({{"text.md", text}}, {{"f.cpp", reference}}, solved);
+  });
 }
 
 TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
-  const std::string leak =
+  const std::string said = complaint_of(
       "An example:\n\n\tdouble f(double x) {\n\n\n    const double y = 2 * x;\r\nreturn y * y;\n}  \nand so "
-      "on\n";
-  const std::string said = complaint_of([&] {
-    check_reference_lines({{"text.md", leak}}, {{"f.cpp", solution}}, {});
-  });
-  EXPECT_NE(said.find("text.md:3"), std::string::npos) << said;
-  EXPECT_NE(said.find("reference/f.cpp:3"), std::string::npos) << said;
+      "on\n");
+  EXPECT_TRUE(says(said, "text.md:3"));
+  EXPECT_TRUE(says(said, "reference/f.cpp:3"));
 }
 
 TEST(ReferenceLinesGate, ClosesForFourLinesInAnyDress) {
@@ -83,75 +79,45 @@ TEST(ReferenceLinesGate, ClosesForFourLinesInAnyDress) {
       dressed("// ", "\n"), dressed(" * ", "\n"),     dressed("> // ", "\r\n"),  dressed("", " // so\n"),
       dressed("", " "),     dressed("\"", "\\n\"\n"), dressed("&lt;", "&gt;\n"), dressed("", "\n\n// and\n")};
   for (const std::string& leak : dresses)
-    for (const std::string& secret : {solution, std::string("// f\n") + dressed("", "  // why\n")}) {
-      const std::string said = complaint_of([&] {
-        check_reference_lines({{"text.md", leak}}, {{"f.cpp", secret}}, {});
-      });
-      EXPECT_NE(said.find("text.md:1"), std::string::npos) << leak << said;
-    }
+    for (const std::string& secret : {solution, std::string("// f\n") + dressed("", "  // why\n")})
+      EXPECT_TRUE(says(complaint_of(leak, secret), "text.md:1")) << leak;
 }
 
-TEST(ReferenceLinesGate, LooksPastUsingAndNamespace) {
-  const std::string secret = "double f(double x) {\nusing std::abs;\nreturn 2 * abs(x) +\nx / 17.25;\n}\n";
-  for (const std::string leak :
-       {"// double f(double x) {\n// using std::abs;\n// return 2 * abs(x) +\n// x / 17.25;\n// }\n",
-        "namespace hair { double f(double x) { return 2 * abs(x) + x / 17.25; } }"})
-    EXPECT_NE(complaint_of([&] {
-                check_reference_lines({{"text.md", leak}}, {{"f.cpp", secret}}, {});
-              }),
-              "")
-        << leak;
-}
-
-// A secret needs three lines with letters, 30 in all.
-TEST(ReferenceLinesGate, OpensForWhatAnybodyMayWrite) {
-  const auto says = [](const std::string& text) {
-    return complaint_of([&] { check_reference_lines({{"text.md", text}}, {{"f.cpp", text}}, {}); });
+TEST(ReferenceLinesGate, ClosesAndOpens) {
+  const std::string names = "double f(double x) {\nusing std::abs;\nreturn 2 * abs(x) +\nx / 17.25;\n}\n",
+                    includes =
+                        "#include <cmath>\n#include <limits>\n\n  #include <string>\n#include <vector>\n";
+  const auto itself = [](const std::string& text) { return std::pair(text, text); };
+  const struct {
+    const char* what;
+    std::pair<std::string, std::string> text;  // and the reference
+    bool closes;
+    Paths solved = {};
+  } rows[] = {
+      {"past using",
+       {"// double f(double x) {\n// using std::abs;\n// return 2 * abs(x) +\n// x / 17.25;\n// }\n", names},
+       true},
+      {"past namespace",
+       {"namespace hair { double f(double x) { return 2 * abs(x) + x / 17.25; } }", names},
+       true},
+      // A secret needs three lines with letters, 30 in all.
+      {"29 letters", itself("one_of_ten\nten_of_ten\n}\nnineteen9\n"), false},
+      {"30 letters", itself("one_of_ten\nten_of_ten\n}\nnineteen10\n"), true},
+      {"two lines with letters", itself("(one_of_ten\n{\n}\nlong_enough_to_be_a_secret_of_its_own)\n"),
+       false},
+      {"five lines, 29 letters", itself("a;\nb;\nc;\n}\nlast_of_twenty_six_letters\n"), false},
+      {"five lines, 30 letters", itself("a;\nb;\nc;\n}\nlast_of_twenty_seven_letter\n"), true},
+      {"three lines", {"  const double y = 2 * x;\n  return y * y;\n}\n", solution}, false},
+      {"includes alone", {includes, includes + solution}, false},
+      {"includes and more", {includes + solution, includes + solution}, true},
+      {"a stub",
+       {"double f(double) {\n  throw NotImplemented(\"f\");\n}\n/*\n" + solution + "*/\n", solution},
+       true},
+      {"a solved file", itself(solution), false, {"text.md"}},
+      {"another file than the solved one", itself(solution), true, {"other.md"}},
   };
-  EXPECT_EQ(says("one_of_ten\nten_of_ten\n}\nnineteen9\n"), "");
-  EXPECT_NE(says("one_of_ten\nten_of_ten\n}\nnineteen10\n"), "");
-  EXPECT_EQ(says("(one_of_ten\n{\n}\nlong_enough_to_be_a_secret_of_its_own)\n"), "");
-  EXPECT_EQ(says("a;\nb;\nc;\n}\nlast_of_twenty_six_letters\n"), "") << "29 letters";
-  EXPECT_NE(says("a;\nb;\nc;\n}\nlast_of_twenty_seven_letter\n"), "") << "five lines";
-}
-
-TEST(ReferenceLinesGate, OpensForThreeLines) {
-  const std::string three = "  const double y = 2 * x;\n  return y * y;\n}\n";
-  EXPECT_EQ(complaint_of([&] {
-              check_reference_lines({{"text.md", three}}, {{"f.cpp", solution}}, {});
-            }),
-            "");
-}
-
-TEST(ReferenceLinesGate, OverlooksWhatIsIncluded) {
-  const std::string includes =
-      "#include <cmath>\n#include <limits>\n\n  #include <string>\n#include <vector>\n";
-  const Files reference = {{"f.cpp", includes + solution}};
-  EXPECT_EQ(complaint_of([&] { check_reference_lines({{"g.cpp", includes}}, reference, {}); }), "");
-  EXPECT_NE(complaint_of([&] {
-              check_reference_lines({{"g.cpp", includes + solution}}, reference, {});
-            }),
-            "");
-}
-
-TEST(ReferenceLinesGate, ClosesForAStubThatSaysWhatItShouldNot) {
-  const std::string stub = "double f(double) {\n  throw NotImplemented(\"f\");\n}\n/*\n" + solution + "*/\n";
-  EXPECT_NE(complaint_of([&] {
-              check_reference_lines({{"student/f.cpp", stub}}, {{"f.cpp", solution}}, {});
-            }),
-            "");
-}
-
-TEST(ReferenceLinesGate, ExemptsExactlyTheSolvedFiles) {
-  const Files reference = {{"f.cpp", solution}};
-  EXPECT_EQ(complaint_of([&] {
-              check_reference_lines({{"student/f.cpp", solution}}, reference, {"student/f.cpp"});
-            }),
-            "");
-  EXPECT_NE(complaint_of([&] {
-              check_reference_lines({{"student/g.cpp", solution}}, reference, {"student/f.cpp"});
-            }),
-            "");
+  for (const auto& [what, text, closes, solved] : rows)
+    EXPECT_EQ(complaint_of(text.first, text.second, solved) != "", closes) << what;
 }
 
 // The canary guards only files that carry it.

@@ -12,11 +12,13 @@
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::says;
 
 const std::string kSolved =
     "// STAFF ONLY. f\nint f() {\n  int one = 1;\n  int two = 2;\n  int three = 3;\n  return one + two + "
@@ -151,7 +153,7 @@ TEST_F(SmallProject, FillsInATextsPointsAndLinks) {
             "# E1\n\n7.5 points, in these categories:\n\n| category | points | asks for |\n|---|---|---|\n"
             "| All | 3 | it |\n| Rest | 4.5 | $x$ |\n[contract](../../given/hair/scenes/one.json)\n");
   course_.exercises[0].role = Role::given;
-  EXPECT_NE(files().at("exercises/E1/text.md").find("| All | - | it |"), std::string::npos);
+  EXPECT_TRUE(says(files().at("exercises/E1/text.md"), "| All | - | it |"));
   EXPECT_EQ(nlohmann::json::parse(files().at("exercises/E2/categories.json"))[0]["points"], 3);
 }
 
@@ -191,18 +193,18 @@ TEST_F(SmallProject, DatesFilesByTheNewestCommitThatIsNotToCome) {
 TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
   list("reference/E2/g.cpp -> check/example.cpp");
   accept();
-  EXPECT_NE(complaint().find("check/example.cpp says STAFF ONLY"), std::string::npos);
+  EXPECT_TRUE(says(complaint(), "check/example.cpp says STAFF ONLY"));
 }
 
 TEST_F(SmallProject, ClosesForReferenceLinesInAText) {
   std::ofstream(root_ / "handout/README.md", std::ios::app) << kSolved.substr(kSolved.find('\n'));
-  EXPECT_NE(complaint().find("README.md:3: what it says stands in reference/E1/f.cpp:2"), std::string::npos);
+  EXPECT_TRUE(says(complaint(), "README.md:3: what it says stands in reference/E1/f.cpp:2"));
 }
 
 TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
   course_.exercises[0].role = Role::given;
   write("handout/exercises/E2/g.cpp", kSolved.substr(kSolved.find('\n')));
-  EXPECT_NE(complaint().find("stubs/g.cpp.stub"), std::string::npos);
+  EXPECT_TRUE(says(complaint(), "stubs/g.cpp.stub"));
 }
 
 TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {
@@ -217,7 +219,7 @@ TEST_F(SmallProject, LeavesTheTestsOfAFolderOut) {
   for (const std::string name : {"a_test.cpp", "test_hair.h", "tests.cmake"})
     write("solver/lib/" + name, "STAFF ONLY. #include <gtest/gtest.h>\n");
   EXPECT_EQ(complaint(), "");
-  for (const auto& [path, bytes] : files()) EXPECT_EQ(path.find("test"), std::string::npos) << path;
+  for (const auto& [path, bytes] : files()) EXPECT_FALSE(says(path, "test"));
 }
 
 TEST_F(SmallProject, ClosesForAFolderThatHoldsATestOfAnotherNameABenchmarkOrAStaffFile) {
@@ -235,8 +237,7 @@ TEST_F(SmallProject, ClosesForAFolderThatHoldsATestOfAnotherNameABenchmarkOrASta
         {"any_bytes.cpp", "extern \"C\" int LLVMFuzzerTestOneInput();\n", "of a fuzz program"},
         {"notes.md", "# Notes\n\nSTAFF ONLY\n", "a staff file"}}) {
     write("solver/lib/" + name, text);
-    EXPECT_NE(complaint().find("manifest.txt:7: solver/lib/" + name + " is " + kind), std::string::npos)
-        << complaint();
+    EXPECT_TRUE(says(complaint(), "manifest.txt:7: solver/lib/" + name + " is " + kind));
     EXPECT_THROW(accept(), HandoutError) << name;
     fs::remove(root_ / "solver/lib" / name);
   }
@@ -273,15 +274,9 @@ TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
   EXPECT_THROW(make_handout(sources_, course_, root_), BadInput);
   EXPECT_THROW(make_handout(sources_, course_, root_ / "nowhere/handout.tar.gz"), BadInput);
   fs::remove(root_ / "build/golden/g.mtx");
-  try {
-    make_handout(sources_, course_, out_);
-    FAIL() << "a golden file is missing";
-  } catch (const BadInput& error) {
-    EXPECT_NE(std::string(error.what()).find("manifest.txt:4"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("g.mtx is not made yet; start this by ./grader/grade"),
-              std::string::npos)
-        << error.what();
-  }
+  const std::string why = tests::refusal<BadInput>([&] { make_handout(sources_, course_, out_); });
+  EXPECT_TRUE(says(why, "manifest.txt:4"));
+  EXPECT_TRUE(says(why, "g.mtx is not made yet; start this by ./grader/grade"));
 }
 
 }  // namespace

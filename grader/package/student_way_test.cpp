@@ -15,11 +15,13 @@
 #include "grader/package/handout.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline package {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::says;
 
 struct Ran {
   int code;
@@ -37,7 +39,7 @@ class StudentsWay : public testing::Test {
  protected:
   void unpack() {
     make_handout(sources_, course_, folder_ / "handout.tar.gz");
-    ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0);
+    does("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'");
   }
 
   // Runs a command in the handout's folder, with the environment of a new shell.
@@ -55,6 +57,12 @@ class StudentsWay : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
   }
 
+  // Runs a command that must succeed, and returns its output.
+  std::string does(const std::string& command) const {
+    Ran ran = run(command);
+    if (ran.code != 0) throw std::runtime_error(command + " failed:\n" + ran.output);
+    return std::move(ran.output);
+  }
   // Starts checks, whose AddressSanitizer must work wherever the kernel puts memory. Code 77: this machine
   // can't try it.
   Ran start(int times, const std::string& programs) const {
@@ -83,11 +91,10 @@ class SlowWay : public StudentsWay {};
 
 void StudentsWay::go_from_the_archive_to_the_hand_in(const std::string& options, int starts) {
   unpack();
-  Ran ran = run(configure_ + " -DSTUDENT=ada" + options);
-  ASSERT_EQ(ran.code, 0) << ran.output;
-  ran = run("cmake --build build --parallel 2 --target check-S1");
+  does(configure_ + " -DSTUDENT=ada" + options);
+  Ran ran = run("cmake --build build --parallel 2 --target check-S1");
   EXPECT_EQ(ran.code, 0) << "it tells, and the build tool adds nothing";
-  EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
+  EXPECT_TRUE(says(ran.output, "\nS1 ConjGrad is not implemented yet\n"));
   ran = run("cmake --build build --parallel 2 --target check");
   EXPECT_NE(ran.code, 0);
   for (const Exercise& exercise : course_.exercises)
@@ -97,45 +104,40 @@ void StudentsWay::go_from_the_archive_to_the_hand_in(const std::string& options,
   fs::copy_file(sources_.root / "reference/S2/normal_equations.cpp", s2,
                 fs::copy_options::overwrite_existing);
   ran = run("cmake --build build --target check-S2");
-  EXPECT_EQ(ran.output.find(" pass\n"), std::string::npos) << "S2 can't pass without S1";
-  EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
+  EXPECT_FALSE(says(ran.output, " pass\n")) << "S2 can't pass without S1";
+  EXPECT_TRUE(says(ran.output, "\nS1 ConjGrad is not implemented yet\n"));
 
   solve();
-  ran = run("cmake --build build --parallel 2 --target all check hairlab show-S1");
-  EXPECT_EQ(ran.code, 0) << ran.output;
-  EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/build/bowl/index.html")) << ran.output;
-  EXPECT_NE(ran.output.find("100% tests passed"), std::string::npos) << ran.output;
+  EXPECT_TRUE(
+      says(does("cmake --build build --parallel 2 --target all check hairlab show-S1"), "100% tests passed"));
+  EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/build/bowl/index.html"));
   ran = start(0, "build/student_*_check");
   EXPECT_EQ(ran.code, 0) << ran.output;
   if (starts > 0) {
     ran = start(starts, "build/student_S2_check build/student_H4_check");
     EXPECT_TRUE(ran.code == 0 || ran.code == 77) << ran.output;
   }
-  ran = run("build/hairlab run strand-swing --out swing --frames 2");
-  EXPECT_EQ(ran.code, 0) << ran.output;
+  does("build/hairlab run strand-swing --out swing --frames 2");
   const fs::path swing = folder_ / "hair-assignment/swing";
   for (const char* name : {"frame-0000.png", "frame-0002.png", "run.json", "states.bin", "states.csv"})
-    EXPECT_TRUE(fs::exists(swing / name)) << name << "\n" << ran.output;
+    EXPECT_TRUE(fs::exists(swing / name)) << name;
 
   const fs::path own = folder_ / "hair-assignment/student";
   std::ofstream(own / "about.txt") << "Hours: 12\nHardest: H6\nUnclear: nothing; [all] \"fine\"\n";
   fs::copy_file(sources_.root / "handout/exercises/H5/length_correction.cpp", own / "length_correction.cpp",
                 fs::copy_options::overwrite_existing);
   std::ofstream(own / "bend_springs.cpp", std::ios::app) << "\n";
-  ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0) << "a newer handout over it";
-  ran = run("cmake --build build --target handin");
-  ASSERT_EQ(ran.code, 0) << ran.output;
+  does("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'");  // a newer handout over it
+  const std::string checked = does("cmake --build build --target handin");
   fs::copy_file(sources_.root / "reference/H5/length_correction.cpp", own / "length_correction.cpp",
                 fs::copy_options::overwrite_existing);
   for (const char* line :
        {" public checks pass\n",
         "bend_springs.cpp          not checked since its last change: build check-H3\n",
         "length_correction.cpp     3 functions are not written yet\n", "your answers to three questions\n"})
-    EXPECT_NE(ran.output.find(line), std::string::npos) << line << ran.output;
-  ran = run("cmake --build build --target handin");
-  ASSERT_EQ(ran.code, 0) << ran.output;
+    EXPECT_TRUE(says(checked, line));
   const fs::path archive = folder_ / "hair-assignment/build/ada.zip";
-  EXPECT_NE(ran.output.find("Wrote " + archive.string()), std::string::npos) << ran.output;
+  EXPECT_TRUE(says(does("cmake --build build --target handin"), "Wrote " + archive.string()));
   const std::vector<Submission> submissions = read_submissions({archive}, course_, open_here).submissions;
   ASSERT_EQ(submissions.size(), 1u);
   EXPECT_EQ(submissions[0].name, "ada");
@@ -161,11 +163,9 @@ TEST_F(SlowWay, LeadsThereWithAnotherCompiler) {
 // hairlab names exercises that are not written, and libraries that only studies use are there, too.
 TEST_F(SlowWay, HasStudies) {
   unpack();
-  Ran ran = run(configure_);
-  ASSERT_EQ(ran.code, 0) << ran.output;
-  ran = run("cmake --build build --parallel 2 --target hairlab");
-  ASSERT_EQ(ran.code, 0) << ran.output;
-  ran = run("build/hairlab run strand-swing --out swing --frames 2");
+  does(configure_);
+  does("cmake --build build --parallel 2 --target hairlab");
+  Ran ran = run("build/hairlab run strand-swing --out swing --frames 2");
   EXPECT_EQ(ran.code, 3);
   EXPECT_EQ(
       ran.output,
@@ -176,8 +176,7 @@ TEST_F(SlowWay, HasStudies) {
   EXPECT_FALSE(fs::exists(folder_ / "hair-assignment/swing"));
 
   solve();
-  ran = run("cmake --build build --parallel 2 --target hairlab");
-  ASSERT_EQ(ran.code, 0) << ran.output;
+  does("cmake --build build --parallel 2 --target hairlab");
   const std::string asked = "cmake --build '" + (folder_ / "hair-assignment/build").string() +
                             "' --target hairlab_studies --parallel 4";
   ran = run("build/hairlab validate published-numbers");
@@ -185,21 +184,17 @@ TEST_F(SlowWay, HasStudies) {
   EXPECT_EQ(
       ran.output,
       "hairlab: validate is in a program of its own, which is not built yet; build it with: " + asked + "\n");
-  ran = run(asked);
-  ASSERT_EQ(ran.code, 0) << ran.output;
-  ran = run("build/hairlab validate published-numbers");
-  EXPECT_EQ(ran.code, 0) << ran.output;
+  does(asked);
+  does("build/hairlab validate published-numbers");
 
-  ran = run("cmake --build build --parallel 2 --target student_S1_check");
-  ASSERT_EQ(ran.code, 0) << ran.output;
+  does("cmake --build build --parallel 2 --target student_S1_check");
   ran = start(1000, "build/student_S1_check");
   EXPECT_TRUE(ran.code == 0 || ran.code == 77) << ran.output;
 
   // The exercises move all strands of this head: the fast head is the staff's.
-  ran = run("build/hairlab study head --hair straight --quick --out head");
-  EXPECT_EQ(ran.code, 0) << ran.output;
+  does("build/hairlab study head --hair straight --quick --out head");
   for (const char* name : {"index.html", "head.json", "head.csv", "straight-every.png"})
-    EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/head" / name)) << name << "\n" << ran.output;
+    EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/head" / name)) << name;
 }
 
 // Returns the lines of the first block of commands behind a heading of the README.
@@ -223,14 +218,11 @@ TEST_F(SlowWay, IsShortToTheFirstHair) {
   }
   const std::string readme = hair::bytes_of(own / "README.md");
   std::vector<std::string> commands = commands_behind(readme, "\n## Look at your hair\n");
-  ASSERT_NE(readme.find("`hairlab view limp-hair`"), std::string::npos);
+  ASSERT_TRUE(says(readme, "`hairlab view limp-hair`"));
   commands.emplace_back("build/hairlab view limp-hair");
   EXPECT_LE(commands.size() + 2, 5u) << "with unpacking, and with the two files";
-  for (const std::string& command : commands) {
-    const Ran ran = run(command);
-    ASSERT_EQ(ran.code, 0) << command << "\n" << ran.output;
-    EXPECT_EQ(ran.output.find("not implemented"), std::string::npos) << "it is one's own: " << ran.output;
-  }
+  for (const std::string& command : commands)
+    EXPECT_FALSE(says(does(command), "not implemented")) << "it is one's own";
   ASSERT_TRUE(fs::exists(own / "limp-hair.html"));
   const Ran browser =
       run("sh -c 'command -v chromium || exit 77; chromium --headless --no-sandbox --disable-gpu "
@@ -240,22 +232,21 @@ TEST_F(SlowWay, IsShortToTheFirstHair) {
           "2>/dev/null'");
   if (browser.code == 77) GTEST_SKIP() << "there is no chromium; it is in the package chromium";
   EXPECT_EQ(browser.code, 0);
-  EXPECT_NE(browser.output.find("limp-hair"), std::string::npos);
+  EXPECT_TRUE(says(browser.output, "limp-hair"));
   const std::size_t moment = browser.output.find("id=\"moment\"");
   ASSERT_NE(moment, std::string::npos) << browser.output.substr(0, 2000);
-  EXPECT_NE(browser.output.substr(moment, 200).find(" s"), std::string::npos)
-      << "the page's script says the time that it shows: " << browser.output.substr(moment, 200);
+  EXPECT_TRUE(says(browser.output.substr(moment, 200), " s"))
+      << "the page's script says the time that it shows: ";
 }
 
 // Packages that only hairlab needs are missing: they are named, and the rest is configured.
 TEST_F(StudentsWay, GoesWithoutHairlabsPackages) {
   unpack();
-  const Ran ran = run(configure_ +
-                      " -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON");
-  EXPECT_EQ(ran.code, 0) << ran.output;
-  EXPECT_NE(ran.output.find("hairlab is left out"), std::string::npos) << ran.output;
-  EXPECT_NE(ran.output.find("apt install nlohmann-json3-dev libcli11-dev."), std::string::npos) << ran.output;
-  EXPECT_NE(ran.output.find("brew install nlohmann-json cli11;"), std::string::npos) << ran.output;
+  const std::string told = does(
+      configure_ + " -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON");
+  for (const char* words : {"hairlab is left out", "apt install nlohmann-json3-dev libcli11-dev.",
+                            "brew install nlohmann-json cli11;"})
+    EXPECT_TRUE(says(told, words));
 }
 
 // Makes packages of Eigen that state their version, with this machine's Eigen in them.
@@ -277,13 +268,13 @@ TEST_F(StudentsWay, TakesEigenFromVersion33On) {
         run(configure_ + " -B 'build-" + version + "' '-DEigen3_DIR:PATH=" + package.string() + "'");
     if (version == "3.2.9") {
       EXPECT_NE(ran.code, 0);
-      EXPECT_NE(ran.output.find("Eigen is missing, version 3.3 or later."), std::string::npos) << ran.output;
+      EXPECT_TRUE(says(ran.output, "Eigen is missing, version 3.3 or later."));
     } else {
       EXPECT_EQ(ran.code, 0) << version << "\n" << ran.output;
       // CMake must not find another one.
       const std::string cache =
           hair::bytes_of(folder_ / "hair-assignment" / ("build-" + version) / "CMakeCache.txt");
-      EXPECT_NE(cache.find("\nEigen3_DIR:PATH=" + package.string() + "\n"), std::string::npos) << version;
+      EXPECT_TRUE(says(cache, "\nEigen3_DIR:PATH=" + package.string() + "\n")) << version;
     }
   }
 }
@@ -291,25 +282,20 @@ TEST_F(StudentsWay, TakesEigenFromVersion33On) {
 TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {
   course_.exercises[0].role = Role::given;
   unpack();
-  Ran ran = run(configure_);
-  ASSERT_EQ(ran.code, 0) << ran.output;
-  ran = run("cmake --build build --target handin");
-  ASSERT_EQ(ran.code, 0) << ran.output;
-  const Ran listing = run("cmake -E tar tf build/handin.zip");
+  does(configure_);
+  does("cmake --build build --target handin");
   std::string others;
   for (const Exercise& exercise : course_.exercises)
     if (exercise.role != Role::given) others += exercise.file + "\n";
-  EXPECT_EQ(listing.output, others + "about.txt\n");
+  EXPECT_EQ(does("cmake -E tar tf build/handin.zip"), others + "about.txt\n");
 }
 
 // The build has definitions in the place of absent exercises, and links all given code.
 TEST_F(StudentsWay, ConfiguresWithoutAnExerciseThatTheCourseLacks) {
   course_.exercises.back().role = Role::absent;
   unpack();
-  Ran ran = run(configure_);
-  EXPECT_EQ(ran.code, 0) << ran.output;
-  ran = run("cmake --build build --target hair_not_in_course");
-  EXPECT_EQ(ran.code, 0) << ran.output;
+  does(configure_);
+  does("cmake --build build --target hair_not_in_course");
   EXPECT_FALSE(fs::exists(folder_ / "hair-assignment/student" / course_.exercises.back().file));
 }
 
@@ -324,26 +310,23 @@ TEST_F(StudentsWay, CompilesEveryIncludeOfAFlatTree) {
     for (const char* above : {"", "../"})
       lines[header.starts_with("hair/lab/")] += "#include \"" + std::string(above) + header + "\"\n";
   }
-  Ran ran = run(configure_);
-  ASSERT_EQ(ran.code, 0) << ran.output;
+  does(configure_);
   const char* names[2] = {"student/stretch_springs.cpp", "student/angular_springs.cpp"};
   for (int i = 0; i < 2; ++i)
     std::ofstream(folder_ / "hair-assignment" / names[i]) << lines[i] << "#include \"linearSolver.h\"\n";
-  ran = run("cmake --build build --parallel 2 --target student_H1 student_H2");
-  EXPECT_EQ(ran.code, 0) << ran.output;
+  does("cmake --build build --parallel 2 --target student_H1 student_H2");
 }
 
 TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
   unpack();
-  const Ran debug = run("cmake --preset debug");
-  EXPECT_EQ(debug.code, 0) << debug.output;
+  does("cmake --preset debug");
   // Compiles a program with the preset's sanitizers alone.
   const std::string link =
       hair::bytes_of(folder_ / "hair-assignment/build-debug/CMakeFiles/student_example1.dir/link.txt");
-  EXPECT_NE(link.find(" -no-pie "), std::string::npos) << link;
+  EXPECT_TRUE(says(link, " -no-pie "));
   const Ran named = run(configure_ + " '-DSTUDENT=../ada'");
   EXPECT_NE(named.code, 0);
-  EXPECT_NE(named.output.find("STUDENT is \"../ada\""), std::string::npos) << named.output;
+  EXPECT_TRUE(says(named.output, "STUDENT is \"../ada\""));
 }
 
 }  // namespace

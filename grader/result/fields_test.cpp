@@ -7,11 +7,13 @@
 #include "grader/result/check_fields.h"
 #include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline result {
 namespace {
 
 using namespace std::string_literals;
+using tests::says;
 
 // All members differ from their defaults.
 const PictureResult kPicture{.name = "0.50 s",
@@ -28,7 +30,7 @@ const CaseResult kCase{.name = "Ill-conditioned systems",
                        .points = 1.0 / 3,
                        .max_points = 1e300,
                        .feedback = "the residual is \"large\"",
-                       .detail = "n = 10\nx = -0x1p-1074 \xc3\xb6",
+                       .detail = "n = 10\nx = -0x1p-1074 ö",
                        .hint = "It is right but for signs.",
                        .memory_error = "reads behind an array, in a call of f.",
                        .cases = 7,
@@ -189,7 +191,7 @@ TEST(DeclaredFields, AreWrittenInTheirOrder) {
       json_text(kCase, -1),
       "{\"name\":\"Ill-conditioned systems\",\"status\":\"broke the rules\",\"points\":0.3333333333333333,"
       "\"max_points\":1e+300,\"feedback\":\"the residual is \\\"large\\\"\",\"detail\":\"n = 10\\nx = "
-      "-0x1p-1074 \xc3\xb6\",\"hint\":\"It is right but for signs.\",\"memory_error\":\"reads behind an "
+      "-0x1p-1074 ö\",\"hint\":\"It is right but for signs.\",\"memory_error\":\"reads behind an "
       "array, in a call of "
       "f.\",\"cases\":7,\"held\":2147483647}\n");
 }
@@ -210,7 +212,7 @@ TEST(DeclaredFields, AreLeftOutWhereTheySayNothing) {
   EXPECT_EQ(written(StudyEnd::broke),
             "{\"steps\":0,\"end\":\"broke\",\"first_seconds\":0.0,\"seconds\":[]}\n");
   EXPECT_EQ(json_text(submission(), -1).find("\"studied\"") != std::string::npos, true);
-  EXPECT_EQ(json_text(SubmissionResult{}, -1).find("\"studied\""), std::string::npos);
+  EXPECT_FALSE(says(json_text(SubmissionResult{}, -1), "\"studied\""));
 }
 
 TEST(DeclaredFields, PutPicturesWhereTheyAreTold) {
@@ -220,8 +222,7 @@ TEST(DeclaredFields, PutPicturesWhereTheyAreTold) {
   picture.student = "theirs";
   picture.reference = picture.heat = "";
   const std::string text = json_text(picture, -1, named);
-  EXPECT_NE(text.find("\"student\":\"name of theirs\",\"reference\":\"name of \""), std::string::npos)
-      << text;
+  EXPECT_TRUE(says(text, "\"student\":\"name of theirs\",\"reference\":\"name of \""));
   EXPECT_EQ(from_json_text<PictureResult>(text, "a.json", named), picture);
 }
 

@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "grader/course/input.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline samples {
 namespace {
+
+using tests::says;
 
 TEST(Edited, LooksForItsLinesInTheTextAsItWas) {
   const std::string text = "a\nb\nc\nb\n";
@@ -25,13 +28,10 @@ TEST(Edited, LooksForItsLinesInTheTextAsItWas) {
 TEST(Edited, RefusesWhatIsNotOnePlace) {
   const auto refused = [](std::vector<EditLine> lines, const std::string& words) {
     const Edit edit{"x.samples:1", "f.cpp", std::move(lines)};
-    try {
-      edited("a\nb\nc\nb\n", "f.cpp", {edit, edit});
-      ADD_FAILURE() << "edited, for all that: " << words;
-    } catch (const BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find("x.samples:1: f.cpp " + words), std::string::npos)
-          << error.what();
-    }
+    EXPECT_TRUE(says(tests::refusal<BadInput>([&] {
+                       edited("a\nb\nc\nb\n", "f.cpp", {edit, edit});
+                     }),
+                     "x.samples:1: f.cpp " + words));
   };
   refused({{'+', "a"}}, "is not told where");
   refused({{'-', "d"}}, "has no line \"d\"");

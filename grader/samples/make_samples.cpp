@@ -13,6 +13,8 @@
 #include "grader/course/input.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/write_file.h"
 
 namespace {
 
@@ -52,7 +54,7 @@ void write_folder(const fs::path& folder, const std::vector<ArchiveEntry>& entri
     }
     fs::create_directories(path.parent_path());
     if (entry.link.empty()) {
-      grader::write_bytes(path, entry.bytes + std::string(entry.zeros, '\0'));
+      hair::write_file(path, entry.bytes + std::string(entry.zeros, '\0'));
     } else {
       fs::create_symlink(entry.link, path);
     }
@@ -62,7 +64,7 @@ void write_folder(const fs::path& folder, const std::vector<ArchiveEntry>& entri
 // Changes bytes of a file, as a damaged or forged archive has them.
 void overwrite(const fs::path& path, const std::vector<grader::Overwrite>& changes) {
   if (changes.empty()) return;
-  std::string bytes = grader::read_bytes(path);
+  std::string bytes = hair::bytes_of(path);
   const auto size = static_cast<std::int64_t>(bytes.size());
   for (const grader::Overwrite& change : changes) {
     const std::int64_t at = change.at < 0 ? size + change.at : change.at;
@@ -71,7 +73,7 @@ void overwrite(const fs::path& path, const std::vector<grader::Overwrite>& chang
                              std::to_string(change.at));
     bytes.replace(static_cast<std::size_t>(at), change.bytes.size(), change.bytes);
   }
-  grader::write_bytes(path, bytes);
+  hair::write_file(path, bytes);
 }
 
 void write_sample(const Sample& sample, const fs::path& project, const fs::path& folder) {

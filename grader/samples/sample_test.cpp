@@ -3,17 +3,15 @@
 
 #include "grader/course/input.h"
 #include "grader/samples/small_project.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline samples {
 namespace {
 
+using tests::says;
+
 void expect_refused(const fs::path& project, const std::string& words) {
-  try {
-    read_samples(project);
-    FAIL() << "read, for all that: " << words;
-  } catch (const BadInput& error) {
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(says(tests::refusal<BadInput>([&] { read_samples(project); }), words));
 }
 
 TEST(ReadSamples, ComputesPointsFromTheCategoriesThatFail) {

@@ -2,13 +2,11 @@
 #include "grader/samples/solution_files.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
-#include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader::inline samples {
 namespace {
@@ -58,18 +56,25 @@ std::map<std::string, std::string> solution_files(const Sample& sample, const fs
   return texts;
 }
 
-std::string read_bytes(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) throw std::runtime_error(file.string() + ": can't be read");
-  return bytes;
+bool runs_and_loses_points(const std::string& status) {
+  static const std::set<std::string> all = {"partly", "wrong", "crashed", "timed out", "out of memory"};
+  return all.contains(status);
 }
 
-void write_bytes(const fs::path& file, const std::string& bytes) {
-  std::ofstream out(file, std::ios::binary);
-  out << bytes;
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + ": can't be written");
+std::vector<SampleProgram> programs_of(const Exercise& exercise, const fs::path& project,
+                                       const std::function<bool(const Sample&, const std::string&)>& wanted) {
+  std::vector<Sample> samples = read_samples(project);
+  std::ranges::stable_partition(samples, [](const Sample& sample) { return sample.group == "right"; });
+  std::vector<SampleProgram> programs;
+  for (const Sample& sample : samples) {
+    const std::string& status = sample.expected.at(exercise.id).status;
+    if (sample.attack || sample.group.starts_with("attacks-") || !wanted(sample, status)) continue;
+    for (const auto& [path, source] : solution_files(sample, project))
+      if (fs::path(path).filename() == exercise.file &&
+          std::ranges::find(programs, source, &SampleProgram::source) == programs.end())
+        programs.push_back({sample.name, source, status == "passed"});
+  }
+  return programs;
 }
 
 }  // namespace grader::samples

@@ -8,14 +8,11 @@
 
 #include <fstream>
 
-#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/launch.h"
 #include "grader/sandbox/processes/own_groups.h"
-#include "grader/sandbox/processes/staging_folder.h"
 #include "grader/sandbox/processes/supervisor.h"
-#include "grader/sandbox/sandboxed_process.h"
-#include "grader/sandbox/system_mounts.h"
+#include "grader/sandbox/sandboxed_for_tests.h"
 
 namespace grader::inline sandbox {
 namespace {
@@ -43,13 +40,7 @@ struct Found {
 // Runs a process that takes this much in a group of 400 MB. Its own limit is a gigabyte.
 Found run_in_a_small_container(std::size_t takes, const SandboxedProcess::LeaveOut& leave_out) {
   const StagingFolder folder;
-  fs::copy_file(HAIR_PROBE, folder.path() / "probe");
-  fs::permissions(folder.path() / "probe", fs::perms(0755));
-  Sandbox sandbox;
-  sandbox.isolation = Isolation::container;
-  sandbox.roots = folder.path() / "roots";
-  sandbox.mounts = runtime_library_mounts();
-  sandbox.mounts.push_back({folder.path() / "probe", "/probe"});
+  Sandbox sandbox = sandbox_of_probe(Isolation::container, folder);
   sandbox.limits.memory_bytes = 1024 * kMegabyte;
 
   const std::optional<ControlGroup> container = ControlGroup::create(400 * kMegabyte, 1000);

@@ -14,11 +14,13 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline sandbox {
 namespace {
 
 using std::string;
+using tests::says;
 
 class Inherited : public testing::Test {
  protected:
@@ -40,9 +42,9 @@ class Inherited : public testing::Test {
 
 TEST_F(Inherited, IsTheSameWhoeverStartsIt) {
   const string usual = after("");
-  EXPECT_NE(usual.find("a thread's stack: 8388608\n"), string::npos) << usual;
-  EXPECT_NE(usual.find("personality: 0\n"), string::npos) << usual;
-  EXPECT_EQ(usual.find("PATH"), string::npos) << usual;
+  EXPECT_TRUE(says(usual, "a thread's stack: 8388608\n"));
+  EXPECT_TRUE(says(usual, "personality: 0\n"));
+  EXPECT_FALSE(says(usual, "PATH"));
   for (const char* script : {
            "ulimit -S -v 8000000 -d 500000 -s 512 -m 1000",
            "ulimit -S -s unlimited -c unlimited",
@@ -59,7 +61,7 @@ TEST_F(Inherited, IsTheSameWhoeverStartsIt) {
        })
     EXPECT_EQ(after(script), usual) << script;
   // A person wishes so, as with nohup.
-  EXPECT_NE(after("trap '' HUP").find("ignored: 1\n"), string::npos);
+  EXPECT_TRUE(says(after("trap '' HUP"), "ignored: 1\n"));
 
   sigset_t all, before;
   sigfillset(&all);
@@ -116,7 +118,7 @@ TEST_F(Inherited, SaysWhichHardLimitIsBelowTheNeed) {
   for (const Case& one : cases) {
     const string said = after("ulimit " + string(one.limit), {"needs"}, bound);
     EXPECT_TRUE(said.starts_with("the hard limit on " + string(one.said))) << said;
-    EXPECT_NE(said.find(string("ulimit -H") + one.limit[1]), string::npos) << said;
+    EXPECT_TRUE(says(said, string("ulimit -H") + one.limit[1]));
     if (geteuid() == 0 && prctl(PR_CAPBSET_READ, CAP_SYS_RESOURCE) == 1) {
       EXPECT_EQ(after("ulimit " + string(one.limit), {"needs"}), "enough") << one.limit;
     }

@@ -17,12 +17,14 @@
 #include "grader/sandbox/processes/supervisor.h"
 #include "grader/sandbox/sandboxed_for_tests.h"
 #include "hair/io/files/bad_input.h"
+#include "solver/test_refusal.h"
 #include "solver/timing.h"
 
 namespace grader::inline sandbox {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::says;
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SandboxTest, testing::Values(Isolation::namespaces, Isolation::container),
                          [](const auto& kind) { return to_string(kind.param); });
@@ -71,8 +73,8 @@ TEST_P(SandboxTest, HasNoEnvironmentOfOurs) {
   setenv("STAFF_SECRET", "do not look", 1);
   const std::string environment = shell("export -p; pwd").output;
   unsetenv("STAFF_SECRET");
-  EXPECT_EQ(environment.find("STAFF_SECRET"), std::string::npos) << environment;
-  EXPECT_EQ(environment.find("HOME"), std::string::npos) << environment;
+  EXPECT_FALSE(says(environment, "STAFF_SECRET"));
+  EXPECT_FALSE(says(environment, "HOME"));
 }
 
 TEST_P(SandboxTest, IsNeverRoot) {
@@ -82,22 +84,20 @@ TEST_P(SandboxTest, IsNeverRoot) {
 TEST_P(SandboxTest, IsAloneAmongProcesses) {
   // This is our own process, by its number outside.
   const Said run = shell("kill -0 " + std::to_string(getpid()) + " && echo reached");
-  EXPECT_EQ(run.output.find("reached"), std::string::npos) << run.output;
+  EXPECT_FALSE(says(run.output, "reached"));
 }
 
 TEST_P(SandboxTest, WritesNowhereButInItsOwnTmp) {
   for (const char* place : {"/x", "/usr/x", "/usr/bin/x", "/etc/x", "/etc/alternatives/x", "/dev/x"})
-    EXPECT_EQ(shell(std::string("echo x 2>/dev/null > ") + place + " && echo written").output.find("written"),
-              std::string::npos)
+    EXPECT_FALSE(
+        says(shell(std::string("echo x 2>/dev/null > ") + place + " && echo written").output, "written"))
         << place;
-  EXPECT_NE(shell("echo x > /tmp/from-the-sandbox && echo written").output.find("written"),
-            std::string::npos);
+  EXPECT_TRUE(says(shell("echo x > /tmp/from-the-sandbox && echo written").output, "written"));
   EXPECT_FALSE(fs::exists("/tmp/from-the-sandbox"));
 }
 
 TEST_F(NamespacesTest, ItsTmpHasASize) {
-  EXPECT_EQ(shell("printf '%*s' 8000000 '' > /tmp/large && echo written").output.find("written"),
-            std::string::npos);
+  EXPECT_FALSE(says(shell("printf '%*s' 8000000 '' > /tmp/large && echo written").output, "written"));
 }
 
 std::string connecting_to(const Listener& listener) {
@@ -107,14 +107,14 @@ std::string connecting_to(const Listener& listener) {
 // Two layers keep the network away. Each is tried without the other.
 TEST_P(SandboxTest, ItsCallFilterAllowsNoSockets) {
   const Said run = shell(connecting_to(Listener()));
-  EXPECT_EQ(run.output.find("connected"), std::string::npos) << run.output;
-  EXPECT_NE(run.output.find("Operation not permitted"), std::string::npos) << run.output;
+  EXPECT_FALSE(says(run.output, "connected"));
+  EXPECT_TRUE(says(run.output, "Operation not permitted"));
 }
 
 TEST_F(NamespacesTest, ItsNetworkIsNotOurs) {
   const Listener listener;
   sandbox_.syscalls.reset();
-  EXPECT_EQ(shell(connecting_to(listener)).output.find("connected"), std::string::npos);
+  EXPECT_FALSE(says(shell(connecting_to(listener)).output, "connected"));
   sandbox_.isolation = Isolation::none;
   EXPECT_EQ(shell(connecting_to(listener)).output, "connected\n") << "the server does not answer at all";
 }
@@ -180,14 +180,12 @@ TEST_P(SandboxTest, LimitsMemory) {
   sandbox_.limits.memory_bytes = std::size_t{1} << 30;
   EXPECT_EQ(shell(takes).output, "104857600\n");
   sandbox_.limits.memory_bytes = std::size_t{64} << 20;
-  EXPECT_EQ(shell(takes).output.find("104857600"), std::string::npos);
+  EXPECT_FALSE(says(shell(takes).output, "104857600"));
 }
 
 // Two layers bound processes: a limit and a control group. Each is tried without the other, and then neither.
 TEST_P(SandboxTest, LimitsProcesses) {
-  fs::copy_file(HAIR_PROBE, folder_ / "probe");
-  fs::permissions(folder_ / "probe", fs::perms(0755));
-  sandbox_.mounts.push_back({folder_ / "probe", "/probe"});
+  sandbox_.mounts.push_back(mount_of_probe(folder_));
   sandbox_.limits.processes = 16;
   const std::vector<std::string> starts = {"/probe", "fork", "40"};
   const std::string succeeds = "can start 40 processes\n";
@@ -222,7 +220,7 @@ TEST_P(SandboxTest, LimitsTheSizeOfFiles) {
 
 TEST_P(SandboxTest, MakesNoNamespacesInside) {
   const Said run = shell("unshare -Ur true && echo made");
-  EXPECT_EQ(run.output.find("made"), std::string::npos) << run.output;
+  EXPECT_FALSE(says(run.output, "made"));
 }
 
 // A child becomes root of a user namespace, as `unshare -Ur` makes it.

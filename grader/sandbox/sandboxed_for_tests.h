@@ -78,6 +78,22 @@ class ContainerTest : public Sandboxed, public testing::Test {
   ContainerTest() : Sandboxed(Isolation::container) {}
 };
 
+// Mounts the program that tries what a sandbox must stop (probe.cpp) as /probe.
+inline Mount mount_of_probe(const std::filesystem::path& folder) {
+  std::filesystem::copy_file(HAIR_PROBE, folder / "probe");
+  std::filesystem::permissions(folder / "probe", std::filesystem::perms(0755));
+  return {folder / "probe", "/probe"};
+}
+
+inline Sandbox sandbox_of_probe(Isolation kind, const StagingFolder& folder) {
+  Sandbox sandbox;
+  sandbox.isolation = kind;
+  sandbox.roots = folder.path() / "roots";
+  sandbox.mounts = runtime_library_mounts();
+  sandbox.mounts.push_back(mount_of_probe(folder.path()));
+  return sandbox;
+}
+
 // Lists all processes below one, without itself, parents first.
 inline std::vector<pid_t> descendants(pid_t process) {
   std::vector<pid_t> all;

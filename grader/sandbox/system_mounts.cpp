@@ -77,6 +77,9 @@ class Files {
     }
   }
 
+  void add_libraries_of(const std::vector<fs::path>& programs) {
+    for (const fs::path& library : libraries_of(programs)) add(library);
+  }
   const std::vector<Mount>& mounts() const { return mounts_; }
 
  private:
@@ -109,7 +112,7 @@ std::vector<Mount> files_of_toolchain() {
 
   Files files;
   for (const fs::path& program : programs) files.add(program);
-  for (const fs::path& library : libraries_of(programs)) files.add(library);
+  files.add_libraries_of(programs);
   for (const fs::path& folder : search_folders(compiler, "libraries"))
     for (const char* name : {"crti.o",
                              "crtn.o",
@@ -156,14 +159,14 @@ std::vector<Mount> runtime_library_mounts() {
 std::vector<Mount> library_mounts(Isolation kind, const std::vector<fs::path>& programs) {
   if (kind != Isolation::container) return existing({"/usr/lib", "/usr/lib64", "/lib", "/lib64"});
   Files files;
-  for (const fs::path& library : libraries_of(programs)) files.add(library);
+  files.add_libraries_of(programs);
   return files.mounts();
 }
 
 std::vector<Mount> program_mounts(const std::vector<fs::path>& programs) {
   Files files;
   for (const fs::path& program : programs) files.add(program);
-  for (const fs::path& library : libraries_of(programs)) files.add(library);
+  files.add_libraries_of(programs);
   return files.mounts();
 }
 

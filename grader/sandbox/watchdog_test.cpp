@@ -101,77 +101,80 @@ TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
   EXPECT_LT(watchdog.idle_seconds(), 0.3);
 }
 
+// A process without a sandbox writes to the watchdog's pipe.
+class Talking {
+ public:
+  Talking(const std::vector<std::string>& command, Watchdog::Patience patience)
+      : process_(sandbox(), command, to_.read_end.get(), from_.write_end.get(), -1),
+        watchdog_(process_, patience) {}
+
+  // False: the patience is used up.
+  bool hears() {
+    char letter;
+    return watchdog_.wait_for(from_.read_end.get(), POLLIN) && read(from_.read_end.get(), &letter, 1) == 1;
+  }
+  // Asks, and waits for the answer.
+  bool answers() {
+    if (write(to_.write_end.get(), "a", 1) != 1) return false;
+    watchdog_.asked();
+    return hears();
+  }
+  Watchdog& watchdog() { return watchdog_; }
+
+ private:
+  static Sandbox sandbox() {
+    Sandbox sandbox;
+    sandbox.mounts = toolchain_mounts();
+    sandbox.isolation = Isolation::none;
+    return sandbox;
+  }
+
+  Pipe to_ = make_pipe(), from_ = make_pipe();
+  SandboxedProcess process_;
+  Watchdog watchdog_;
+};
+
+const std::vector<std::string> kEchoes = {"/usr/bin/bash", "-c", "exec cat <&3 >&4"},
+                               kChatters = {HAIR_IDLER, "chatters"};
+
 // The time until we get a processor to read its answer is not idling either.
 TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   const BusyMachine busy;
-  Sandbox sandbox;
-  sandbox.mounts = toolchain_mounts();
-  sandbox.isolation = Isolation::none;
-  Pipe to = make_pipe(), from = make_pipe();
-  SandboxedProcess echo(sandbox, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
-                        from.write_end.get(), -1);
-  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
+  Talking echo(kEchoes, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
   for (int i = 0; i < 100; ++i) {
     // The scheduler makes a process wait for new work after it has computed a lot.
     for (const double start = timing::cpu_seconds(); timing::cpu_seconds() < start + 0.004;) {
     }
-    char letter = 'a';
-    ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);
-    watchdog.asked();
-    ASSERT_TRUE(watchdog.wait_for(from.read_end.get(), POLLIN));
-    ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
+    ASSERT_TRUE(echo.answers());
   }
-  watchdog.look();
-  EXPECT_LT(watchdog.idle_seconds(), 0.2);
+  echo.watchdog().look();
+  EXPECT_LT(echo.watchdog().idle_seconds(), 0.2);
 }
 
 // Two processes that wake each other up idle 15 us and more an answer by the kernel's clocks: a right P2
 // answers 50,000 times.
 TEST(Watchdog, TakesNoWakingUpForIdling) {
   constexpr int kAnswers = 20000;
-  Sandbox sandbox;
-  sandbox.mounts = toolchain_mounts();
-  sandbox.isolation = Isolation::none;
-  Pipe to = make_pipe(), from = make_pipe();
-  SandboxedProcess echo(sandbox, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
-                        from.write_end.get(), -1);
-  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
-  for (int i = 0; i < kAnswers; ++i) {
-    char letter = 'a';
-    ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);
-    watchdog.asked();
-    ASSERT_TRUE(watchdog.wait_for(from.read_end.get(), POLLIN));
-    ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
-  }
-  watchdog.look();
-  EXPECT_LT(watchdog.idle_seconds(), 5e-6 * kAnswers);
+  Talking echo(kEchoes, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
+  for (int i = 0; i < kAnswers; ++i) ASSERT_TRUE(echo.answers());
+  echo.watchdog().look();
+  EXPECT_LT(echo.watchdog().idle_seconds(), 5e-6 * kAnswers);
 }
 
 // The process writes unasked messages, with a nap of 50 us before each.
 TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
-  Sandbox sandbox;
-  sandbox.isolation = Isolation::none;
-  Pipe from = make_pipe();
-  SandboxedProcess chatters(sandbox, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
-  Watchdog watchdog(chatters, {.idle_seconds = 0.2, .cpu_seconds = 10, .wall_seconds = 200});
-  char letter;
-  while (watchdog.wait_for(from.read_end.get(), POLLIN)) ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
-  EXPECT_STREQ(watchdog.why(), "asleep");
-  EXPECT_EQ(watchdog.wakeup_seconds(), 0);
+  Talking chatters(kChatters, {.idle_seconds = 0.2, .cpu_seconds = 10, .wall_seconds = 200});
+  while (chatters.hears()) continue;
+  EXPECT_STREQ(chatters.watchdog().why(), "asleep");
+  EXPECT_EQ(chatters.watchdog().wakeup_seconds(), 0);
 }
 
 TEST(Watchdog, ForgivesWakingUpWithinABound) {
-  Sandbox sandbox;
-  sandbox.isolation = Isolation::none;
-  Pipe from = make_pipe();
-  SandboxedProcess chatters(sandbox, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
-  Watchdog watchdog(chatters,
-                    {.idle_seconds = 0.2, .cpu_seconds = 10, .wakeup_seconds = 0.1, .wall_seconds = 200});
-  char letter;
-  while (watchdog.asked(), watchdog.wait_for(from.read_end.get(), POLLIN))
-    ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
-  EXPECT_STREQ(watchdog.why(), "asleep");
-  EXPECT_LE(watchdog.wakeup_seconds(), 0.1);
+  Talking chatters(kChatters,
+                   {.idle_seconds = 0.2, .cpu_seconds = 10, .wakeup_seconds = 0.1, .wall_seconds = 200});
+  while (chatters.watchdog().asked(), chatters.hears()) continue;
+  EXPECT_STREQ(chatters.watchdog().why(), "asleep");
+  EXPECT_LE(chatters.watchdog().wakeup_seconds(), 0.1);
 }
 
 // Thirty threads that wake up together queue behind each other: the sum of these waits is many times the time
@@ -189,13 +192,9 @@ TEST(Watchdog, CountsWaitsOfThirtyThreadsOnce) {
 }
 
 TEST(Watchdog, CountsWhatIdlesBeforeItsEnd) {
-  Sandbox sandbox;
-  sandbox.mounts = toolchain_mounts();
-  sandbox.isolation = Isolation::none;
-  SandboxedProcess leaving(sandbox, {"/usr/bin/sleep", "0.7"}, -1, -1, -1);
-  Watchdog watchdog(leaving, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 200});
-  watchdog.wait_for_end(1);
-  EXPECT_GT(watchdog.idle_seconds(), 0.5);
+  Talking leaving({"/usr/bin/sleep", "0.7"}, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 200});
+  leaving.watchdog().wait_for_end(1);
+  EXPECT_GT(leaving.watchdog().idle_seconds(), 0.5);
 }
 
 // Any worker has waited enough at some time, whatever the kernel counts.

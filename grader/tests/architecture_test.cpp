@@ -1,14 +1,16 @@
-// STAFF ONLY. Tests that the picture is the drawn one, and that includes follow the lists of folders.
-#include "grader/tests/architecture.h"
-
+// STAFF ONLY. Tests that the picture shows folders that are there, and that includes follow the lists of
+// folders.
 #include <fnmatch.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "hair/io/files/read_file.h"
 
@@ -18,25 +20,17 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
-
-TEST(Architecture, ShowsRoomsThatAreThere) {
-  for (const Room& room : rooms()) EXPECT_TRUE(fs::is_directory(kProject / room.folder)) << room.folder;
-}
-
-TEST(Architecture, EveryRoomHasAWay) {
-  for (const Room& room : rooms()) {
-    bool has = false;
-    for (const Arrow& arrow : arrows()) has = has || arrow.from == room.folder || arrow.to == room.folder;
-    EXPECT_TRUE(has) << room.folder;
-  }
-}
-
-TEST(Architecture, ThePictureIsAsItIsDrawn) {
-  EXPECT_EQ(hair::bytes_of(kProject / "grader/architecture.svg"), architecture())
-      << "draw it anew: build/release/grader/tests/draw_architecture grader/architecture.svg";
-}
-
 using Names = std::vector<std::string>;
+
+// The bold texts of the picture are folders, and its title.
+TEST(Architecture, ItsPictureShowsFoldersThatAreThere) {
+  const std::string picture = hair::bytes_of(kProject / "grader/architecture.svg");
+  static const std::regex folder("bold\">([a-z_/]+/)<");
+  std::sregex_iterator found(picture.begin(), picture.end(), folder);
+  EXPECT_GE(std::distance(found, {}), 20);
+  for (; found != std::sregex_iterator(); ++found)
+    EXPECT_TRUE(fs::is_directory(kProject / (*found)[1].str())) << (*found)[1];
+}
 
 // The first words of the lines of a document's first block of code: its list of folders.
 Names listed(const std::string& document) {

@@ -1,44 +1,38 @@
 // STAFF ONLY. Grades the attack corpus place by place, and tests each attack's points and costs, and that it
 // reaches no other submission. The environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of
 // isolation. Results are kept: an interrupted test goes on, as long as hairgrade and its suite are the same.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <system_error>
 #include <thread>
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/intake/names/names.h"
 #include "grader/record/record.h"
 #include "grader/result/base64.h"
 #include "grader/result/result.h"
 #include "grader/samples/sample.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tests/run_program.h"
-#include "grader/tests/submission_name.h"
 #include "grader/tests/traces.h"
 #include "hair/io/files/read_file.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using tests::says;
 
 // Attacks print, throw or claim this text in a worker.
 const std::string kMarker = "hair-attack-says";
@@ -89,30 +83,14 @@ struct ShardRun {
 
 // The output is added to the file `terminal`. This process adopts processes that hairgrade leaves behind, so
 // that it can measure their time and see their end.
-ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
+ShardRun run_shard(const std::vector<std::string>& words, const fs::path& terminal) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const double before = cpu_seconds_of_children();
-  words.insert(words.begin(), HAIRGRADE);
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  const int output = open(terminal.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  const pid_t process = fork();
-  if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (process == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a test that runs out of time leaves nothing running
-    dup2(output, 1);
-    dup2(output, 2);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  close(output);
-
   ShardRun run;
-  int status = 0;
-  for (pid_t ended = 0; ended != process; ended = waitpid(-1, &status, 0)) {
-  }
-  run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  // A test that runs out of time leaves nothing running.
+  run.code = run_hairgrade(words, {},
+                           "exec >>'" + terminal.string() + "' 2>&1 setpriv --pdeathsig TERM \"$0\" \"$@\"")
+                 .code;
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(10);
   for (;;) {
     const pid_t ended = waitpid(-1, nullptr, WNOHANG);
@@ -329,7 +307,7 @@ TEST_F(AttackCorpus, WritesNoMarkupAndNoControlCharacters) {
     const fs::path staff = grades() / "staff" / (submission_name(sample.name) + ".html");
     for (const std::string& page : {pages_of(sample).at(0), hair::bytes_of(staff)})
       for (const char* markup : {"<script>document", "<script>alert", "<img src=x"})
-        EXPECT_EQ(page.find(markup), std::string::npos) << sample.name << ": " << markup;
+        EXPECT_FALSE(says(page, markup)) << sample.name << ": ";
     std::vector<std::string> all = pages_of(sample);
     all.push_back(hair::bytes_of(staff));
     for (const std::string& page : all) EXPECT_FALSE(has_control_characters(page)) << sample.name;
@@ -344,8 +322,7 @@ TEST_F(AttackCorpus, ShowsNoPictureThatItMustNot) {
     const auto check = [&](const std::vector<PictureResult>& pictures) {
       for (const PictureResult& picture : pictures) {
         if (picture.student.empty() || picture.student == picture.reference) continue;
-        EXPECT_EQ(page.find(base64(picture.student)), std::string::npos)
-            << sample.name << ", " << picture.name;
+        EXPECT_FALSE(says(page, base64(picture.student))) << sample.name << ", " << picture.name;
       }
     };
     for (const ExerciseResult& exercise : result.exercises) check(exercise.pictures);

@@ -15,6 +15,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/image/read_png.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 using hair::Image;
 using nlohmann::json;
 using std::string;
+using tests::says;
 
 constexpr int kWidth = 96, kHeight = 64;
 
@@ -72,7 +74,7 @@ TEST_F(Comparing, TwoPicturesGiveTheirDistances) {
   snprintf(line, sizeof line, "\nb.png    %12.4f  %6.4f  %8.4f\n", expected.blurred_rmse, expected.flip_mean,
            expected.flip_max);
   const ProgramRun table = compare({a, b});
-  EXPECT_NE(table.output.find(line), string::npos) << table.output << line;
+  EXPECT_TRUE(says(table.output, line));
   EXPECT_EQ(compare({a, a}).output, "1 of 1 the same, pixel for pixel\n");
 }
 
@@ -91,8 +93,8 @@ TEST_F(Comparing, FoldersGiveAPageWorstFirstWhereWhatIsMissingIsNamed) {
   for (const string& words :
        {"only in " + path("a") + ": frame-0004.png\n", "only in " + path("b") + ": frame-0005.png\n"})
     EXPECT_LT(run.output.find(words), far) << run.output << words;
-  EXPECT_NE(run.output.find("\n1 of 5 the same, pixel for pixel\n"), string::npos) << run.output;
-  EXPECT_EQ(run.output.find('\x1b'), string::npos);
+  EXPECT_TRUE(says(run.output, "\n1 of 5 the same, pixel for pixel\n"));
+  EXPECT_FALSE(says(run.output, "\x1b"));
 
   std::vector<string> names;
   for (const auto& entry : fs::directory_iterator(out())) names.push_back(entry.path().filename());
@@ -108,7 +110,7 @@ TEST_F(Comparing, FoldersGiveAPageWorstFirstWhereWhatIsMissingIsNamed) {
   for (std::size_t at = page.find("src="); at != string::npos; at = page.find("src=", at + 1))
     EXPECT_TRUE(page.substr(at).starts_with("src=\"data:image/png;base64,")) << page.substr(at, 40);
   EXPECT_EQ(page.find("http"), page.find("http-equiv"));
-  EXPECT_EQ(page.find("<b>"), string::npos);
+  EXPECT_FALSE(says(page, "<b>"));
   EXPECT_EQ(broken_links(out()), std::vector<string>());
   ASSERT_EQ(compare({path("a"), path("b"), "--out", out()}).code, 3);
   EXPECT_EQ(hair::bytes_of(out() + "/index.html"), page) << "again";
@@ -153,7 +155,7 @@ TEST_F(Comparing, BadInputIsALineAndNothingIsWritten) {
     EXPECT_EQ(run.code, 2) << run.errors;
     EXPECT_EQ(run.output, "");
     EXPECT_EQ(std::ranges::count(run.errors, '\n'), 1) << run.errors;
-    for (const string& word : words) EXPECT_NE(run.errors.find(word), string::npos) << word << run.errors;
+    for (const string& word : words) EXPECT_TRUE(says(run.errors, word));
     EXPECT_FALSE(fs::exists(out()));
   }
   EXPECT_EQ(hair::bytes_of(text), "no picture");
@@ -182,11 +184,11 @@ TEST_F(Comparing, APictureThatCanNotBeComparedIsNamedAndWorst) {
     EXPECT_LT(at, far) << run.output;
     EXPECT_NE(far, string::npos) << run.output;
     EXPECT_NE(run.output.find(why, at), string::npos) << run.output;
-    EXPECT_NE(run.output.find("1 of 2 the same"), string::npos) << run.output;
-    EXPECT_NE(hair::bytes_of(out() + "/index.html").find("not compared: " + path("")), string::npos);
+    EXPECT_TRUE(says(run.output, "1 of 2 the same"));
+    EXPECT_TRUE(says(hair::bytes_of(out() + "/index.html"), "not compared: " + path("")));
     const json pairs = json::parse(compare({path("a"), path("b"), "--json"}).output).at("pairs");
     EXPECT_EQ(pairs.at(0).at("name"), "frame-0002.png");
-    EXPECT_NE(pairs.at(0).at("not_compared").get<string>().find(why), string::npos);
+    EXPECT_TRUE(says(pairs.at(0).at("not_compared").get<string>(), why));
   }
 }
 

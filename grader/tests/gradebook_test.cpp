@@ -5,59 +5,45 @@
 #include <filesystem>
 #include <fstream>
 
-#include "grader/tests/run_program.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/temporary_folder.h"
+#include "grader/tests/in_a_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 
-class GradesGoBack : public testing::Test {
+class GradesGoBack : public InAFolder {
  protected:
-  string write(const string& name, const string& text) const {
-    std::ofstream(folder_.path() / name) << text;
-    return path(name);
-  }
-  string path(const string& name) const { return (folder_.path() / name).string(); }
-  string read(const string& name) const { return hair::bytes_of(folder_.path() / name); }
-
+  GradesGoBack() : InAFolder({{"exercises", nlohmann::json::object()}}) {}
   ProgramRun grade(const std::vector<string>& samples, const std::vector<string>& options) const {
-    std::vector<string> words = {
-        "grade",   "--out",       path("grades"), "--exercise",
-        "S2",      "--no-images", "--secret",     write("secret", "a secret for this test"),
-        "--cache", path("cache")};
+    std::vector<string> words = {"--exercise", "S2"};
     for (const string& name : samples) words.push_back(sample(name));
     words.insert(words.end(), options.begin(), options.end());
-    return run_hairgrade(words);
+    return InAFolder::grade(words);
   }
-
-  hair::TemporaryFolder folder_{"gradebook"};
 };
 
 TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
   const string roster = write("roster.csv", "login;id;name\r\nperfect;0011;Jörg Müller\r\ngone;12;Zoë\r\n");
   const ProgramRun graded = grade({"perfect", "stubs"}, {"--roster", roster});
   EXPECT_EQ(graded.code, 3) << graded.errors;
-  EXPECT_NE(graded.errors.find("handed in nothing: Zoë (12); a roster whose column \"id\" has"), string::npos)
-      << graded.errors;
-  EXPECT_NE(graded.output.find("roster: 1 of 2 handed in\n"), string::npos) << graded.output;
-  EXPECT_NE(graded.errors.find("roster.csv: its separator is a semicolon\n"), string::npos) << graded.errors;
-  EXPECT_NE(
-      graded.errors.find("stubs: is on no roster (its name is on no roster), and graded all the same\n"),
-      string::npos)
-      << graded.errors;
+  EXPECT_TRUE(says(graded.errors, "handed in nothing: Zoë (12); a roster whose column \"id\" has"));
+  EXPECT_TRUE(says(graded.output, "roster: 1 of 2 handed in\n"));
+  EXPECT_TRUE(says(graded.errors, "roster.csv: its separator is a semicolon\n"));
+  EXPECT_TRUE(
+      says(graded.errors, "stubs: is on no roster (its name is on no roster), and graded all the same\n"));
   const string csv = read("grades/grades.csv");
-  EXPECT_NE(csv.find(",Zoë,12,,,nothing handed in\r\n"), string::npos) << csv;
-  EXPECT_NE(csv.find(",Jörg Müller,0011,,,\r\n"), string::npos) << csv;
-  EXPECT_NE(csv.find("\r\nstubs,0,"), string::npos) << csv;
-  EXPECT_NE(read("grades/index.html").find("Zoë"), string::npos);
+  EXPECT_TRUE(says(csv, ",Zoë,12,,,nothing handed in\r\n"));
+  EXPECT_TRUE(says(csv, ",Jörg Müller,0011,,,\r\n"));
+  EXPECT_TRUE(says(csv, "\r\nstubs,0,"));
+  EXPECT_TRUE(says(read("grades/index.html"), "Zoë"));
 
   // Another run of hairgrade keeps the roster.
   EXPECT_EQ(grade({"textbook"}, {}).code, 3);
-  EXPECT_NE(read("grades/grades.csv").find(",Zoë,12,,,nothing handed in\r\n"), string::npos);
+  EXPECT_TRUE(says(read("grades/grades.csv"), ",Zoë,12,,,nothing handed in\r\n"));
 
   const string exported =
       write("exported.csv",
@@ -97,10 +83,7 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
 TEST_F(GradesGoBack, BadInputIsALine) {
   ASSERT_EQ(grade({"stubs"}, {}).code, 0);
   const auto refused = [&](const std::vector<string>& words, const string& line) {
-    const ProgramRun run = run_hairgrade(words);
-    EXPECT_EQ(run.code, 2) << run.errors;
-    EXPECT_EQ(std::ranges::count(run.errors, '\n'), 1) << run.errors;
-    EXPECT_NE(run.errors.find(line), string::npos) << run.errors;
+    expect_refused(run_hairgrade(words), line);
   };
   const string bad = write("bad.csv", "id,name\n1,\"A\n"), out = path("out.csv"), grades = path("grades");
   refused({"grade", sample("stubs"), "--out", grades, "--roster", bad},

@@ -14,6 +14,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using std::string;
+using tests::says;
 
 constexpr const char* kSecret = "a secret for this test";
 
@@ -94,8 +96,8 @@ TEST_F(GradescopePackage, HoldsSourcesAndTwoScriptsAndNothingThatWasBuilt) {
   EXPECT_FALSE(fs::exists(source / "hair/build"));
   for (const char* script : {"setup.sh", "run_autograder"})
     for (const char* left : {"$PROGRAM", "$OPTIONS", "$PARTS", "$SECONDS"})
-      EXPECT_EQ(hair::bytes_of(source / script).find(left), string::npos) << left;
-  EXPECT_EQ(hair::bytes_of(source / "run_autograder").find("--leaderboard"), string::npos);
+      EXPECT_FALSE(says(hair::bytes_of(source / script), left));
+  EXPECT_FALSE(says(hair::bytes_of(source / "run_autograder"), "--leaderboard"));
 }
 
 // Before the deadline the package holds nothing that a student must not see.
@@ -112,13 +114,13 @@ TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
   }
   for (const auto& file : fs::recursive_directory_iterator(source)) {
     for (const char* hidden : {"scene.json", ".samples", "full_head.cpp"})
-      EXPECT_EQ(file.path().string().find(hidden), string::npos) << file.path();
+      EXPECT_FALSE(says(file.path().string(), hidden)) << file.path();
     if (file.is_regular_file()) {
-      EXPECT_EQ(hair::bytes_of(file.path()).find(kSecret), string::npos) << file.path();
+      EXPECT_FALSE(says(hair::bytes_of(file.path()), kSecret)) << file.path();
     }
   }
   EXPECT_TRUE(fs::exists(source / "hair/handout/check/golden/S1.txt"));
-  EXPECT_NE(hair::bytes_of(source / "run_autograder").find("hairchecks\""), string::npos);
+  EXPECT_TRUE(says(hair::bytes_of(source / "run_autograder"), "hairchecks\""));
 }
 
 // The platform's folder of a hand-in is one student's, whatever folders it has.
@@ -129,7 +131,7 @@ TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
       << R"({"created_at": "2026-03-04T10:15:00.0-08:00", "users": [{"id": 12}, {"id": 7}]})";
   EXPECT_EQ(run_autograder(), 0);
   EXPECT_EQ(results()["extra_data"]["student"], "7");
-  EXPECT_EQ(results()["output"].get<string>().find("Not graded"), string::npos) << results()["output"];
+  EXPECT_FALSE(says(results()["output"].get<string>(), "Not graded")) << results()["output"];
 
   // This is the same file as the submission "7" of a class.
   fs::create_directories(folder_.path() / "7");
@@ -149,7 +151,7 @@ TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
 
   std::ofstream(place_ / "submission_metadata.json") << R"({"created_at": "t", "users": []})";
   EXPECT_EQ(run_autograder(), 0);
-  EXPECT_NE(results()["output"].get<string>().find("not your fault"), string::npos);
+  EXPECT_TRUE(says(results()["output"].get<string>(), "not your fault"));
   EXPECT_EQ(results()["score"], 0);
 }
 
@@ -164,7 +166,7 @@ TEST_F(GradescopePackage, OfOneOfSeveralHandInsAsksForItsExercisesAlone) {
                                folder_.path() / "course.json", "--secret", folder_.path() / "secret"});
     const ProgramRun run = run_hairgrade(more);
     EXPECT_EQ(run.code, 2);
-    EXPECT_NE(run.errors.find(because), string::npos) << run.errors;
+    EXPECT_TRUE(says(run.errors, because));
     EXPECT_FALSE(fs::exists(folder_.path() / "x.zip"));
   };
   refused({}, "name one by --hand-in: \"week 1's");

@@ -92,25 +92,24 @@ TEST_F(Hints, NameWhatIsNoNumber) {
 }
 
 TEST_F(Hints, NameWhatIsMadeOfAVariableThatWasNeverSet) {
-  EXPECT_EQ(told({1, -5.3e303, 2}, {1, 3, 2}),
-            "entry 1 is huge: was it made from a variable that was never set, or read beyond an end?");
+  const std::string made = ": was it made from a variable that was never set, or read beyond an end?";
+  EXPECT_EQ(told({1, -5.3e303, 2}, {1, 3, 2}), "entry 1 is huge" + made);
   EXPECT_EQ(told({1, 1e291}, {1, 1e291}), "") << "expected to be that large";
-  EXPECT_EQ(checks::hint_of_one(-1e304, 2, false),
-            "it is huge: was it made from a variable that was never set, or read beyond an end?");
-  EXPECT_EQ(told({1, 4.7e-310}, {1, 2}),
-            "entry 1 is tiny: was it made from a variable that was never set, or read beyond an end?");
+  EXPECT_EQ(told({1, 4.7e-310}, {1, 2}), "entry 1 is tiny" + made);
   EXPECT_EQ(told({2, 4.7e-310}, {1, 0}), "") << "as good as 0";
+  EXPECT_EQ(checks::hint_of_one(-1e304, 2, false), "it is huge" + made);
 }
 
 TEST_F(Hints, OfOneNumberKnowSmallFactors) {
-  EXPECT_EQ(checks::hint_of_one(-2, 2, false), "-1 times what was expected: a sign?");
-  EXPECT_EQ(checks::hint_of_one(1, 2, true), "0.5 times what was expected: a factor?");
-  EXPECT_EQ(checks::hint_of_one(1, 2, false), "") << "by chance";
-  EXPECT_EQ(checks::hint_of_one(0, 2, false).find("it is 0: never written"), 0u);
-  EXPECT_EQ(checks::hint_of_one(std::numeric_limits<double>::infinity(), 2, false),
+  using checks::hint_of_one;
+  EXPECT_EQ(hint_of_one(-2, 2, false), "-1 times what was expected: a sign?");
+  EXPECT_EQ(hint_of_one(1, 2, true), "0.5 times what was expected: a factor?");
+  EXPECT_EQ(hint_of_one(1, 2, false), "") << "by chance";
+  EXPECT_TRUE(hint_of_one(0, 2, false).starts_with("it is 0: never written"));
+  EXPECT_EQ(hint_of_one(std::numeric_limits<double>::infinity(), 2, false),
             "it is infinite: a division by 0, or a variable that was never set?");
-  EXPECT_EQ(checks::hint_of_one(1.37, 2, true), "");
-  EXPECT_EQ(checks::hint_of_one(1, 0, true), "");
+  EXPECT_EQ(hint_of_one(1.37, 2, true), "");
+  EXPECT_EQ(hint_of_one(1, 0, true), "");
 }
 
 TEST_F(Hints, NameSignsOfSomeEntries) {

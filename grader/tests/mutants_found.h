@@ -7,7 +7,7 @@
 #include <string>
 
 #include "grader/course/course.h"
-#include "grader/mutants/judgement.h"
+#include "grader/mutants/judging.h"
 
 namespace grader {
 

@@ -3,59 +3,42 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "grader/record/record.h"
-#include "grader/tests/run_program.h"
+#include "grader/tests/in_a_folder.h"
 #include "grader/text/letters.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 
-class NamesAndCodes : public testing::Test {
+class NamesAndCodes : public InAFolder {
  protected:
-  ProgramRun run(std::vector<string> words) const {
-    words.insert(words.end(), {"--out", out_.string()});
-    return run_hairgrade(words);
-  }
+  NamesAndCodes() : InAFolder(course_of({"S1"})) {}
   ProgramRun grade(std::vector<string> more) const {
-    more.insert(more.begin(),
-                {"grade", (root_ / "class").string(), "--from", "canvas", "--roster",
-                 (root_ / "roster.csv").string(), "--secret", (root_ / "secret").string(), "--cache",
-                 (root_ / "cache").string(), "--course", (root_ / "course.json").string(), "--no-images"});
-    return run(more);
+    more.insert(more.begin(), {path("class"), "--from", "canvas", "--roster", path("roster.csv")});
+    return InAFolder::grade(more);
   }
   // Writes a class whose files don't compile, which saves time.
   void write_class() const {
-    fs::create_directory(root_ / "class");
-    std::ofstream(root_ / "course.json") << course_of({"S1"});
-    std::ofstream(root_ / "secret") << "a secret for this test";
-    std::ofstream(root_ / "class/mustermannerika_4711047110_90001_conj_grad.cpp")
-        << "int mustermann = \"Erika\";  // Erika Mustermann, e.mustermann@u.de\n";
-    std::ofstream(root_ / "class/mustermannerika_4711047110_90002_erika_notes.txt") << "by Erika";
-    std::ofstream(root_ / "class/zuckerzoe_4712047120_90003_conj_grad.cpp") << "no\n";
-    std::ofstream(root_ / "class/fremdfritz_4713047130_90004_conj_grad.txt") << "no\n";
-    std::ofstream(root_ / "roster.csv") << "ID,Student,SIS Login ID,Section\n4711047110,\"Mustermann, "
-                                           "Erika\",em1234,A\n4712047120,\"Zucker, Zoë\",zz,B\n"
-                                           "4714047140,\"Weg, Walter\",ww9999,A\n";
+    write("class/mustermannerika_4711047110_90001_conj_grad.cpp",
+          "int mustermann = \"Erika\";  // Erika Mustermann, e.mustermann@u.de\n");
+    write("class/mustermannerika_4711047110_90002_erika_notes.txt", "by Erika");
+    write("class/zuckerzoe_4712047120_90003_conj_grad.cpp", "no\n");
+    write("class/fremdfritz_4713047130_90004_conj_grad.txt", "no\n");
+    write("roster.csv",
+          "ID,Student,SIS Login ID,Section\n4711047110,\"Mustermann, Erika\",em1234,A\n"
+          "4712047120,\"Zucker, Zoë\",zz,B\n4714047140,\"Weg, Walter\",ww9999,A\n");
   }
   // Reads files by path, except the record's own.
-  std::map<string, string> files() const {
-    std::map<string, string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(out_))
-      if (const string path = fs::relative(entry.path(), out_); !path.starts_with(kRecordFile))
-        all[path] = entry.is_regular_file() ? hair::bytes_of(entry.path()) : "";
-    return all;
-  }
+  std::map<string, string> files() const { return files_in(out_); }
 
-  hair::TemporaryFolder temporary_{"names and codes"};
-  fs::path root_ = temporary_.path(), out_ = root_ / "grades";
+  const fs::path out_ = root_ / "grades";
 };
 
 TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
@@ -80,22 +63,21 @@ TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
   }
   ASSERT_EQ(run({"comment", "mueller_4711047110", "all", "x"}).code, 0);
   std::map<string, string> all = files();
-  const auto has = [](const string& text, const string& words) { return text.find(words) != string::npos; };
   const string name = "Müller, &lt;b&gt;";
   for (const char* page : {"index.html", "staff/mueller_4711047110.html", "costs.html"}) {
-    EXPECT_TRUE(has(all[page], name)) << page;
-    EXPECT_TRUE(has(all[page], "mueller_4711047110")) << page;
+    EXPECT_TRUE(says(all[page], name)) << page;
+    EXPECT_TRUE(says(all[page], "mueller_4711047110")) << page;
   }
-  EXPECT_TRUE(has(all["mueller_4711047110/report.html"], "<h1>" + name + "</h1>"));
-  EXPECT_TRUE(has(all["plain/report.html"], "<h1>plain</h1>"));
-  EXPECT_FALSE(has(all["staff/plain.html"], "<code>plain</code>"));
-  EXPECT_TRUE(has(all["grades.csv"], "\"Müller, <b>\"")) << all["grades.csv"];
+  EXPECT_TRUE(says(all["mueller_4711047110/report.html"], "<h1>" + name + "</h1>"));
+  EXPECT_TRUE(says(all["plain/report.html"], "<h1>plain</h1>"));
+  EXPECT_FALSE(says(all["staff/plain.html"], "<code>plain</code>"));
+  EXPECT_TRUE(says(all["grades.csv"], "\"Müller, <b>\"")) << all["grades.csv"];
   const nlohmann::json json = nlohmann::json::parse(all["staff/mueller_4711047110.json"]);
   EXPECT_EQ(json["name"], "mueller_4711047110");
   EXPECT_EQ(json["person"], "Müller, <b>");
-  EXPECT_FALSE(has(run({"export"}).output, "\"person\""));
-  EXPECT_TRUE(has(run({"export"}).output, "\"müllerb\""));
-  EXPECT_TRUE(has(run({"diff"}).output, "Müller, <b> (mueller_4711047110)  H2  1 -> 2"));
+  EXPECT_FALSE(says(run({"export"}).output, "\"person\""));
+  EXPECT_TRUE(says(run({"export"}).output, "\"müllerb\""));
+  EXPECT_TRUE(says(run({"diff"}).output, "Müller, <b> (mueller_4711047110)  H2  1 -> 2"));
   EXPECT_TRUE(run({"log", "mueller_4711047110"}).output.starts_with("Müller, <b> (mueller_4711047110)\n"));
 }
 
@@ -107,7 +89,8 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
   const auto look = [](const string& text, const string& where) {
     for (const char* name : {"mustermann", "erika", "4711047110", "em1234", "zucker", "zoë", "zoe",
                              "4712047120", "fremd", "fritz", "4713047130", "walter", "ww9999"})
-      EXPECT_EQ(lowered(text).find(name), string::npos) << where << " has " << name << ": " << text;
+      EXPECT_FALSE(says(lowered(text), name)) << where << " has "
+                                              << ": " << text;
   };
   look(first.output, "the terminal");
   look(first.errors, "the terminal");
@@ -115,7 +98,7 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
     look(path, "a path");
     if (!path.ends_with(".png")) look(bytes, path);
   }
-  EXPECT_NE(first.output.find("roster: 2 of 3 handed in"), string::npos) << first.output;
+  EXPECT_TRUE(says(first.output, "roster: 2 of 3 handed in"));
 
   std::vector<string> names;
   {
@@ -148,7 +131,7 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
       run_hairgrade({"gradebook", "gradescope", "--grades", out_.string(), "--roster",
                      (root_ / "roster.csv").string(), "--out", (root_ / "book.csv").string()});
   ASSERT_EQ(book.code, 0) << book.errors;
-  EXPECT_NE(hair::bytes_of(root_ / "book.csv").find("4711047110"), string::npos);
+  EXPECT_TRUE(says(hair::bytes_of(root_ / "book.csv"), "4711047110"));
 }
 
 }  // namespace

@@ -11,12 +11,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
-#include <set>
-#include <string_view>
+#include <string>
 
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
@@ -36,43 +34,12 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 
-// Is a sample that loses points in an exercise and passes its public checks.
-struct Exception {
-  std::string_view exercise, sample, why;
-};
-
-// There are no exceptions. One may be a bug that only a whole run or its pictures show, or that takes longer
-// than checks may.
-constexpr std::array<Exception, 0> kExceptions{};
-
-// These are statuses of submissions that were compiled and ran. A missing file, a stub, or one that does not
-// compile has nothing to check, and things that the sandbox forbids cost nothing outside of it.
-const std::set<std::string> kLosesPoints = {"partly", "wrong", "crashed", "timed out", "out of memory"};
-
-struct Program {
-  std::string name, source;  // belong to the first sample with it
-  bool right;
-};
-
-// Lists the class's files of the exercise, each once. Attacks are left out: they aim at the grader.
-std::vector<Program> programs_of(const Exercise& exercise) {
-  std::vector<Program> programs;
+// Lists the class's files of the exercise.
+std::vector<SampleProgram> class_programs(const Exercise& exercise) {
   const std::string only = environment("HAIR_SAMPLE", "");
-  std::vector<Sample> samples = read_samples(kProject);
-  std::stable_partition(samples.begin(), samples.end(),
-                        [](const Sample& sample) { return sample.group == "right"; });
-  for (const Sample& sample : samples) {
-    const std::string& status = sample.expected.at(exercise.id).status;
-    const bool right = status == "passed";
-    if (sample.attack || sample.group.starts_with("attacks-") || (!right && !kLosesPoints.contains(status)))
-      continue;
-    if (!only.empty() && sample.name != only) continue;
-    for (const auto& [path, source] : solution_files(sample, kProject))
-      if (fs::path(path).filename() == exercise.file &&
-          std::ranges::find(programs, source, &Program::source) == programs.end())
-        programs.push_back({sample.name, source, right});
-  }
-  return programs;
+  return programs_of(exercise, kProject, [&](const Sample& sample, const std::string& status) {
+    return (status == "passed" || runs_and_loses_points(status)) && (only.empty() || sample.name == only);
+  });
 }
 
 struct Checked {
@@ -138,7 +105,7 @@ class PublicChecks : public testing::Test {
 };
 
 TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
-  const std::vector<Program> programs = programs_of(*course_.find(id_));
+  const std::vector<SampleProgram> programs = class_programs(*course_.find(id_));
   std::vector<Checked> found(programs.size());
   std::atomic<int> by_sanitizers = 0;
   side_by_side(programs.size(), [&](std::size_t i) {
@@ -149,42 +116,23 @@ TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
     by_sanitizers += !found[i].passed;
   });
 
-  std::vector<Exception> exceptions;
-  std::ranges::copy_if(kExceptions, std::back_inserter(exceptions),
-                       [&](const Exception& one) { return one.exercise == id_; });
-  int right = 0, wrong = 0, caught = 0, excused = 0;
+  int right = 0, wrong = 0, caught = 0;
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    const Program& program = programs[i];
+    const SampleProgram& program = programs[i];
     ASSERT_TRUE(found[i].ran) << program.name << " does not compile:\n" << found[i].output;
-    if (program.right) {
-      ++right;
-      EXPECT_TRUE(found[i].passed) << program.name << " is right, and fails the public checks:\n"
-                                   << found[i].output;
-      continue;
-    }
-    ++wrong;
+    (program.right ? right : wrong) += 1;
     caught += !found[i].passed;
-    const auto exception =
-        std::ranges::find_if(exceptions, [&](const Exception& one) { return one.sample == program.name; });
-    if (exception == exceptions.end()) {
-      EXPECT_FALSE(found[i].passed) << program.name
-                                    << " loses points, and passes the public checks. Let them ask for it";
-    } else {
-      ++excused;
-      EXPECT_TRUE(found[i].passed) << program.name << " is an exception (" << exception->why
-                                   << "), but the public checks catch it: strike it off";
-      exceptions.erase(exception);
-    }
+    EXPECT_EQ(found[i].passed, program.right)
+        << program.name
+        << (program.right ? " is right, and fails the public checks:\n" + found[i].output
+                          : " loses points, and passes the public checks. Let them ask for it");
   }
   if (environment("HAIR_SAMPLE", "").empty()) {
-    for (const Exception& exception : exceptions)
-      ADD_FAILURE() << exception.sample << " is an exception, and no sample that loses points: strike it off";
     EXPECT_GE(right, 2) << "the reference, and another";
     EXPECT_GE(wrong, 5);
   }
-  std::printf(
-      "%s: public checks catch %d of %d wrong samples (%d by sanitizers), %d are exceptions; %d are right\n",
-      id_.c_str(), caught, wrong, by_sanitizers.load(), excused, right);
+  std::printf("%s: public checks catch %d of %d wrong samples (%d by sanitizers); %d are right\n",
+              id_.c_str(), caught, wrong, by_sanitizers.load(), right);
 }
 
 TEST_F(PublicChecks, FailForWrongProgramsThatAreMadeOfTheReference) {

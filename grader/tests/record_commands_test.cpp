@@ -11,12 +11,14 @@
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 
 // All texts about a student have a word that occurs nowhere else.
 SubmissionResult result_of(const string& name, double points) {
@@ -56,7 +58,7 @@ class RecordCommands : public testing::Test {
   void expect_refused(const std::vector<string>& words, const string& because) const {
     const ProgramRun refused = run(words);
     EXPECT_EQ(refused.code, 2) << refused.errors;
-    EXPECT_NE(refused.errors.find(because), string::npos) << refused.errors;
+    EXPECT_TRUE(says(refused.errors, because));
     EXPECT_EQ(refused.errors.find('\n') + 1, refused.errors.size()) << refused.errors;
   }
 
@@ -67,9 +69,9 @@ class RecordCommands : public testing::Test {
 TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   const std::map<string, string> before = files();
   ASSERT_EQ(run({"set", "alice", "H2.1", "7.5", "--why", "the test <was> wrong"}).code, 0);
-  EXPECT_NE(files().at("alice/report.html").find("the test &lt;was&gt; wrong"), string::npos);
+  EXPECT_TRUE(says(files().at("alice/report.html"), "the test &lt;was&gt; wrong"));
   EXPECT_EQ(nlohmann::json::parse(files().at("alice/results.json")).at("score"), 7.5);
-  EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << files().at("grades.csv");
+  EXPECT_TRUE(says(files().at("grades.csv"), "alice,7.5,8"));
   Record(out_).put({result_of("alice", 3)});
   ASSERT_EQ(run({"comment", "carol", "H2", "well done"}).code, 0);
   EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";

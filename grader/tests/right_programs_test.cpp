@@ -59,25 +59,16 @@ std::vector<Setting> settings() {
   return all;
 }
 
-struct RightProgram {
-  std::string name, source;
-};
-
 // Lists the right programs of an exercise, each once: the reference, and samples that pass. Those with edits
 // or other line ends are the same program.
-std::vector<RightProgram> right_programs(const Exercise& exercise) {
-  std::vector<RightProgram> programs = {
-      {"reference", hair::bytes_of(kProject / "reference" / exercise.id / exercise.file)}};
-  for (const Sample& sample : read_samples(kProject)) {
-    if (sample.attack || sample.group.starts_with("attacks-") ||
-        sample.expected.at(exercise.id).status != "passed")
-      continue;
-    if (!sample.edits.empty() || sample.windows) continue;
-    for (const auto& [path, source] : solution_files(sample, kProject))
-      if (fs::path(path).filename() == exercise.file &&
-          std::ranges::find(programs, source, &RightProgram::source) == programs.end())
-        programs.push_back({sample.name, source});
-  }
+std::vector<SampleProgram> right_programs(const Exercise& exercise) {
+  std::vector<SampleProgram> programs =
+      programs_of(exercise, kProject, [](const Sample& sample, const std::string& status) {
+        return status == "passed" && sample.edits.empty() && !sample.windows;
+      });
+  const std::string reference = hair::bytes_of(kProject / "reference" / exercise.id / exercise.file);
+  std::erase_if(programs, [&](const SampleProgram& one) { return one.source == reference; });
+  programs.insert(programs.begin(), {"reference", reference, true});
   return programs;
 }
 
@@ -145,7 +136,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
   }
 
   // Returns the program's failures, or an empty text.
-  std::string failures(const RightProgram& program, const Setting& setting, Nearest& nearest) const {
+  std::string failures(const SampleProgram& program, const Setting& setting, Nearest& nearest) const {
     const std::string first = environment("HAIR_FIRST_SEED", "0"), seeds = std::to_string(setting.seeds);
     std::string made_of = given_ + toolchain_.version() + setting.compiler + program.source;
     for (const std::string& option : setting.options) made_of += " " + option;
@@ -192,7 +183,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {
-  const std::vector<RightProgram> programs = right_programs(exercise_);
+  const std::vector<SampleProgram> programs = right_programs(exercise_);
   EXPECT_GE(programs.size(), 3u) << "the reference and two others";
   const std::vector<Setting> all = settings();
   const int reference_seeds = std::stoi(environment("HAIR_REFERENCE_SEEDS", "0"));

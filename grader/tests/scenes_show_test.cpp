@@ -66,25 +66,12 @@ Unseen unseen_of(const std::string& exercise) {
   return all;
 }
 
-struct Bug {
-  std::string name, source;
-};
-
-// Lists files that lose points and run. Attacks are left out: they aim at the grader.
-std::vector<Bug> bugs_of(const Exercise& exercise) {
-  static const std::set<std::string> kRun = {"partly", "wrong", "crashed", "timed out", "out of memory"};
+// Lists files that lose points and run.
+std::vector<SampleProgram> bugs_of(const Exercise& exercise) {
   const std::string only = environment("HAIR_SAMPLE", "");
-  std::vector<Bug> bugs;
-  for (const Sample& sample : read_samples(kProject)) {
-    if (sample.attack || sample.group.starts_with("attacks-") || (!only.empty() && sample.name != only))
-      continue;
-    if (!kRun.contains(sample.expected.at(exercise.id).status)) continue;
-    for (const auto& [path, source] : solution_files(sample, kProject))
-      if (fs::path(path).filename() == exercise.file &&
-          std::ranges::find(bugs, source, &Bug::source) == bugs.end())
-        bugs.push_back({sample.name, source});
-  }
-  return bugs;
+  return programs_of(exercise, kProject, [&](const Sample& sample, const std::string& status) {
+    return runs_and_loses_points(status) && (only.empty() || sample.name == only);
+  });
 }
 
 struct Seen {
@@ -176,7 +163,7 @@ class ScenesShow : public testing::Test {
 
 TEST_F(ScenesShow, EachBugOrTheFileSaysWhyNot) {
   const std::vector<double> right = right_distances();
-  const std::vector<Bug> bugs = bugs_of(*course_.find(id_));
+  const std::vector<SampleProgram> bugs = bugs_of(*course_.find(id_));
   Unseen unseen = unseen_of(id_);
   std::vector<std::string> rows(bugs.size());
   std::vector<char> seen(bugs.size());

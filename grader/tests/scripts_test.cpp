@@ -10,11 +10,13 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::says;
 
 TEST(Scripts, HelpWithoutABuild) {
   const hair::TemporaryFolder checkout("checkout");
@@ -33,7 +35,7 @@ TEST(Scripts, HelpWithoutABuild) {
     std::vector<std::string> all = words;
     all.insert(all.begin(), (checkout.path() / "grader" / script).string());
     EXPECT_EQ(hair::exit_code_of(hair::start_program({.words = all, .output = said})), 0) << script;
-    EXPECT_NE(hair::bytes_of(said).find(part), std::string::npos) << script << hair::bytes_of(said);
+    EXPECT_TRUE(says(hair::bytes_of(said), part)) << script;
   }
   EXPECT_FALSE(fs::exists(checkout.path() / "build"));
 }

@@ -3,60 +3,32 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "grader/record/record.h"
-#include "grader/tests/run_program.h"
+#include "grader/tests/in_a_folder.h"
 #include "grader/text/letters.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 using Words = std::vector<string>;
 
-bool has(const string& text, const string& words) {
-  return text.find(words) != string::npos;
-}
-
-class SecondDownload : public testing::Test {
+class SecondDownload : public InAFolder {
  protected:
-  SecondDownload() {
-    write("course.json", course_of({"S1"}).dump());
-    write("secret", "a secret for this test");
-  }
-  string path(const string& name) const { return (root_ / name).string(); }
-  string write(const string& name, const string& text) const {
-    std::ofstream(root_ / name) << text;
-    return path(name);
-  }
+  SecondDownload() : InAFolder(course_of({"S1"})) {}
   // Replaces the download. Its files don't compile, which saves time.
   void download(const Words& names) const {
     fs::remove_all(root_ / "class");
-    fs::create_directory(root_ / "class");
-    for (const string& name : names) {
-      fs::create_directories((root_ / "class" / name).parent_path());
-      std::ofstream(root_ / "class" / name) << "no\n";
-    }
+    for (const string& name : names) write("class/" + name, "no\n");
   }
-  ProgramRun grade(const Words& more) const {
-    Words words{"grade",   path("class"), "--out",    path("grades"),      "--secret",   path("secret"),
-                "--cache", path("cache"), "--course", path("course.json"), "--no-images"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_hairgrade(words);
+  ProgramRun grade(Words more) const {
+    more.insert(more.begin(), path("class"));
+    return InAFolder::grade(more);
   }
-  ProgramRun run(Words words) const {
-    words.insert(words.end(), {"--out", path("grades")});
-    return run_hairgrade(words);
-  }
-  string read(const string& name) const { return hair::bytes_of(root_ / name); }
   Words names() const { return Record(root_ / "grades").names(); }
-
-  hair::TemporaryFolder temporary_{"second-download"};
-  fs::path root_ = temporary_.path();
 };
 
 constexpr const char* kTitles =
@@ -73,28 +45,28 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   download({"team7_4713_90001_conj_grad.cpp", "roemax_LATE_4716_90002_conj_grad.cpp"});
   const ProgramRun first = grade({"--roster", write("roster.csv", kRoster)});
   ASSERT_EQ(first.code, 0) << first.errors;
-  EXPECT_TRUE(has(first.output, "roster: 3 of 4 handed in")) << first.output;
-  EXPECT_TRUE(has(first.errors, "1 hand-ins have names of the roster's groups and count for 2 people"))
+  EXPECT_TRUE(says(first.output, "roster: 3 of 4 handed in")) << first.output;
+  EXPECT_TRUE(says(first.errors, "1 hand-ins have names of the roster's groups and count for 2 people"))
       << first.errors;
   EXPECT_EQ(names(), (Words{"roemax_4716", "team7_4713"}));
-  EXPECT_TRUE(has(read("grades/index.html"), "Team 7 (Muster, Erika; Lee, Sam)"));
+  EXPECT_TRUE(says(read("grades/index.html"), "Team 7 (Muster, Erika; Lee, Sam)"));
   EXPECT_TRUE(
-      has(read("grades/index.html"), "Roe, Max</a></th><td></td><td colspan=\"3\">marked late by Canvas"));
+      says(read("grades/index.html"), "Roe, Max</a></th><td></td><td colspan=\"3\">marked late by Canvas"));
   const string exported = run({"export"}).output;
-  EXPECT_TRUE(has(exported.substr(exported.find("roemax_4716")), "\"marked_late\": true"));
+  EXPECT_TRUE(says(exported.substr(exported.find("roemax_4716")), "\"marked_late\": true"));
   ASSERT_EQ(run({"set", "team7_4713", "S1", "5", "--why", "a talk"}).code, 0);
   ASSERT_EQ(run({"comment", "team7_4713", "all", "Well spoken."}).code, 0);
 
   // Another member hands in for the group, which has another name and a new member; the mark has gone.
   download({"rockets_4714_90011_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
   const ProgramRun second = grade({"--resume", "--roster", write("roster.csv", kLater)});
-  EXPECT_TRUE(has(second.errors, "rockets_4714: is team7_4713 under another name, and keeps its row"))
+  EXPECT_TRUE(says(second.errors, "rockets_4714: is team7_4713 under another name, and keeps its row"))
       << second.errors;
-  EXPECT_TRUE(has(second.output, "0 graded, 2 kept")) << second.output << second.errors;
+  EXPECT_TRUE(says(second.output, "0 graded, 2 kept")) << second.output << second.errors;
   EXPECT_EQ(names(), (Words{"roemax_4716", "team7_4713"}));
-  EXPECT_TRUE(has(read("grades/team7_4713/report.html"), "Well spoken."));
-  EXPECT_TRUE(has(read("grades/index.html"), "Rockets (Muster, Erika; Lee, Sam; Poe, Ann)"));
-  EXPECT_FALSE(has(read("grades/index.html"), "marked late"));
+  EXPECT_TRUE(says(read("grades/team7_4713/report.html"), "Well spoken."));
+  EXPECT_TRUE(says(read("grades/index.html"), "Rockets (Muster, Erika; Lee, Sam; Poe, Ann)"));
+  EXPECT_FALSE(says(read("grades/index.html"), "marked late"));
 
   write("export.csv",
         "Student,ID,SIS Login ID,Section,Lab (7)\n    Points Possible,,,,32\n\"Muster, "
@@ -104,15 +76,15 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
                                            path("export.csv"), "--out", path("filled.csv")});
   ASSERT_EQ(filled.code, 0) << filled.errors;
   for (const char* row : {"4713,jd,A,5\n", "4714,sl,A,5\n", "4715,ap,A,5\n", "4716,mr,A,0\n"})
-    EXPECT_TRUE(has(read("filled.csv"), row)) << read("filled.csv");
+    EXPECT_TRUE(says(read("filled.csv"), row)) << read("filled.csv");
 
   // A later run has no roster of its own; a member has left, so it is another group's work.
   write("roster.csv", string(kTitles) + "\"Muster, Erika\",4713,900,jd,Lab A,Solo,55,\n");
   download({"solo_4713_90021_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
   const ProgramRun third = grade({"--resume", "--roster", path("roster.csv")});
-  EXPECT_TRUE(has(third.errors, "solo_4713: is team7_4713, but somebody has left it")) << third.errors;
+  EXPECT_TRUE(says(third.errors, "solo_4713: is team7_4713, but somebody has left it")) << third.errors;
   EXPECT_EQ(names(), (Words{"roemax_4716", "solo_4713", "team7_4713"}));
-  EXPECT_FALSE(has(read("grades/solo_4713/report.html"), "Well spoken."));
+  EXPECT_FALSE(says(read("grades/solo_4713/report.html"), "Well spoken."));
 }
 
 TEST_F(SecondDownload, ACorrectedTableReplacesTimesAndSaysSo) {
@@ -123,14 +95,15 @@ TEST_F(SecondDownload, ACorrectedTableReplacesTimesAndSaysSo) {
     return grade(words).errors;
   };
   const auto time = [&] { return Record(root_ / "grades").handed_in("roemax_4716"); };
-  EXPECT_FALSE(has(grade_with("4716,2025-03-09 10:00\n"), "time of hand-in"));
-  EXPECT_TRUE(has(grade_with("4716,-\n"), ": its time of hand-in was 2025-03-09 10:00 and is unknown now\n"));
+  EXPECT_FALSE(says(grade_with("4716,2025-03-09 10:00\n"), "time of hand-in"));
+  EXPECT_TRUE(
+      says(grade_with("4716,-\n"), ": its time of hand-in was 2025-03-09 10:00 and is unknown now\n"));
   EXPECT_EQ(time(), "-");
-  EXPECT_TRUE(has(grade_with("4716,2025-03-09 10:00\n", {"--resume"}),
-                  ": its time of hand-in was unknown and is 2025-03-09 10:00 now\n"));
-  EXPECT_FALSE(has(grade_with("4716,2025-03-09 10:00\n", {"--resume"}), "time of hand-in"));
+  EXPECT_TRUE(says(grade_with("4716,2025-03-09 10:00\n", {"--resume"}),
+                   ": its time of hand-in was unknown and is 2025-03-09 10:00 now\n"));
+  EXPECT_FALSE(says(grade_with("4716,2025-03-09 10:00\n", {"--resume"}), "time of hand-in"));
   for (const char* rows : {"4711,2025-03-04 10:00\n", "4711,2025-03-04 10:00\n4716,soon\n"})
-    EXPECT_TRUE(has(grade_with(rows, {"--resume"}), "times.csv, and keeps 2025-03-09 10:00\n"));
+    EXPECT_TRUE(says(grade_with(rows, {"--resume"}), "times.csv, and keeps 2025-03-09 10:00\n"));
   EXPECT_EQ(time(), "2025-03-09 10:00");
 }
 
@@ -140,7 +113,7 @@ TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
             "Teilnehmer_4714_assignsubmission_file/conj_grad.cpp"});
   const ProgramRun first = grade({"--anonymous"});
   ASSERT_EQ(first.code, 0) << first.errors;
-  EXPECT_TRUE(has(first.output, "Moodle")) << first.output;
+  EXPECT_TRUE(says(first.output, "Moodle")) << first.output;
   const Words codes = names();
   ASSERT_EQ(codes.size(), 2U);
   for (const string& code : codes) EXPECT_TRUE(code.starts_with("code-")) << code;
@@ -154,28 +127,28 @@ TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
       "AM\",-,\nParticipant 4714,Sam Lee,x,,32.00,Yes,-,-,\nParticipant 4715,Ann Poe,x,,32.00,Yes,-,-,\n");
   const ProgramRun second = grade({"--resume", "--roster", sheet, "--times", sheet});
   EXPECT_EQ(second.code, 0) << second.errors;
-  EXPECT_TRUE(has(second.output, "roster: 2 of 3 handed in")) << second.output;
-  EXPECT_TRUE(has(second.output, "0 graded, 2 kept")) << second.output;
+  EXPECT_TRUE(says(second.output, "roster: 2 of 3 handed in")) << second.output;
+  EXPECT_TRUE(says(second.output, "0 graded, 2 kept")) << second.output;
   EXPECT_EQ(names(), codes);
   string all = second.output + second.errors;
   for (const auto& entry : fs::recursive_directory_iterator(root_ / "grades"))
     if (!entry.path().filename().string().starts_with(kRecordFile))
       all += entry.path().string() + "\n" + (entry.is_regular_file() ? hair::bytes_of(entry.path()) : "");
   for (const char* name : {"4713", "4714", "erika", "muster", "sam lee", "ann poe"})
-    EXPECT_FALSE(has(lowered(all), name)) << name;
+    EXPECT_FALSE(says(lowered(all), name)) << name;
   const string code = Record(root_ / "grades").codes().at("Teilnehmer_4713");
   EXPECT_EQ(Record(root_ / "grades").handed_in(code), "Tuesday, 4 March 2025, 10:15 AM");
 
   // The version is the same, and nobody gives the table again.
-  EXPECT_TRUE(has(grade({"--only", code}).output, "1 graded"));
+  EXPECT_TRUE(says(grade({"--only", code}).output, "1 graded"));
   EXPECT_EQ(Record(root_ / "grades").handed_in(code), "Tuesday, 4 March 2025, 10:15 AM");
 
   ASSERT_EQ(run({"set", code, "S1", "5", "--why", "x"}).code, 0);
   const ProgramRun filled = run_hairgrade(
       {"gradebook", "moodle", "--grades", path("grades"), "--fill", sheet, "--out", path("filled.csv")});
   ASSERT_EQ(filled.code, 0) << filled.errors;
-  EXPECT_TRUE(has(read("filled.csv"), "Participant 4713,Erika Muster,x,5,32.00")) << read("filled.csv");
-  EXPECT_TRUE(has(read("filled.csv"), "Participant 4715,Ann Poe,x,,32.00")) << read("filled.csv");
+  EXPECT_TRUE(says(read("filled.csv"), "Participant 4713,Erika Muster,x,5,32.00")) << read("filled.csv");
+  EXPECT_TRUE(says(read("filled.csv"), "Participant 4715,Ann Poe,x,,32.00")) << read("filled.csv");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // STAFF ONLY. Tests hairgrade --study from outside, without hair: it grades a class of three twice.
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,12 +8,15 @@
 #include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 
 constexpr const char* kNoHair = R"({"exercises": {
   "H1": {"role": "absent"}, "H2": {"role": "absent"}, "H3": {"role": "absent"},
@@ -24,19 +26,18 @@ constexpr const char* kNoHair = R"({"exercises": {
 class Studying : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    string pattern = (fs::temp_directory_path() / "hairgrade-study-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
+    static const hair::TemporaryFolder shared("hairgrade-study");
+    folder_ = shared.path();
     std::ofstream(folder_ / "secret") << "a secret for this test";
     std::ofstream(folder_ / "course.json") << kNoHair;
     without_ = grade("without", {});
     with_ = grade("with", {"--study"});
   }
-  static void TearDownTestSuite() { fs::remove_all(folder_); }
 
   static ProgramRun grade(const string& where, const std::vector<string>& more) {
     std::vector<string> arguments = {"grade"};
-    for (const char* name : {"perfect.tar.gz", "p1-midpoint-full-step.tar.gz", "segfault.tar.gz"})
-      arguments.push_back((fs::path(HAIR_SAMPLE_CLASS) / name).string());
+    for (const char* name : {"perfect", "p1-midpoint-full-step", "segfault"})
+      arguments.push_back(sample(name));
     for (const char* word : {"--secret", "secret", "--cache", "cache", "--course", "course.json"})
       arguments.push_back(word[0] == '-' ? string(word) : (folder_ / word).string());
     arguments.insert(arguments.end(), {"--no-images", "--out", (folder_ / where).string()});
@@ -90,16 +91,16 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
 
 TEST_F(Studying, IsMadeUpForByResume) {
   const ProgramRun again = grade("with", {"--resume", "--study"});
-  EXPECT_NE(again.output.find("0 graded, 3 kept"), string::npos) << again.output;
+  EXPECT_TRUE(says(again.output, "0 graded, 3 kept"));
   fs::copy(folder_ / "without", folder_ / "later", fs::copy_options::recursive);
   const ProgramRun later = grade("later", {"--resume", "--study", "--only", "perfect"});
-  EXPECT_NE(later.output.find("1 graded"), string::npos) << later.output;
+  EXPECT_TRUE(says(later.output, "1 graded"));
   EXPECT_TRUE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
   // One exercise is graded again: the study was of other code.
   fs::copy(folder_ / "later", folder_ / "one", fs::copy_options::recursive);
   ASSERT_EQ(grade("one", {"--only", "perfect", "--exercise", "S1"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "one" / "perfect" / "study.html"));
-  EXPECT_EQ(hair::bytes_of(folder_ / "one" / "perfect" / "report.html").find("study.html"), string::npos);
+  EXPECT_FALSE(says(hair::bytes_of(folder_ / "one" / "perfect" / "report.html"), "study.html"));
   // After grading without a study, nothing leads to an old one.
   ASSERT_EQ(grade("later", {"--only", "perfect"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
@@ -114,8 +115,8 @@ TEST_F(Studying, OfAReferenceThatFailsStopsNoGrading) {
   fs::remove(motions);
   fs::rename(aside, motions);
   EXPECT_EQ(run.code, 1) << run.errors;
-  EXPECT_NE(run.output.find("1 graded"), string::npos) << run.output;
-  EXPECT_NE(run.errors.find("the studies: the reference's failed: "), string::npos) << run.errors;
+  EXPECT_TRUE(says(run.output, "1 graded"));
+  EXPECT_TRUE(says(run.errors, "the studies: the reference's failed: "));
   EXPECT_TRUE(fs::exists(folder_ / "failed" / "perfect" / "report.html"));
   EXPECT_FALSE(fs::exists(folder_ / "failed" / "perfect" / "study.html"));
 }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "grader/course/input.h"
-#include "hair/io/plot/readable.h"
+#include "grader/text/letters.h"
 
 namespace grader::inline text {
 namespace {
@@ -66,17 +66,12 @@ std::optional<Wide> wide_encoding_of(std::string_view bytes) {
 // Returns the length in bytes of the letter at the beginning; 0 if it is not UTF-8. No text has NUL and
 // control characters, except those between words.
 std::size_t letter_at(std::string_view bytes) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
-  if (byte(0) < 0x20) return byte(0) >= '\t' && byte(0) <= '\r' ? 1 : 0;
-  if (byte(0) < 0x80) return 1;
-  const std::size_t size = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
-  if (byte(0) < 0xc2 || byte(0) > 0xf4 || bytes.size() < size) return 0;
-  for (std::size_t i = 1; i < size; ++i)
-    if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
-  // These are letters that have a shorter form, half a letter of UTF-16, and values beyond the last letter.
-  const bool none = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
-                    (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
-  return none ? 0 : size;
+  if (const auto byte = static_cast<std::uint8_t>(bytes[0]); byte < 0x20)
+    return byte >= '\t' && byte <= '\r' ? 1 : 0;
+  utf8proc_int32_t letter = 0;
+  const utf8proc_ssize_t size = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(bytes.data()),
+                                                 static_cast<utf8proc_ssize_t>(bytes.size()), &letter);
+  return size > 0 ? static_cast<std::size_t>(size) : 0;
 }
 
 void append(std::string& text, char32_t letter) {
@@ -148,7 +143,7 @@ Decoded decoded(std::string_view bytes, const std::string& file) {
             {file + ": is read as UTF-16 (" + (wide->little_endian ? "little" : "big") + "-endian)"},
             {wide->page, marked ? wide->mark : ""}};
   }
-  if (hair::valid_utf8(bytes) == bytes) return {std::string(bytes)};
+  if (is_utf8(bytes)) return {std::string(bytes)};
   std::optional<std::string> western = from_code_page(bytes, "CP1252");
   if (!western)
     throw BadInput(

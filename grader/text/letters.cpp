@@ -32,16 +32,30 @@ std::string mapped(std::string_view text, int options) {
   return {reinterpret_cast<const char*>(result), static_cast<std::size_t>(size)};
 }
 
+struct Letter {
+  utf8proc_int32_t code = 0;
+  std::size_t bytes = 1;
+  bool valid = false;  // false: a byte that is no UTF-8
+};
+
+Letter first_letter(std::string_view text) {
+  Letter letter;
+  const utf8proc_ssize_t size =
+      utf8proc_iterate(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()), &letter.code);
+  return size <= 0 ? Letter() : Letter{letter.code, static_cast<std::size_t>(size), true};
+}
+
+std::size_t columns_of(const Letter& letter) {
+  return letter.valid ? static_cast<std::size_t>(utf8proc_charwidth(letter.code)) : 1;
+}
+
 // Visits letters up to the first byte that is no UTF-8.
 void each_letter(std::string_view text, const std::function<void(utf8proc_int32_t)>& take) {
-  const utf8proc_uint8_t* bytes = bytes_of(text);
-  for (std::size_t at = 0; at < text.size();) {
-    utf8proc_int32_t letter = 0;
-    const utf8proc_ssize_t size =
-        utf8proc_iterate(bytes + at, static_cast<utf8proc_ssize_t>(text.size() - at), &letter);
-    if (size <= 0) return;
-    at += static_cast<std::size_t>(size);
-    take(letter);
+  while (!text.empty()) {
+    const Letter letter = first_letter(text);
+    if (!letter.valid) return;
+    take(letter.code);
+    text.remove_prefix(letter.bytes);
   }
 }
 
@@ -104,14 +118,7 @@ std::string without_unseen(std::string_view text) {
 }
 
 bool is_utf8(std::string_view bytes) {
-  while (!bytes.empty()) {
-    utf8proc_int32_t letter = 0;
-    const utf8proc_ssize_t size =
-        utf8proc_iterate(bytes_of(bytes), static_cast<utf8proc_ssize_t>(bytes.size()), &letter);
-    if (size <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(size));
-  }
-  return true;
+  return hair::valid_utf8(bytes) == bytes;
 }
 
 bool is_stream_safe(std::string_view text) {
@@ -134,43 +141,24 @@ std::string without_marks(std::string_view name) {
                 UTF8PROC_STABLE | UTF8PROC_COMPOSE);
 }
 
-namespace {
-
-struct Letter {
-  std::size_t bytes, columns;
-};
-
-Letter first_letter(std::string_view text) {
-  utf8proc_int32_t letter = 0;
-  const utf8proc_ssize_t size =
-      utf8proc_iterate(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()), &letter);
-  if (size <= 0) return {1, 1};
-  return {static_cast<std::size_t>(size), static_cast<std::size_t>(utf8proc_charwidth(letter))};
-}
-
-}  // namespace
-
 std::string legible(std::string_view text, std::size_t most) {
   constexpr char digits[] = "0123456789abcdef";
   std::string line;
   while (!text.empty()) {
     if (line.size() >= most) return line + "...";
-    utf8proc_int32_t letter = 0;
-    const utf8proc_ssize_t size =
-        utf8proc_iterate(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()), &letter);
-    const utf8proc_category_t kind = size > 0 ? utf8proc_category(letter) : UTF8PROC_CATEGORY_CN;
+    const Letter letter = first_letter(text);
+    const utf8proc_category_t kind = letter.valid ? utf8proc_category(letter.code) : UTF8PROC_CATEGORY_CN;
     const bool seen = kind != UTF8PROC_CATEGORY_CC && kind != UTF8PROC_CATEGORY_CF &&
                       kind != UTF8PROC_CATEGORY_CS && kind != UTF8PROC_CATEGORY_CN &&
                       kind != UTF8PROC_CATEGORY_CO && kind != UTF8PROC_CATEGORY_ZL &&
                       kind != UTF8PROC_CATEGORY_ZP;
-    const auto bytes = static_cast<std::size_t>(std::max<utf8proc_ssize_t>(size, 1));
-    for (const char c : text.substr(0, bytes)) {
+    for (const char c : text.substr(0, letter.bytes)) {
       if (seen)
         line += c;
       else
         line += {'\\', 'x', digits[static_cast<unsigned char>(c) >> 4], digits[c & 15]};
     }
-    text.remove_prefix(bytes);
+    text.remove_prefix(letter.bytes);
   }
   return line;
 }
@@ -178,9 +166,9 @@ std::string legible(std::string_view text, std::size_t most) {
 std::size_t terminal_columns(std::string_view text) {
   std::size_t columns = 0;
   while (!text.empty()) {
-    const auto [bytes, wide] = first_letter(text);
-    columns += wide;
-    text.remove_prefix(bytes);
+    const Letter letter = first_letter(text);
+    columns += columns_of(letter);
+    text.remove_prefix(letter.bytes);
   }
   return columns;
 }
@@ -188,10 +176,10 @@ std::size_t terminal_columns(std::string_view text) {
 std::string first_columns(std::string_view text, std::size_t most) {
   std::size_t columns = 0, length = 0;
   while (length < text.size()) {
-    const auto [bytes, wide] = first_letter(text.substr(length));
-    if (columns + wide > most) break;
-    columns += wide;
-    length += bytes;
+    const Letter letter = first_letter(text.substr(length));
+    columns += columns_of(letter);
+    if (columns > most) break;
+    length += letter.bytes;
   }
   return std::string(text.substr(0, length));
 }

@@ -3,12 +3,13 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -27,19 +28,9 @@ struct CloseArchive {
 };
 using Handle = std::unique_ptr<archive, CloseArchive>;
 
-std::string first_bytes(const ArchiveSource& source) {
-  if (const auto* bytes = std::get_if<std::string>(&source)) return bytes->substr(0, kHeadBytes);
+std::string first_bytes(int file) {
   std::string head(kHeadBytes, '\0');
-  std::size_t size = 0;
-  if (const auto* file = std::get_if<OpenFile>(&source)) {
-    size =
-        static_cast<std::size_t>(std::max<ssize_t>(pread(file->descriptor, head.data(), head.size(), 0), 0));
-  } else {
-    std::ifstream in(std::get<std::filesystem::path>(source), std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    size = static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0));
-  }
-  head.resize(size);
+  head.resize(static_cast<std::size_t>(std::max<ssize_t>(pread(file, head.data(), head.size(), 0), 0)));
   return head;
 }
 
@@ -54,29 +45,26 @@ std::string name_in(archive_entry* entry) {
 // since the library limits only the sizes that the inner tar states.
 class Reading {
  public:
-  Reading(const ArchiveSource& source, const std::string& shown, ArchiveLimits limits)
+  Reading(int file, const std::string& shown, ArchiveLimits limits)
       : shown_(shown), limits_(limits), left_(limits.unpacked_bytes) {
-    if (const auto* file = std::get_if<std::filesystem::path>(&source); file && !std::ifstream(*file)) {
-      throw Unreadable(shown_ + " can't be read (" + std::generic_category().message(errno) + ").");
-    }
-    const std::string head = first_bytes(source);
+    const std::string head = first_bytes(file);
     entries_.reset(archive_read_new());
     if (is_gzip(head)) {
       stream_.reset(archive_read_new());
       archive_read_append_filter(stream_.get(), ARCHIVE_FILTER_GZIP);
       archive_read_support_format_raw(stream_.get());
-      open(stream_, source);
+      open(stream_, file);
       archive_entry* only = nullptr;
       if (archive_read_next_header(stream_.get(), &only) < ARCHIVE_WARN) refuse_damaged();
       unpack_head();
       read_tar(&Reading::next_unpacked);
     } else if (is_tar(head)) {
       archive_read_support_format_tar(entries_.get());
-      open(entries_, source);
+      open(entries_, file);
     } else if (const std::string_view other = foreign_format(head); !other.empty()) {
       refuse_format(other);
     } else {
-      open_zip(source);
+      open_zip(file);
       if (!zip_->is_zip() && is_zip(head)) refuse_damaged();
       if (!zip_->is_zip()) refuse_format("neither a zip nor a tar.gz archive");
       if (zip_->entries() > limits.entries) refuse_entries();
@@ -127,47 +115,19 @@ class Reading {
   }
 
  private:
-  void open_zip(const ArchiveSource& source) {
-    if (const auto* bytes = std::get_if<std::string>(&source)) {
-      zip_.emplace(
-          [bytes](std::uint64_t offset, char* block, std::size_t size) {
-            return offset < bytes->size() ? bytes->copy(block, size, static_cast<std::size_t>(offset)) : 0;
-          },
-          bytes->size());
-    } else if (const auto* open_file = std::get_if<OpenFile>(&source)) {
-      const int descriptor = open_file->descriptor;
-      zip_.emplace(
-          [descriptor](std::uint64_t offset, char* block, std::size_t size) {
-            return static_cast<std::size_t>(
-                std::max<ssize_t>(pread(descriptor, block, size, static_cast<off_t>(offset)), 0));
-          },
-          static_cast<std::uint64_t>(std::max<off_t>(lseek(descriptor, 0, SEEK_END), 0)));
-    } else {
-      file_.open(std::get<std::filesystem::path>(source), std::ios::binary | std::ios::ate);
-      zip_.emplace(
-          [this](std::uint64_t offset, char* block, std::size_t size) {
-            file_.clear();
-            file_.seekg(static_cast<std::streamoff>(offset));
-            file_.read(block, static_cast<std::streamsize>(size));
-            return static_cast<std::size_t>(std::max<std::streamsize>(file_.gcount(), 0));
-          },
-          static_cast<std::uint64_t>(std::max<std::streamoff>(file_.tellg(), 0)));
-    }
+  void open_zip(int file) {
+    zip_.emplace(
+        [file](std::uint64_t offset, char* block, std::size_t size) {
+          return static_cast<std::size_t>(
+              std::max<ssize_t>(pread(file, block, size, static_cast<off_t>(offset)), 0));
+        },
+        static_cast<std::uint64_t>(std::max<off_t>(lseek(file, 0, SEEK_END), 0)));
   }
 
-  void open(Handle& handle, const ArchiveSource& source) {
+  void open(Handle& handle, int file) {
     constexpr std::size_t block = 65536;
-    int result = ARCHIVE_FATAL;
-    if (const auto* bytes = std::get_if<std::string>(&source)) {
-      result = archive_read_open_memory(handle.get(), bytes->data(), bytes->size());
-    } else if (const auto* file = std::get_if<OpenFile>(&source)) {
-      if (lseek(file->descriptor, 0, SEEK_SET) == 0)
-        result = archive_read_open_fd(handle.get(), file->descriptor, block);
-    } else {
-      result =
-          archive_read_open_filename(handle.get(), std::get<std::filesystem::path>(source).c_str(), block);
-    }
-    if (result < ARCHIVE_WARN) refuse_damaged();
+    if (lseek(file, 0, SEEK_SET) != 0 || archive_read_open_fd(handle.get(), file, block) < ARCHIVE_WARN)
+      refuse_damaged();
   }
 
   // Stored and deflated data need a window of 32 kB. In other methods of zip a few bytes request gigabytes:
@@ -235,7 +195,6 @@ class Reading {
   std::size_t count_ = 0;
   std::array<char, 65536> block_;
   std::size_t head_ = 0;  // bytes unpacked in the block's first look
-  std::ifstream file_;
   std::optional<ZipSource> zip_;
   Handle stream_;   // is a gzip's only content
   Handle entries_;  // destroyed before the stream that it reads
@@ -260,11 +219,28 @@ Entry described(archive_entry* entry) {
 
 }  // namespace
 
-Archive::Archive(ArchiveSource source, std::string shown, ArchiveLimits limits)
-    : source_(std::move(source)), shown_(std::move(shown)), limits_(limits) {}
+Descriptor opened(const ArchiveSource& source, const std::string& shown) {
+  if (const auto* path = std::get_if<std::filesystem::path>(&source)) {
+    Descriptor file(open(path->c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file) throw Unreadable(shown + " can't be read (" + std::generic_category().message(errno) + ").");
+    return file;
+  }
+  const std::string& bytes = std::get<std::string>(source);
+  Descriptor file(memfd_create("archive", MFD_CLOEXEC));
+  for (std::size_t at = 0; at < bytes.size();) {
+    const ssize_t size = write(file.get(), bytes.data() + at, bytes.size() - at);
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) throw std::system_error(errno, std::generic_category(), "memory for " + shown);
+    at += static_cast<std::size_t>(size);
+  }
+  return file;
+}
+
+Archive::Archive(Descriptor file, std::string shown, ArchiveLimits limits)
+    : file_(std::move(file)), shown_(std::move(shown)), limits_(limits) {}
 
 std::vector<Entry> Archive::list() {
-  Reading reading(source_, shown_, limits_);
+  Reading reading(file_.get(), shown_, limits_);
   std::vector<Entry> entries;
   while (archive_entry* entry = reading.next()) {
     entries.push_back(described(entry));
@@ -279,7 +255,7 @@ std::vector<Entry> Archive::list() {
 void Archive::visit(const std::vector<std::size_t>& indices,
                     const std::function<void(std::size_t, const Read&)>& take) {
   if (indices.empty()) return;
-  Reading reading(source_, shown_, limits_);
+  Reading reading(file_.get(), shown_, limits_);
   std::size_t next = 0;  // is the index of the next entry
   for (const std::size_t index : indices) {
     archive_entry* entry = nullptr;
@@ -292,12 +268,13 @@ void Archive::visit(const std::vector<std::size_t>& indices,
   }
 }
 
-std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits) {
-  return std::make_unique<Archive>(std::move(source), shown, limits);
+std::unique_ptr<Container> open_here(const ArchiveSource& source, const std::string& shown,
+                                     ArchiveLimits limits) {
+  return std::make_unique<Archive>(source, shown, limits);
 }
 
 bool has_archive_content(const std::filesystem::path& file) {
-  const std::string head = first_bytes(file);
+  const std::string head = first_bytes(Descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC)).get());
   return is_zip(head) || is_gzip(head) || is_tar(head);
 }
 

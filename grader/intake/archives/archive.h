@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "grader/intake/archives/container.h"
+#include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline intake {
 
@@ -20,23 +21,25 @@ struct ArchiveLimits {
 
 inline constexpr std::size_t kLongestPath = 4096;  // bytes of a path in an archive
 
-struct OpenFile {
-  int descriptor;  // belongs to the caller, who closes it
-};
-// Is a file on disk, an archive's bytes, or an open file.
-using ArchiveSource = std::variant<std::filesystem::path, std::string, OpenFile>;
+// Is a file on disk, or an archive's bytes.
+using ArchiveSource = std::variant<std::filesystem::path, std::string>;
+
+// Opens a file; bytes become a file in memory. Throws Unreadable for a path that can't be opened.
+Descriptor opened(const ArchiveSource& source, const std::string& shown);
 
 class Archive : public Container {
  public:
   // `shown` is the archive's name in messages.
-  Archive(ArchiveSource source, std::string shown, ArchiveLimits limits);
+  Archive(Descriptor file, std::string shown, ArchiveLimits limits);
+  Archive(const ArchiveSource& source, const std::string& shown, ArchiveLimits limits)
+      : Archive(opened(source, shown), shown, limits) {}
 
   std::vector<Entry> list() override;
   void visit(const std::vector<std::size_t>& indices,
              const std::function<void(std::size_t index, const Read&)>& take) override;
 
  private:
-  ArchiveSource source_;
+  Descriptor file_;
   std::string shown_;
   ArchiveLimits limits_;
 };
@@ -44,8 +47,9 @@ class Archive : public Container {
 // Opens an archive. `open_here` reads it in this process, with all its rights, whatever its bytes do to the
 // library; sandboxed_archive.h reads it in a sandbox.
 using OpenArchive =
-    std::function<std::unique_ptr<Container>(ArchiveSource, const std::string& shown, ArchiveLimits)>;
-std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits);
+    std::function<std::unique_ptr<Container>(const ArchiveSource&, const std::string& shown, ArchiveLimits)>;
+std::unique_ptr<Container> open_here(const ArchiveSource& source, const std::string& shown,
+                                     ArchiveLimits limits);
 
 // True if the file starts like a zip or a gzip, or is a tar.
 bool has_archive_content(const std::filesystem::path& file);

@@ -74,7 +74,7 @@ void serve_archive(const std::string& shown, ArchiveLimits limits) {
   Channel channel(kConversation, kConversation);
   channel.send(Kind::hello, 0);
   try {
-    Archive archive(OpenFile{kArchive}, shown, limits);
+    Archive archive(Descriptor(kArchive), shown, limits);
     const std::vector<Entry> entries = archive.list();
     channel.send(Kind::done, 0, packed_entries(entries));
     answer_questions(channel, archive, entries.size());

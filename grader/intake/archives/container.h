@@ -49,7 +49,7 @@ struct Entry {
 // programs write it. A root is removed with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
 Entry entry_at(std::string shown);
 
-// Makes names readable: decoded (code_page.h) and composed; a nameless entry becomes "entry 17".
+// Makes names readable: decoded and composed; a nameless entry becomes "entry 17".
 // "name-1a2b3c4d" replaces a part of more than 255 bytes or with more than 30 marks in a row. Marks replaced
 // entries. Returns a line for each name that was guessed, refused or left out; each begins with `shown`.
 std::vector<std::string> settle_names(std::vector<Entry>& list, const std::string& shown);

@@ -12,6 +12,7 @@
 
 #include "grader/course/input.h"
 #include "grader/intake/names/ignored.h"
+#include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline intake {
 namespace {
@@ -41,33 +42,16 @@ Entry described(const fs::path& file, std::string shown) {
   return entry;
 }
 
-class Descriptor {
- public:
-  // Opens without blocking: a pipe in place of a file would wait for a writer.
-  explicit Descriptor(const fs::path& file)
-      : number_(open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {}
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 std::string read_file(const fs::path& file, const std::string& shown, std::size_t most) {
-  const Descriptor in(file);
+  // A pipe in place of a file would wait for a writer.
+  const Descriptor in(open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
-  if (in.number() < 0 || fstat(in.number(), &status) != 0) {
-    throw Refused(shown + " can't be read" + reason(errno) + ".");
-  }
+  if (!in || fstat(in.get(), &status) != 0) throw Refused(shown + " can't be read" + reason(errno) + ".");
   if (!S_ISREG(status.st_mode)) throw Refused(shown + " is not a file.");
   std::string bytes;
   char block[65536];
   for (;;) {
-    const ssize_t size = read(in.number(), block, sizeof block);
+    const ssize_t size = read(in.get(), block, sizeof block);
     if (size == 0) return bytes;
     if (size < 0 && errno == EINTR) continue;
     if (size < 0) throw Refused(shown + " can't be read" + reason(errno) + ".");

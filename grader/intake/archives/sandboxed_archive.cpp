@@ -44,27 +44,6 @@ Watchdog::Patience patience(ArchiveLimits limits, int archive) {
   return {.idle_seconds = 5 + megabytes / 10, .cpu_seconds = most + 1, .wall_seconds = 120 + 4 * most};
 }
 
-std::string because_of(int error) {
-  return " can't be read (" + std::generic_category().message(error) + ").";
-}
-
-Descriptor opened(const ArchiveSource& source, const std::string& shown) {
-  if (const auto* path = std::get_if<fs::path>(&source)) {
-    Descriptor file(open(path->c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file) throw Unreadable(shown + because_of(errno));
-    return file;
-  }
-  const std::string& bytes = std::get<std::string>(source);
-  Descriptor file(memfd_create("archive", MFD_CLOEXEC));
-  for (std::size_t at = 0; at < bytes.size();) {
-    const ssize_t size = write(file.get(), bytes.data() + at, bytes.size() - at);
-    if (size < 0 && errno == EINTR) continue;
-    if (size <= 0) throw std::system_error(errno, std::generic_category(), "memory for " + shown);
-    at += static_cast<std::size_t>(size);
-  }
-  return file;
-}
-
 Pipe make_conversation() {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)

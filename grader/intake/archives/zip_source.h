@@ -4,7 +4,7 @@
 // - Bytes before the first entry, as of a program that unpacks itself, go if the zip's offsets don't count
 // them.
 // - An entry with the flag of UTF-8 and other bytes gets no name, so that two of them look equal. The flag is
-// cleared: names keep their bytes, and code_page.h decodes them.
+// cleared: names keep their bytes, and container.cpp decodes them.
 #pragma once
 
 #include <cstdint>

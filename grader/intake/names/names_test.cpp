@@ -7,7 +7,7 @@ namespace grader::inline intake {
 namespace {
 
 TEST(SubmissionName, IsSafeForFilesAndPages) {
-  EXPECT_EQ(submission_name("Smith, Zo\xc3\xab <b>.zip"), "Smith__Zo____b_");
+  EXPECT_EQ(submission_name("Smith, Zoë <b>.zip"), "Smith__Zo____b_");
   EXPECT_EQ(submission_name("staff.zip"), "staff_");
   EXPECT_EQ(submission_name("grades.csv.zip"), "grades.csv_");
   EXPECT_EQ(submission_name("alice.v2.ZIP"), "alice.v2");
@@ -24,7 +24,7 @@ TEST(SubmissionName, BeginsWithALetterOrADigit) {
   EXPECT_EQ(submission_name("..zip"), "x.");
   EXPECT_EQ(submission_name("=cmd.zip"), "x_cmd");
   EXPECT_EQ(submission_name(".zip"), "x");
-  EXPECT_EQ(submission_name("\xc3\x84rger.zip"), "x__rger");
+  EXPECT_EQ(submission_name("Ärger.zip"), "x__rger");
   EXPECT_EQ(submission_name("7of9.zip"), "7of9");
   for (int byte = 1; byte < 256; ++byte) {
     const std::string name = submission_name(std::string(1, static_cast<char>(byte)) + "name");
@@ -42,16 +42,15 @@ TEST(SubmissionName, AmongEqualsDependsOnThePathAlone) {
 
 TEST(NameOfAnOwner, HasItsIdWhole) {
   EXPECT_EQ(name_of_owner({.name = "doejane", .id = "4711"}), "doejane_4711");
-  EXPECT_EQ(name_of_owner({.name = "J\xc3\xb6rg M\xc3\xbcller", .id = "4711"}), "Jorg_Muller_4711");
-  EXPECT_EQ(name_of_owner({.name = "\xe7\x8e\x8b\xe4\xbc\x9f", .id = "4711"}), "4711");
+  EXPECT_EQ(name_of_owner({.name = "Jörg Müller", .id = "4711"}), "Jorg_Muller_4711");
+  EXPECT_EQ(name_of_owner({.name = "王伟", .id = "4711"}), "4711");
   EXPECT_EQ(name_of_owner({.id = "so12"}), "so12");
   EXPECT_EQ(name_of_owner({.id = "aB3dE", .anonymous = true}), "anon_aB3dE");
   EXPECT_TRUE(name_of_owner({.name = std::string(300, 'x'), .id = "4711"}).ends_with("x_4711"));
 }
 
 TEST(NameOfAnOwner, TellsNamesWithoutAsciiApart) {
-  const std::string one = name_of_owner({.name = "\xe7\x8e\x8b\xe4\xbc\x9f"}),
-                    other = name_of_owner({.name = "\xe6\x9d\x8e\xe5\xa8\x9c"});
+  const std::string one = name_of_owner({.name = "王伟"}), other = name_of_owner({.name = "李娜"});
   EXPECT_NE(one, other);
   EXPECT_EQ(one, submission_name(one)) << "it is a safe name";
 }

@@ -30,7 +30,7 @@ inline constexpr const char* kTooManyProducts =
     "takes more products with the matrix than the step limit allows";
 
 // Holds a student's numbers that belong together, and the expected ones. Wrong numbers may look like a known
-// mistake, which the student reads (hint_for_students.h). Such hints decide nothing.
+// mistake, which the student reads. Such hints decide nothing.
 struct Compared {
   Eigen::VectorXd actual, expected;
   int block = 3;                     // counts the numbers of a particle

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -11,17 +13,23 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Returns the texts for student and staff when `error` meets `bound`; the status is `passed` if it holds.
-CaseFailed verdict(double error, double bound) {
+// Returns how the case fails in a trial; its status is `passed` if it holds.
+CaseFailed failure_of(const std::function<void(Trial&)>& ask) {
   Student nobody{WorkerSetup{}};
-  Trial trial(nobody, Random("seed", "verdict"));
-  trial.describe("a hidden case");
+  Trial trial(nobody, Random("seed", "a case"));
   try {
-    trial.expect_at_most(error, bound, "the error of x", "more for staff");
+    ask(trial);
   } catch (const CaseFailed& failure) {
     return failure;
   }
   return {Status::passed, "", ""};
+}
+
+CaseFailed verdict(double error, double bound) {
+  return failure_of([&](Trial& trial) {
+    trial.describe("a hidden case");
+    trial.expect_at_most(error, bound, "the error of x", "more for staff");
+  });
 }
 
 TEST(Bound, HoldsUpToItselfAndNotForNan) {
@@ -60,19 +68,13 @@ TEST(Feedback, TellsStaffHowFarFromTheLimit) {
 
 // Returns the student's hint about numbers where (1, 2, 3) is expected.
 std::string hint_of(const std::vector<double>& numbers, const std::vector<double>& expected = {1, 2, 3}) {
-  Student nobody{WorkerSetup{}};
-  Trial trial(nobody, Random("seed", "hint"));
-  try {
-    const auto vector_of = [](const std::vector<double>& values) -> Eigen::VectorXd {
-      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-    };
-    trial.expect_near({vector_of(numbers), vector_of(expected), 1, Eigen::Vector3d(4, 5, 6)}, 1e-9,
-                      "the error of x");
-  } catch (const CaseFailed& failure) {
-    EXPECT_EQ(failure.status, Status::wrong);
-    return failure.hint.empty() ? "nothing" : failure.hint;
-  }
-  return "";
+  const CaseFailed failure = failure_of([&](Trial& trial) {
+    trial.expect_near(
+        {Eigen::VectorXd::Map(numbers.data(), std::ssize(numbers)),
+         Eigen::VectorXd::Map(expected.data(), std::ssize(expected)), 1, Eigen::Vector3d(4, 5, 6)},
+        1e-9, "the error of x");
+  });
+  return failure.hint.empty() && failure.status == Status::wrong ? "nothing" : failure.hint;
 }
 
 TEST(Hint, IsOneOfAFewSentences) {
@@ -97,15 +99,11 @@ TEST(Hint, IsOneOfAFewSentences) {
 }
 
 TEST(Hint, SaysWhatStoppedACall) {
-  Student nobody{WorkerSetup{}};
-  Trial trial(nobody, Random("seed", "hint"));
   const auto told = [&](Outcome outcome, const std::string& note) {
-    try {
-      trial.reply_of({outcome, MessageReader({}), note}, kTooManyProducts);
-    } catch (const CaseFailed& failure) {
-      return failure.hint;
-    }
-    return std::string();
+    return failure_of([&](Trial& trial) {
+             trial.reply_of({outcome, MessageReader({}), note}, kTooManyProducts);
+           })
+        .hint;
   };
   EXPECT_EQ(told(Outcome::stopped, ""), "It takes more products with the matrix than the step limit allows.");
   EXPECT_EQ(

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "grader/judge/run/played.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/processors.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader::inline judge {
 namespace {
@@ -45,8 +45,6 @@ HiddenScene hidden_scene(const std::string& exercise, const std::string& seed = 
 class StudentPlay : public testing::TestWithParam<std::string> {
  protected:
   StudentPlay() {
-    std::string pattern = (fs::temp_directory_path() / "student-play-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     fs::permissions(folder_, fs::perms(0755));
     signal(SIGPIPE, SIG_IGN);
     for (const Exercise& one : exercises())
@@ -58,8 +56,6 @@ class StudentPlay : public testing::TestWithParam<std::string> {
     setup_.log = folder_ / "log";
     setup_.isolation = Isolation::none;
   }
-  ~StudentPlay() override { fs::remove_all(folder_); }
-
   const std::string& id() const { return GetParam(); }
   fs::path runner() const { return kRunners / (id() + ".so"); }
   fs::path object() const { return folder_ / (id() + ".so"); }
@@ -81,7 +77,8 @@ class StudentPlay : public testing::TestWithParam<std::string> {
 
   Processors processors_;
   const Processors::Lease lease_{processors_};  // binds both ends to one processor, as grading does
-  fs::path folder_;
+  hair::TemporaryFolder temporary_{"student-play"};
+  fs::path folder_ = temporary_.path();
   WorkerSetup setup_;
 };
 

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <stdlib.h>
 
 #include <fstream>
 
 #include "grader/judge/student/student.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader::inline judge {
 namespace {
@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 class Provided : public testing::Test {
  protected:
   Provided() {
-    std::string pattern = (fs::temp_directory_path() / "provided-test-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     fs::permissions(folder_, fs::perms(0755));
     signal(SIGPIPE, SIG_IGN);
     fs::create_directories(folder_ / "serve");
@@ -28,8 +26,6 @@ class Provided : public testing::Test {
     for (const char* file : {"serve/X.so", "provided/S1.so", "provided/H5.so"})
       std::ofstream(folder_ / file) << "";
   }
-  ~Provided() override { fs::remove_all(folder_); }
-
   // Asks twice, to see that the suite goes on after the first answer.
   Outcome outcome(const std::string& how) {
     allowance_ = std::make_shared<Allowance>();
@@ -50,7 +46,8 @@ class Provided : public testing::Test {
     return first;
   }
 
-  fs::path folder_;
+  hair::TemporaryFolder temporary_{"provided-test"};
+  fs::path folder_ = temporary_.path();
   std::shared_ptr<Allowance> allowance_;  // belongs to the last worker
 };
 
