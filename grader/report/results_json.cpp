@@ -5,9 +5,9 @@
 
 #include "grader/compare/montage.h"
 #include "grader/compare/palette.h"
+#include "grader/report/facts/student_text.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
-#include "grader/report/student_text.h"
 #include "grader/result/base64.h"
 #include "hair/io/image/read_png.h"
 #include "hair/io/plot/html.h"

@@ -2,11 +2,11 @@
 #include <sstream>
 
 #include "grader/report/facts/columns.h"
+#include "grader/report/facts/student_text.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
-#include "grader/report/student_text.h"
 
 namespace grader::inline report {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "grader/report/facts/class_statistics.h"
 #include "grader/report/facts/sample_results.h"
+#include "grader/report/facts/student_text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/points_files.h"
 #include "grader/report/report.h"
 #include "grader/report/results_json.h"
-#include "grader/report/student_text.h"
 
 namespace grader::inline report {
 namespace {

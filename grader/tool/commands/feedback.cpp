@@ -11,7 +11,7 @@
 #include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/record/record.h"
-#include "grader/report/student_text.h"
+#include "grader/report/facts/student_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"

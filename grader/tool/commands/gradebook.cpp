@@ -10,7 +10,7 @@
 #include "grader/gradebook/moodle.h"
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/gradebook/rows.h"
-#include "grader/report/student_text.h"
+#include "grader/report/facts/student_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 

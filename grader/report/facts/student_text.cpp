@@ -1,5 +1,5 @@
 // STAFF ONLY. Writes reports as text.
-#include "grader/report/student_text.h"
+#include "grader/report/facts/student_text.h"
 
 #include "grader/report/facts/columns.h"
 #include "grader/report/facts/student_view.h"
