@@ -95,7 +95,7 @@ Html words_of_staff(const ExerciseResult& exercise) {
   for (const Said& said : exercise.said)
     all += html("<div class=\"note\">{}{}{}</div>\n",
                 {about(said, exercise), said.code.empty() ? Html() : html("<pre>{}</pre>", {said.code}),
-                 html("<p class=\"said\">{}</p>", {said.text})});
+                 html("<p>{}</p>", {said.text})});
   return all;
 }
 

@@ -140,7 +140,7 @@ TEST(SubmissionPage, ShowsWordsOfTheStaffBesideTheLine) {
                     "&lt;script&gt;</p>"),
               1U);
     EXPECT_EQ(times(page, result.exercises[0].id + ".1 " + result.exercises[0].cases[0].name +
-                              ": <p class=\"said\">You asked: a\nb</p>"),
+                              ": <p>You asked: a\nb</p>"),
               1U);
     EXPECT_EQ(times(page, "never shown whole"), 0U);
   }
