@@ -136,11 +136,11 @@ TEST(SubmissionPage, ShowsWordsOfTheStaffBesideTheLine) {
                               {result.exercises[0].id + ".1", "", "You asked: a\nb"}};
   for (const std::string& page : {student_page(result), staff_page(result)}) {
     EXPECT_EQ(times(page,
-                    "conj_grad.cpp, line 17: <pre>x &lt; &lt;b&gt;</pre><p class=\"said\">The staff say: "
+                    "conj_grad.cpp, line 17: <pre>x &lt; &lt;b&gt;</pre><p>The staff say: "
                     "&lt;script&gt;</p>"),
               1U);
     EXPECT_EQ(times(page, result.exercises[0].id + ".1 " + result.exercises[0].cases[0].name +
-                              ": <p class=\"said\">You asked: a\nb</p>"),
+                              ": <p>You asked: a\nb</p>"),
               1U);
     EXPECT_EQ(times(page, "never shown whole"), 0U);
   }
