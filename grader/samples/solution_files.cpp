@@ -46,7 +46,7 @@ std::map<std::string, std::string> solution_files(const Sample& sample, const fs
       throw BadInput("sample \"" + sample.name + "\": " + file.path + ": " + source.string() +
                      " is not there; name \"reference\", \"stub\" or a file of reference/ID/right/");
     }
-    const std::string text = edited(read_bytes(source), name, sample.edits);
+    const std::string text = edited(hair::bytes_of(source), name, sample.edits);
     texts[file.path] = sample.windows ? as_on_windows(text) : text;
     names.insert(name);
   }
