@@ -80,7 +80,7 @@ std::vector<Planted> put_made_class(Record& record, std::size_t size) {
     person.name = std::string(kFirst[i % kFirst.size()]) + " " + kLast[i / kFirst.size() % kLast.size()];
     person.id(IdKind::id) = std::to_string(4711 + 13 * i);
     person.section = "Tutorial " + std::to_string(1 + i % 6);
-    hand_ins.push_back({name_of(i), {.name = person.name, .id = person.id(IdKind::id)}, "moodle"});
+    hand_ins.push_back({name_of(i), {.name = person.name, .id = person.id(IdKind::id)}, "canvas"});
     roster.push_back(person);
     std::vector<ExerciseResult> exercises;
     for (std::size_t j = 0; j < kExercises.size(); ++j) {
