@@ -282,7 +282,7 @@ TEST_F(Hairgrade, RegradesInPlaceAndLeavesTheResultsBeforeWhenKilled) {
   const string everybody = (folder_ / "class").string();
   ASSERT_EQ(grade({everybody, "--out", out(), "--no-images"}).code, 0);
   ASSERT_EQ(run_hairgrade({"set", "stubs", "S2", "15", "--why", "x", "--out", out()}).code, 0);
-  ASSERT_EQ(run_hairgrade({"comment", "stubs", "well begun", "--out", out()}).code, 0);
+  ASSERT_EQ(run_hairgrade({"comment", "stubs", "all", "well begun", "--out", out()}).code, 0);
   nlohmann::json course = course_of({"S1", "S2"});
   course["exercises"]["S2"]["points"] = 10;
   const std::vector<string> other{
@@ -320,19 +320,17 @@ TEST_F(Hairgrade, RegradesInPlaceAndLeavesTheResultsBeforeWhenKilled) {
 
 TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
   earlier_run();
-  const auto tests = [](const fs::path& folder) {
-    std::map<string, double> most;
-    const auto all = nlohmann::json::parse(hair::bytes_of(folder / "other-order" / "results.json"));
-    for (const nlohmann::json& test : all.at("tests"))
-      most[string(test.at("tags").at(0)) + " " + string(test.at("name"))] = test.at("max_score");
-    most["score"] = all.at("score");
-    return most;
+  const auto points_in = [](const fs::path& folder) {
+    std::map<string, double> all;
+    for (const ExerciseResult& exercise : recorded_result(folder, "other-order")->exercises)
+      for (const CaseResult& one : exercise.cases) all[exercise.id + " " + one.name] = one.points;
+    return all;
   };
   const fs::path blind = folder_ / "blind";
   const ProgramRun run = grade({sample("other-order"), "--out", blind.string(), "--no-images"});
   EXPECT_TRUE(says(run.output, ", without pictures"));
-  EXPECT_EQ(tests(blind), tests(out()));
-  EXPECT_EQ(tests(blind).at("S1 The whole run"), 2);
+  EXPECT_EQ(points_in(blind), points_in(out()));
+  EXPECT_EQ(points_in(blind).at("S1 The whole run"), 2);
 }
 
 TEST_F(Hairgrade, KeepsTheReferencesPicturesForTheNextBatch) {
