@@ -14,6 +14,13 @@ OrderedJson json_or_null(const std::string& stored) {
   return stored.empty() ? OrderedJson() : OrderedJson::parse(stored);
 }
 
+// Changes all texts of a hand-in that may say whose it is.
+void hide(const HiddenNames& names, OrderedJson& json, const std::string& hand_in) {
+  if (json.is_string()) json = names.in_own(json.get<std::string>(), hand_in);
+  if (json.is_structured())
+    for (OrderedJson& part : json) hide(names, part, hand_in);
+}
+
 }  // namespace
 
 std::string Record::export_json() {
@@ -82,6 +89,11 @@ std::string Record::export_json() {
         people[text(row, 0)]["log"].push_back(
             {{"at", text(row, 1)}, {"who", text(row, 2)}, {"did", text(row, 3)}, {"detail", text(row, 4)}});
       });
+  if (blind) {
+    const std::vector<HandIn> all = read_owned();
+    const HiddenNames names(all, read_class_list(all));
+    for (auto& [name, one] : people.items()) hide(names, one, name);
+  }
   OrderedJson files = OrderedJson::array();
   database_.each(
       "SELECT listed_as, path, reason, coalesce(name, '') FROM listed_files LEFT JOIN people ON people.id = "

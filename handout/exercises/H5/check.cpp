@@ -278,7 +278,7 @@ TEST(Relaxation, CorrectsOneSegment) {
 }
 
 TEST(Relaxation, SaysThatItConverged) {
-  look_at("report");
+  look_at("repeat");
   says_that_it_converged(relax);
 }
 
@@ -409,7 +409,7 @@ TEST(FarRoot, IsHonestWhereTheRootIsFar) {
 }
 
 TEST(Lengths, GivesTheSameHoweverOftenItIsAsked) {
-  look_at("static");
+  look_at("report");
   const Strand strand = strand_of(5);
   const VectorXd before = bent(strand, 0.05);
   VectorXd first = before;
