@@ -322,7 +322,8 @@ TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
   earlier_run();
   const auto points_in = [](const fs::path& folder) {
     std::map<string, double> all;
-    for (const ExerciseResult& exercise : recorded_result(folder, "other-order")->exercises)
+    const SubmissionResult result = recorded_result(folder, "other-order").value();
+    for (const ExerciseResult& exercise : result.exercises)
       for (const CaseResult& one : exercise.cases) all[exercise.id + " " + one.name] = one.points;
     return all;
   };
