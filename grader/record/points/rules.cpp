@@ -81,7 +81,8 @@ void check_by_hand(const JsonValue& json, const std::map<std::string, ByHand>& a
 }
 
 std::vector<ExerciseResult> taken_out_by_hand(SubmissionResult& result) {
-  const auto first = std::ranges::stable_partition(result.exercises, std::not_fn(is_by_hand)).begin();
+  const auto first =
+      std::stable_partition(result.exercises.begin(), result.exercises.end(), std::not_fn(is_by_hand));
   std::vector<ExerciseResult> by_hand(std::make_move_iterator(first),
                                       std::make_move_iterator(result.exercises.end()));
   result.exercises.erase(first, result.exercises.end());

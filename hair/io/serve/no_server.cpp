@@ -6,6 +6,7 @@ namespace hair {
 
 class LocalServer::Parts {};
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a server keeps it
 LocalServer::LocalServer(int, std::size_t, Respond) {
   throw BadInput(std::string("pages are served by a package that was missing when this was configured. ") +
                  HAIR_HOW_TO_INSTALL + ". Then configure again: cmake -S . -B build");
