@@ -95,8 +95,8 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .cases td:nth-child(4) { grid-area: points; } .cases td:nth-child(5) { grid-area: saw; } .cases pre { white-space: pre-wrap; }
 }
 @media screen and (min-width: 75rem) {
-body:has(.overview) { max-width: 130rem; } main:has(.overview) { display: grid; grid-template-columns: 22rem minmax(0, 1fr); gap: 0 2.5rem; align-items: start; }
-main:has(.overview) > * { grid-column: 2; } main > :has(> .overview) { grid-area: 1 / 1 / span 99; position: sticky; top: 1rem; } .category { width: 20%; } .saw { width: 55%; }
+body:has(main > * > .overview) { max-width: 130rem; } main:has(> * > .overview) { display: grid; grid-template-columns: 22rem minmax(0, 1fr); gap: 0 2.5rem; align-items: start; }
+main:has(> * > .overview) > * { grid-column: 2; } main > :has(> .overview) { grid-area: 1 / 1 / span 99; position: sticky; top: 1rem; } .category { width: 20%; } .saw { width: 55%; }
 }
 @media screen and (min-width: 100rem) {
 main:has(.class):not(:has(> .fold :checked)) { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 3rem; align-items: start; }
