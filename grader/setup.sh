@@ -30,7 +30,7 @@ libsodium-dev        # seeds and fingerprints: HMAC, hashes
 libutf8proc-dev      # letters of names: one form for each, lower case
 libhowardhinnant-date-dev # clocks of time zones
 bubblewrap           # the sandbox
-libmicrohttpd-dev    # hairlab live: serves its page
+libmicrohttpd-dev    # hairlab live, hairgrade review: serve their pages
 similarity-tester    # sim: pairs of hand-ins that share code
 LIST
 }
