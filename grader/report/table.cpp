@@ -114,13 +114,15 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
     for (std::size_t i = 0; i < widths.size(); ++i)
       widths[i] = std::max(widths[i], i == 0 ? terminal_columns(row[i]) : row[i].size());
   for (const Cells& row : rows) print_row(out, row, widths);
-  for (const auto& [mark, meaning] : {std::pair('!', "points from before or after a crash or a limit"),
-                                      std::pair('*', "a person set points (hairgrade log)")})
+  const auto explain = [&](char mark, const char* meaning) {
     if (std::ranges::any_of(rows, [&](const Cells& row) {
           return std::any_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(widths.size()),
                              [&](const std::string& cell) { return cell.ends_with(mark); });
         }))
       out << mark << ' ' << meaning << '\n';
+  };
+  explain('!', "points from before or after a crash or a limit");
+  explain('*', "a person set points (hairgrade log)");
   for (const SubmissionResult& result : results)
     if (!result.ended_by_the_clock.empty())
       out << "NOT FINAL, ended by the clock: "
