@@ -180,9 +180,10 @@ std::string ItemList::next(const std::string& key, const Choice& choice, Way way
   std::ranges::sort(items, [&](const Item* a, const Item* b) {
     return way == Way::on ? comes_on(*a, *b) : comes_on(*b, *a);
   });
-  std::ranges::rotate(items, std::ranges::find_if(items, [&](const Item* item) {
-                        return way == Way::on ? comes_on(here, *item) : comes_on(*item, here);
-                      }));
+  const auto first = std::ranges::find_if(items, [&](const Item* item) {
+    return way == Way::on ? comes_on(here, *item) : comes_on(*item, here);
+  });
+  std::rotate(items.begin(), first, items.end());
   for (const Item* item : items)
     if (!item->is_decided() && item->key() != key &&
         open_by_other(item->row(), facts_.rows, who_, clock_()).empty())

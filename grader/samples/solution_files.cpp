@@ -64,7 +64,8 @@ bool runs_and_loses_points(const std::string& status) {
 std::vector<SampleProgram> programs_of(const Exercise& exercise, const fs::path& project,
                                        const std::function<bool(const Sample&, const std::string&)>& wanted) {
   std::vector<Sample> samples = read_samples(project);
-  std::ranges::stable_partition(samples, [](const Sample& sample) { return sample.group == "right"; });
+  std::stable_partition(samples.begin(), samples.end(),
+                        [](const Sample& sample) { return sample.group == "right"; });
   std::vector<SampleProgram> programs;
   for (const Sample& sample : samples) {
     const std::string& status = sample.expected.at(exercise.id).status;

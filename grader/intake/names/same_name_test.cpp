@@ -47,7 +47,7 @@ TEST(SameName, ARuleDecidesWhateverTheOrder) {
     const std::string first = paths.front();
     for (std::size_t i = 0; i < paths.size(); ++i) {
       EXPECT_EQ(taken(paths), first) << testing::PrintToString(paths);
-      std::ranges::rotate(paths, paths.begin() + 1);
+      std::rotate(paths.begin(), paths.begin() + 1, paths.end());
     }
   }
 }
