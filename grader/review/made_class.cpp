@@ -1,6 +1,7 @@
 // STAFF ONLY. Makes up classes, the same each time.
 #include "grader/review/made_class.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -98,9 +99,8 @@ std::vector<Planted> put_made_class(Record& record, std::size_t size) {
   }
 
   std::vector<Planted> planted;
-  const auto plant = [&](std::size_t i, ExerciseResult exercise) {
-    for (ExerciseResult& one : results[i].exercises)
-      if (one.id == exercise.id) one = std::move(exercise);
+  const auto plant = [&](std::size_t i, const ExerciseResult& exercise) {
+    *std::ranges::find(results[i].exercises, exercise.id, &ExerciseResult::id) = exercise;
   };
   const auto expect = [&](ItemKind kind, const std::string& place, const std::string& person,
                           const std::string& right) {
