@@ -39,6 +39,7 @@ class CategoryTest : public testing::Test {
       result.feedback = failure.feedback;
       result.detail = failure.detail;
       result.hint = failure.hint;
+      result.error_in_limits = failure.error_in_limits;
       ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
     } catch (const grader::MalformedMessage& error) {
       result.status = Status::broke_rules;

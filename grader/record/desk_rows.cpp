@@ -24,20 +24,14 @@ std::map<RowOfItem, DeskRow> DeskRows::all() {
 }
 
 // Each change of a result or a decision is in the log; those of all people have an entry without a person.
-// The named entries are about no result.
-std::map<std::string, Versions> DeskRows::versions() {
+std::map<std::string, std::int64_t> DeskRows::versions() {
   const std::lock_guard lock(record_.one_at_a_time_);
-  std::map<std::string, Versions> found;
-  const std::int64_t of_all = record_.database_.number("SELECT max(id) FROM log WHERE person IS NULL");
+  std::map<std::string, std::int64_t> found;
   record_.database_.each(
-      "SELECT name, (SELECT max(id) FROM log WHERE log.person = people.id AND did NOT IN ('decided', 'took "
-      "back', 'accepted', 'reopened', 'asked', 'answered', 'changed a comment', 'entered into a "
-      "gradebook')), (SELECT max(id) FROM log WHERE "
-      "log.person = "
-      "people.id) FROM results JOIN people ON people.id = person WHERE assignment = ?",
-      {record_.assignment()}, [&](const DatabaseRow& row) {
-        found[row.text(0)] = {std::max(of_all, row.number(1)), std::max(of_all, row.number(2))};
-      });
+      "SELECT name, (SELECT max(id) FROM log WHERE log.person = people.id OR log.person IS NULL) FROM "
+      "results "
+      "JOIN people ON people.id = person WHERE assignment = ?",
+      {record_.assignment()}, [&](const DatabaseRow& row) { found[row.text(0)] = row.number(1); });
   return found;
 }
 

@@ -28,11 +28,6 @@ struct DeskRow {
   std::int64_t open_at = 0;  // is in seconds since 1970
 };
 
-// Is a result's version: another one means that it is to be read again.
-struct Versions {
-  std::int64_t result = 0, all = 0;  // all: also of decisions
-};
-
 // Each change is one transaction, or a part of that of Record::in_one.
 class DeskRows {
  public:
@@ -41,7 +36,8 @@ class DeskRows {
   // Returns another value if anything in the record has changed.
   std::pair<std::int64_t, std::int64_t> state();
   std::map<RowOfItem, DeskRow> all();
-  std::map<std::string, Versions> versions();  // by name, of all who have a result
+  // Returns another number for a name if its result or a decision about it has changed.
+  std::map<std::string, std::int64_t> versions();
 
   // Stores that the record's user accepts it, and adds that to the log of its people, with `detail`. Looks
   // "": that nobody has accepted it.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ std::string sentence_for(Status status);  // helps the student without revealing
 inline constexpr std::size_t kRunPictures = 3;
 
 // Is one category of an exercise's hidden cases.
+// Stands for an error that is no number, or whose limit is 0.
+inline constexpr double kNoNumber = std::numeric_limits<double>::max();
+
 struct CaseResult {
   std::string name;  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;
@@ -54,6 +58,8 @@ struct CaseResult {
   std::string memory_error = {};
   // Count the cases of a wrong category, and those that hold; 0 of 0 if they could not be counted.
   int cases = 0, held = 0;
+  // For staff: is the error of a wrong category over its limit; 0: it has none.
+  double error_in_limits = 0;
 
   bool operator==(const CaseResult&) const = default;
 };

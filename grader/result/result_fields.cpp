@@ -22,7 +22,9 @@ const Rows<CaseResult>& Fields<CaseResult>::rows() {
                               field<T>("hint", &T::hint, [](const T& one) { return !one.hint.empty(); }),
                               field("memory_error", &T::memory_error),
                               field("cases", &T::cases),
-                              field("held", &T::held)};
+                              field("held", &T::held),
+                              field<T>("error_in_limits", &T::error_in_limits,
+                                       [](const T& one) { return one.error_in_limits != 0; })};
   return all;
 }
 

@@ -10,20 +10,6 @@
 
 namespace grader::inline review {
 
-namespace {
-
-// Returns as much of an item as its key says.
-Item item_of(const std::string& key) {
-  const std::size_t first = key.find('/'), second = key.find('/', first + 1);
-  Item item{.kind = kind_from(key.substr(0, first)).value_or(ItemKind::not_taken)};
-  if (second == std::string::npos) return item;
-  item.place = key.substr(first + 1, second - first - 1);
-  item.people = {key.substr(second + 1)};
-  return item;
-}
-
-}  // namespace
-
 ItemList::ItemList(Record& record, std::string who, std::function<std::int64_t()> clock)
     : record_(record), rows_(record), who_(std::move(who)), clock_(std::move(clock)) {
   record_.act_as(who_);
@@ -39,16 +25,12 @@ std::int64_t ItemList::seconds_now() {
 void ItemList::refresh() {
   const auto state = rows_.state();
   if (state == state_) return;
-  std::map<std::string, Versions> versions = rows_.versions();
+  std::map<std::string, std::int64_t> versions = rows_.versions();
   std::erase_if(facts_.people, [&](const auto& one) { return !versions.contains(one.first); });
   for (const auto& [name, now] : versions) {
-    const Versions before = versions_[name];
-    if (before.all == now.all) continue;
-    ItemPerson& person = facts_.people[name];
-    if (before.result != now.result)
-      person.computed = record_.find_without_pictures(name).value_or(SubmissionResult{});
-    person.decisions = record_.decisions(name);
-    person.handed_in = record_.handed_in(name);
+    if (versions_[name] == now) continue;
+    facts_.people[name] = {record_.find_without_pictures(name).value_or(SubmissionResult{}),
+                           record_.decisions(name), record_.handed_in(name)};
   }
   versions_ = std::move(versions);
   const std::optional<HiddenNames> hidden = record_.hidden_names();
@@ -79,14 +61,6 @@ std::optional<Item> ItemList::find(const std::string& key) {
   refresh();
   const Item* item = found(key);
   return item ? std::optional(*item) : std::nullopt;
-}
-
-std::vector<Item> ItemList::chosen(const Choice& choice) {
-  const std::lock_guard lock(one_at_a_time_);
-  refresh();
-  std::vector<Item> all;
-  for (const Item* item : grader::chosen(items_, choice, lines_)) all.push_back(*item);
-  return all;
 }
 
 std::vector<ProgressOfTa> ItemList::progress() {
@@ -163,32 +137,6 @@ std::string ItemList::open(const std::string& key) {
   std::string other = item ? open_by_other(item->row(), facts_.rows, who_, clock_()) : "";
   rows_.open(item && other.empty() ? std::optional(item->row()) : std::nullopt, clock_());
   return other;
-}
-
-std::string ItemList::next(const std::string& key, const Choice& choice, Way way) {
-  const std::lock_guard lock(one_at_a_time_);
-  refresh();
-  Choice all = choice;
-  all.undecided = false;
-  std::vector<const Item*> items = grader::chosen(items_, all, lines_);
-  // This one may have left the list, and then lost its points. A decided one keeps its place here.
-  const Item* known = found(key);
-  const Item here = known ? *known : item_of(key);
-  const auto comes_on = [&](const Item& a, const Item& b) {
-    return comes_before(a, b, choice.by_lost_points);
-  };
-  std::ranges::sort(items, [&](const Item* a, const Item* b) {
-    return way == Way::on ? comes_on(*a, *b) : comes_on(*b, *a);
-  });
-  const auto first = std::ranges::find_if(items, [&](const Item* item) {
-    return way == Way::on ? comes_on(here, *item) : comes_on(*item, here);
-  });
-  std::rotate(items.begin(), first, items.end());
-  for (const Item* item : items)
-    if (!item->is_decided() && item->key() != key &&
-        open_by_other(item->row(), facts_.rows, who_, clock_()).empty())
-      return item->key();
-  return "";
 }
 
 void ItemList::share(const std::vector<std::string>& graders, ShareBy by) {

@@ -26,7 +26,6 @@ class ItemList {
 
   std::vector<Item> items();
   std::optional<Item> find(const std::string& key);
-  std::vector<Item> chosen(const Choice& choice);
   std::vector<ProgressOfTa> progress();
   const std::string& who() const { return who_; }
 
@@ -44,11 +43,6 @@ class ItemList {
   // Tells others that this TA has it open, for a while (kOpenFor), and no other item; "": none. Returns the
   // other TA who has it open already; "": nobody.
   std::string open(const std::string& key);
-
-  enum class Way { on, back };
-  // Returns the key of the next chosen item that is undecided and that no other TA has open; after the last
-  // one comes the first. "": there is none but this.
-  std::string next(const std::string& key, const Choice& choice, Way way = Way::on);
 
   void share(const std::vector<std::string>& graders, ShareBy by);
 
@@ -70,7 +64,7 @@ class ItemList {
   std::function<std::int64_t()> clock_;
   std::recursive_mutex one_at_a_time_;
   std::pair<std::int64_t, std::int64_t> state_{-1, -1};  // is the record's when it was read
-  std::map<std::string, Versions> versions_;
+  std::map<std::string, std::int64_t> versions_;
   ItemFacts facts_;
   std::vector<ClassLine> lines_;
   std::vector<Item> items_;

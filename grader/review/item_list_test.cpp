@@ -150,36 +150,19 @@ TEST_F(Lists, AcceptADecisionAsItIs) {
   EXPECT_EQ(record_.decisions("ann").size(), 2U);
 }
 
-TEST_F(Lists, GoOnToWhatNobodyHasOpen) {
-  record_.put({made_result("flo", {made_exercise("H1", {{1, 2}})})});
-  const std::string flo = "near-threshold/H1/flo";
-  EXPECT_EQ(ada_.next("", {}), flo);
-  EXPECT_EQ(ada_.next(flo, {}), kNear);
-  EXPECT_EQ(ada_.next(flo, {}, ItemList::Way::back), kGroup) << "the last one comes before the first";
-  EXPECT_EQ(ada_.next(kGroup, {.kind = ItemKind::near_threshold}), flo);
-  EXPECT_EQ(ada_.next(kNear, {.exercise = "H2"}), "") << "there is only this one";
-
+TEST_F(Lists, SayWhoHasAnItemOpen) {
   EXPECT_EQ(bob_.open(kNear), "");
   EXPECT_EQ(bob_.open(kNear), "") << "it is his own";
   EXPECT_EQ(ada_.open(kNear), "bob");
-  EXPECT_EQ(ada_.next(flo, {}), kGroup);
   now_ += kOpenFor.count();
-  EXPECT_EQ(ada_.next(flo, {}), kGroup);
+  EXPECT_EQ(ada_.open(kNear), "bob");
   ++now_;
-  EXPECT_EQ(ada_.next(flo, {}), kNear) << "bob has gone";
-  bob_.open(kNear);
-  bob_.open(flo);
-  EXPECT_EQ(ada_.next(flo, {}), kNear) << "bob has another one open";
+  EXPECT_EQ(ada_.open(kNear), "") << "bob has gone";
+  EXPECT_EQ(bob_.open(kNear), "ada");
+  ada_.open(kGroup);
+  EXPECT_EQ(bob_.open(kNear), "") << "ada has another one open";
   bob_.open("");
-  EXPECT_EQ(ada_.next(kNear, {}, ItemList::Way::back), flo);
-
-  ada_.save(flo, version_of(ada_, flo));
-  EXPECT_EQ(ada_.next(flo, {}), kNear) << "it goes on after a decided one";
-  record_.decide("ann", {DecisionKind::points, "H2.3", 1, 0, "why"});
-  record_.put({made_result("ann", {made_exercise("H2"), made_exercise("S1")})});
-  const std::string conflict = "conflict/H2.3/ann";
-  ada_.save(conflict, version_of(ada_, conflict));
-  EXPECT_EQ(ada_.next(conflict, {}), kGroup) << "and after one that has left the list";
+  EXPECT_EQ(ada_.open(kNear), "");
 }
 
 TEST_F(Lists, KeepWhatWasDecidedThroughARegrade) {

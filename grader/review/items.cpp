@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -44,7 +43,7 @@ std::string short_hash(const std::string& text) {
 
 std::string lost_text(const LostCategory& lost) {
   return lost.number + " " + to_string(lost.one->status) + " " + shown_points(lost.one->points) + " " +
-         in_words(size_of(lost.times)) + "\n";
+         in_words(size_of(*lost.one)) + "\n";
 }
 
 std::string look_of(const ExerciseResult& exercise) {
@@ -67,25 +66,25 @@ bool is_about(const Decision& decision, const Item& item) {
 
 // Is true for an error near its limit, and if all but one of the cases hold.
 bool is_near(const LostCategory& lost) {
-  return size_of(lost.times) == ErrorSize::near ||
+  return size_of(*lost.one) == ErrorSize::near ||
          (lost.one->cases >= kFewestCases && lost.one->held == lost.one->cases - 1);
 }
 
 bool is_blown_up(const LostCategory& lost) {
-  return size_of(lost.times) == ErrorSize::not_finite ||
-         (lost.one->name == kRunTitle && lost.one->feedback.find("not finite") != std::string::npos);
+  return size_of(*lost.one) == ErrorSize::not_finite;
 }
 
 // Says how a category was lost, in numbers if there are any.
 std::string how_lost(const LostCategory& lost) {
   std::string text = lost.number + " (" + lost.one->name + ")";
-  if (lost.times)
-    text += std::isinf(*lost.times) ? ": no finite number"
-                                    : ": " + hair::to_text(*lost.times) + " times the limit";
+  const bool has_error = lost.one->error_in_limits != 0;
+  if (has_error)
+    text += is_blown_up(lost) ? ": no finite number"
+                              : ": " + hair::to_text(lost.one->error_in_limits) + " times the limit";
   if (lost.one->cases > 0)
-    text += (lost.times ? ", " : ": ") + std::to_string(lost.one->held) + " of " +
+    text += (has_error ? ", " : ": ") + std::to_string(lost.one->held) + " of " +
             std::to_string(lost.one->cases) + " cases hold";
-  if (!lost.times && lost.one->cases == 0) text += ": " + to_string(lost.one->status);
+  if (!has_error && lost.one->cases == 0) text += ": " + to_string(lost.one->status);
   return text;
 }
 
@@ -103,7 +102,10 @@ class Making {
     }
     requests();
     std::ranges::sort(items_, [](const Item& a, const Item& b) {
-      return a.is_decided() != b.is_decided() ? b.is_decided() : comes_before(a, b);
+      const auto place = [](const Item& item) {
+        return std::tuple(item.is_decided(), item.kind, -std::ssize(item.people), -item.lost, item.key());
+      };
+      return place(a) < place(b);
     });
     return std::move(items_);
   }
@@ -138,7 +140,6 @@ class Making {
       item.categories.push_back(one.number);
       item.titles += " " + one.one->name;
       points += one.one->max_points - one.one->points;
-      if (one.times) item.times = std::max(item.times.value_or(0), *one.times);
     }
     item.lost = points;
   }
@@ -163,9 +164,8 @@ class Making {
         Item ones;
         take(ones, exercise, lost_categories(exercise));
         ones.lost = std::max(ones.lost, item.lost);
-        if (item.times) ones.times = std::max(ones.times.value_or(0), *item.times);
-        std::tie(item.exercise, item.categories, item.titles, item.lost, item.times) =
-            std::tie(ones.exercise, ones.categories, ones.titles, ones.lost, ones.times);
+        std::tie(item.exercise, item.categories, item.titles, item.lost) =
+            std::tie(ones.exercise, ones.categories, ones.titles, ones.lost);
         look += name + "\n" + look_of(exercise);
         grouped_.emplace(name, group.exercise);
       }
@@ -324,12 +324,6 @@ std::string heading_of(ItemKind kind) {
   return words_of(kind).heading;
 }
 
-std::optional<ItemKind> kind_from(const std::string& word) {
-  const auto* found = std::ranges::find_if(kWords, [&](const KindWords& one) { return one.word == word; });
-  if (found == kWords.end()) return {};
-  return static_cast<ItemKind>(found - kWords.begin());
-}
-
 std::string place_of_conflict(const std::string& place, const std::string& kind) {
   return place + (kind == to_string(DecisionKind::points) ? "" : " (" + kind + ")");
 }
@@ -341,14 +335,6 @@ RowOfItem Item::row() const {
 
 std::string Item::key() const {
   return word_of(kind) + "/" + place + "/" + row().person;
-}
-
-bool comes_before(const Item& a, const Item& b, bool by_lost_points) {
-  const auto place = [&](const Item& item) {
-    return std::tuple(by_lost_points ? -item.lost : 0, item.kind, -std::ssize(item.people), -item.lost,
-                      item.key());
-  };
-  return place(a) < place(b);
 }
 
 std::vector<Item> items_of(const ItemFacts& facts) {

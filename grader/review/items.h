@@ -30,7 +30,6 @@ enum class ItemKind {
 inline constexpr int kItemKinds = static_cast<int>(ItemKind::changed) + 1;
 std::string word_of(ItemKind kind);     // "not-taken": for keys and addresses
 std::string heading_of(ItemKind kind);  // "could not be taken": for people
-std::optional<ItemKind> kind_from(const std::string& word);
 
 struct Item {
   ItemKind kind = ItemKind::changed;
@@ -40,7 +39,6 @@ struct Item {
   std::string exercise = {};                     // "H2"; "": the whole hand-in
   std::vector<std::string> categories = {};      // "H2.3"
   double lost = 0;                               // is the most that one person has lost here
-  std::optional<double> times = {};              // is the largest error, in limits; may be infinite
   std::string why = {};                          // is a sentence
   std::string titles = {};                       // are the exercise's and the categories', for the search
   std::string looks = {};                        // hashes the computed results here
@@ -75,18 +73,5 @@ std::map<RowOfItem, std::string> first_look(const ItemFacts& facts);
 
 // Returns the place of an item about decisions of a kind, such as "points", at a place.
 std::string place_of_conflict(const std::string& place, const std::string& kind);
-
-// Compare in the list's order, or by lost points, decided or not.
-bool comes_before(const Item& a, const Item& b, bool by_lost_points = false);
-
-struct Choice {
-  std::string text = {};  // all its words occur in names, ids, categories or titles, in any case
-  std::optional<ItemKind> kind = {};
-  std::string exercise = {}, section = {}, owner = {};  // "": any
-  bool undecided = false;
-  bool by_lost_points = false;  // else in the list's order
-};
-std::vector<const Item*> chosen(const std::vector<Item>& items, const Choice& choice,
-                                const std::vector<ClassLine>& people);
 
 }  // namespace grader::review

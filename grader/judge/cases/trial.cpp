@@ -78,10 +78,15 @@ std::optional<Eigen::Index> worst_entry(const Compared& numbers) {
   return worst;
 }
 
+double in_limits(double error, double limit) {
+  const double ratio = error / limit;
+  return std::isfinite(error) && std::isfinite(ratio) ? ratio : kNoNumber;
+}
+
 std::string times_the_limit(double error, double limit) {
   if (!std::isfinite(error)) return "not a finite number";
-  const double ratio = error / limit;
-  if (!std::isfinite(ratio)) return "above its limit, 0";
+  const double ratio = in_limits(error, limit);
+  if (ratio == kNoNumber) return "above its limit, 0";
   std::ostringstream text;
   text.precision(3);
   text << ratio << " times the limit";
@@ -166,7 +171,8 @@ void Trial::expect_at_most(double error, Bound bound, const std::string& what, c
   wrong(what + " is " + times_the_limit(error, most), text.str(),
         hint_for_students(checks::find_hint(as_span(numbers.actual), as_span(numbers.expected),
                                             numbers.bound.value_or(most), numbers.block,
-                                            as_span(numbers.before))));
+                                            as_span(numbers.before))),
+        in_limits(error, most));
 }
 
 void Trial::expect_near(const Compared& numbers, Bound bound, const std::string& what) {
@@ -179,17 +185,18 @@ void Trial::expect_close(const Compared& numbers, Bound bound, const std::string
   expect_at_most((numbers.actual - numbers.expected).norm(), bound, what, numbers);
 }
 
-void Trial::wrong(const std::string& feedback, const std::string& detail, const std::string& hint) {
-  if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail, hint);
+void Trial::wrong(const std::string& feedback, const std::string& detail, const std::string& hint,
+                  double error_in_limits) {
+  if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail, hint, error_in_limits);
   if (!case_failed_) ++failed_;
   case_failed_ = true;
 }
 
 void Trial::fail(Status status, const std::string& feedback, const std::string& detail,
-                 const std::string& hint) const {
+                 const std::string& hint, double error_in_limits) const {
   std::string text = description_ + (description_.empty() || detail.empty() ? "" : ": ") + detail;
   if (!call_.empty()) text += (text.empty() ? "" : "; ") + call_;
-  throw CaseFailed{status, feedback, text, hint};
+  throw CaseFailed{status, feedback, text, hint, error_in_limits};
 }
 
 void Trial::ask_aside(const std::function<void()>& questions) {

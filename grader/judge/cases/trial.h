@@ -23,7 +23,8 @@ namespace grader::inline judge {
 struct CaseFailed {
   Status status;
   std::string feedback, detail;
-  std::string hint = {};  // see CaseResult
+  std::string hint = {};  // see CaseResult, as for the next one
+  double error_in_limits = 0;
 };
 
 inline constexpr const char* kTooManyProducts =
@@ -89,7 +90,7 @@ class Trial {
   void expect_close(const Compared& numbers, Bound bound, const std::string& what);
 
   [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail,
-                         const std::string& hint = {}) const;
+                         const std::string& hint = {}, double error_in_limits = 0) const;
 
   // Belong to the last case, see Student.
   const std::vector<ProvidedSolve>& provided_solves() const { return student_.provided_solves(); }
@@ -107,7 +108,8 @@ class Trial {
   Random random;
 
  private:
-  void wrong(const std::string& feedback, const std::string& detail, const std::string& hint = {});
+  void wrong(const std::string& feedback, const std::string& detail, const std::string& hint = {},
+             double error_in_limits = 0);
 
   Student& student_;
   WhenWrong when_wrong_;

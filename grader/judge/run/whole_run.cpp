@@ -81,7 +81,9 @@ void WholeRun::draw(const RunComparison& run) {
 }
 
 void WholeRun::judge_run(Trial& trial, const RunComparison& run, const std::string& trouble) const {
-  trial.require(run.finite, "numbers that are not finite", "", where_it_breaks_off(run, "not a number"));
+  if (!run.finite)
+    trial.fail(Status::wrong, "numbers that are not finite", "", where_it_breaks_off(run, "not a number"),
+               kNoNumber);
   trial.require(trouble.empty() && run.moments.size() == hidden_.scene.frames + std::size_t{1},
                 "the run breaks off", trouble, where_it_breaks_off(run, trouble));
   trial.expect(run.moments.front().apart == 0, "the run does not start where the scene does");

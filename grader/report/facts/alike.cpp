@@ -1,10 +1,7 @@
-// STAFF ONLY. Reads the size of errors, and compares people by it.
+// STAFF ONLY. Compares people by the size of their errors.
 #include "grader/report/facts/alike.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -16,25 +13,14 @@ constexpr std::size_t kFewestAlike = 3, kFewestLost = 2;
 
 }  // namespace
 
-std::optional<double> times_the_limit(const CaseResult& one) {
-  const std::string separator = ": ", word = ", bound ";
-  const std::size_t bound = one.detail.find(word);
-  if (bound == std::string::npos || bound == 0) return {};
-  const std::size_t before = one.detail.rfind(separator, bound);
-  if (before == std::string::npos) return {};
-  const double error = std::strtod(one.detail.c_str() + before + separator.size(), nullptr),
-               limit = std::strtod(one.detail.c_str() + bound + word.size(), nullptr);
-  const double times = error / limit;
-  return std::isfinite(error) && std::isfinite(times) ? times : std::numeric_limits<double>::infinity();
-}
-
-ErrorSize size_of(const std::optional<double>& times) {
-  if (!times) return ErrorSize::unknown;
-  if (std::isinf(*times)) return ErrorSize::not_finite;
-  return *times < 10    ? ErrorSize::near
-         : *times < 1e3 ? ErrorSize::up_to_a_thousand
-         : *times < 1e6 ? ErrorSize::up_to_a_million
-                        : ErrorSize::more;
+ErrorSize size_of(const CaseResult& one) {
+  const double times = one.error_in_limits;
+  if (times == 0) return ErrorSize::unknown;
+  if (times == kNoNumber) return ErrorSize::not_finite;
+  return times < 10    ? ErrorSize::near
+         : times < 1e3 ? ErrorSize::up_to_a_thousand
+         : times < 1e6 ? ErrorSize::up_to_a_million
+                       : ErrorSize::more;
 }
 
 std::string in_words(ErrorSize size) {
@@ -59,7 +45,7 @@ std::vector<LostCategory> lost_categories(const ExerciseResult& exercise) {
   std::vector<LostCategory> lost;
   for (std::size_t i = 0; i < exercise.cases.size(); ++i)
     if (const CaseResult& one = exercise.cases[i]; one.status != Status::passed)
-      lost.push_back({exercise.id + "." + std::to_string(i + 1), &one, times_the_limit(one)});
+      lost.push_back({exercise.id + "." + std::to_string(i + 1), &one});
   return lost;
 }
 
@@ -72,7 +58,7 @@ std::vector<FailAlike> who_fail_alike(const std::vector<const SubmissionResult*>
       std::vector<ErrorSize> sizes;
       for (const LostCategory& one : lost_categories(exercise)) {
         lost.push_back(one.number);
-        sizes.push_back(size_of(one.times));
+        sizes.push_back(size_of(*one.one));
       }
       // A person who loses all categories shows no single misunderstanding.
       const bool says_something = lost.size() >= kFewestLost || sizes != std::vector{ErrorSize::unknown};

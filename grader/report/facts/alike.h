@@ -1,7 +1,6 @@
 // STAFF ONLY. People who fail alike: they lose the same categories of an exercise by errors of the same size.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,19 +8,14 @@
 
 namespace grader::inline report {
 
-// Returns how many times as large as its limit the error of a lost category is, from its text for staff
-// (Trial::expect_at_most); infinite for an error that is no number. Nothing if it has none.
-std::optional<double> times_the_limit(const CaseResult& one);
-
-// Is a size in bands that a hidden input or another compiler hardly changes; near: below 10 times.
+// Is the size of an error in bands that a hidden input or another compiler hardly changes; near: below 10 times.
 enum class ErrorSize { unknown, near, up_to_a_thousand, up_to_a_million, more, not_finite };
-ErrorSize size_of(const std::optional<double>& times);
+ErrorSize size_of(const CaseResult& one);
 std::string in_words(ErrorSize size);  // "10 to 1000 times the limit"; "" for unknown
 
 struct LostCategory {
   std::string number;  // "H2.3"
   const CaseResult* one = nullptr;
-  std::optional<double> times = {};
 };
 std::vector<LostCategory> lost_categories(const ExerciseResult& exercise);
 

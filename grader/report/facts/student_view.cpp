@@ -77,6 +77,7 @@ SubmissionResult for_student(const SubmissionResult& result) {
       one.feedback = one.memory_error.empty() ? sentence_of(one) : one.memory_error;
       one.hint.clear();
       one.detail.clear();
+      one.error_in_limits = 0;
       one.cases = one.held = 0;
     }
     for (PictureResult& picture : exercise.pictures) {

@@ -39,9 +39,9 @@ int review_class(const Review& options) {
     while (!ended) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   desk.list().open("");
-  std::cout << "\nThe pages are written." << std::endl;
-  const std::optional<FolderLock> lock = FolderLock::take(options.folder, ended, std::cerr);
-  if (lock) write_class_files(options.folder, *record);
+  std::cout << "\nThe pages are written: some seconds for a large class." << std::endl;
+  if (const std::optional<FolderLock> lock = FolderLock::take(options.folder, ended, std::cerr))
+    write_class_files(options.folder, *record);
   return 0;
 }
 
