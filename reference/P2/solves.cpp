@@ -89,7 +89,8 @@ void feedback(Trial& trial) {
     };
     const double size = (stiffness * plain.values() + damping * plain.jacobian() * plain.state.v).norm();
     trial.expect((lambda - without).norm() > 0, "feedback changes nothing");
-    trial.expect_at_most(error(values(trial, plain, 0), rates(trial, plain, 0)),
+    const VectorXd C = values(trial, plain, 0);
+    trial.expect_at_most(error(C, rates(trial, plain, 0)),
                          kTolerance * (2 * size + plain.right_hand_side().norm()) +
                              with.residual_rounding(lambda) + plain.residual_rounding(without),
                          "the error of the feedback");
@@ -108,15 +109,16 @@ void rows(Trial& trial) {
   ConstrainedSystem rods = mixed, wires = mixed;
   rods.constraints.wires.clear();
   wires.constraints.rods.clear();
-  const auto joined = [](const VectorXd& a, const VectorXd& b) {
+  const auto joined = [&](const auto& ask) {
+    const VectorXd a = ask(trial, rods, 0), b = ask(trial, wires, 0);
     VectorXd both(a.size() + b.size());
     both << a, b;
     return both;
   };
 
   const VectorXd lambda = random_vector(random, mixed.rows()), zero = VectorXd::Zero(3 * mixed.n());
-  const VectorXd forces =
-      with_forces(trial, rods, lambda.head(2), zero) + with_forces(trial, wires, lambda.tail(6), zero);
+  VectorXd forces = with_forces(trial, rods, lambda.head(2), zero);
+  forces += with_forces(trial, wires, lambda.tail(6), zero);
   trial.expect(forces.norm() > 0, "the forces are 0");
   trial.expect_close({with_forces(trial, mixed, lambda, zero), forces}, 64 * kUnit * forces.norm(),
                      "the forces of rods and wires together, and their sum,");
@@ -125,8 +127,8 @@ void rows(Trial& trial) {
     for (particles::Wire& wire : system->constraints.wires) wire.radius *= 3;
     system->state.v = mixed.f;
   }
-  trial.expect(values(trial, mixed, 0) == joined(values(trial, rods, 0), values(trial, wires, 0)) &&
-                   rates(trial, mixed, 0) == joined(rates(trial, rods, 0), rates(trial, wires, 0)),
+  const VectorXd C = values(trial, mixed, 0), rate = rates(trial, mixed, 0);
+  trial.expect(C == joined(values) && rate == joined(rates),
                "rods and wires together have other values or rates than each alone, in this order");
 }
 
@@ -150,7 +152,8 @@ void units(Trial& trial) {
   trial.expect(values(trial, small, 0) == unit * unit * C && rates(trial, small, 0) == unit * unit * rate &&
                    with_forces(trial, small, lambda, zero) == unit * force,
                "values, rates or forces depend on the unit of length");
-  expect_same_lambda(trial, solve(trial, small).lambda, solve(trial, plain).lambda,
+  const VectorXd of_small = solve(trial, small).lambda;
+  expect_same_lambda(trial, of_small, solve(trial, plain).lambda,
                      "the lambda of rods in two units of length");
 }
 

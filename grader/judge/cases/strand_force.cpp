@@ -65,9 +65,11 @@ void expect_ends_alike(Trial& trial, const StrandForce& force, const Posed& brie
       all.segment<3>(3 * i + 3) = end(force.products[i].ask_from_zero(trial, posed, dx));
     return all;
   };
-  for (const bool tip : {false, true})
-    expect_vector(trial, of_an_end(lengthy, tip), of_an_end(brief, tip), rounding * (1 + push.norm()),
+  for (const bool tip : {false, true}) {
+    const VectorXd end = of_an_end(lengthy, tip);
+    expect_vector(trial, end, of_an_end(brief, tip), rounding * (1 + push.norm()),
                   "force and product at the end of a long strand");
+  }
   const double share = force.energy(trial, brief) / (brief.strand.count() - ends);
   trial.expect_at_most(std::abs(force.energy(trial, lengthy) / (lengthy.strand.count() - ends) - share),
                        rounding, "the error of a long strand's energy");
