@@ -16,11 +16,11 @@ SubmissionResult who_loses(const std::string& name, const std::vector<double>& e
   ExerciseResult exercise;
   exercise.id = "S1";
   for (const double error : errors) {
-    CaseResult one{.name = "A category", .status = Status::passed, .max_points = 1};
-    if (error != kPasses) {
-      one.status = Status::wrong;
+    CaseResult one;
+    if (error == kPasses)
+      one.status = Status::passed;
+    else
       one.error_in_limits = error;
-    }
     exercise.cases.push_back(one);
   }
   SubmissionResult result;
