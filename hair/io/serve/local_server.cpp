@@ -115,7 +115,7 @@ class LocalServer::Parts {
     const std::size_t end = std::min(path.find('/', 1), path.size());
     const bool changes = method != "GET" && method != "HEAD";
     const std::string why = refusal({.host = value("Host").value_or(""),
-                                     .token = path.substr(1, end - 1),
+                                     .token = path.empty() ? path : path.substr(1, end - 1),
                                      .changes = changes,
                                      .origin = value("Origin")},
                                     address_);
