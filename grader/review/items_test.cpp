@@ -46,11 +46,6 @@ TEST(Items, AreOfTheseKinds) {
     exercise.cases[2].held = count;
     return becomes(exercise);
   };
-  const auto run_says = [&](const char* feedback) {
-    ExerciseResult exercise = made_exercise("H2", {{8}});
-    exercise.cases[7].feedback = feedback;
-    return becomes(exercise);
-  };
   ExerciseResult breaks_off = with_picture(made_exercise("H4", {{8}}), 0, false);
   breaks_off.pictures.back().breaks_off = true;
   ExerciseResult two_files;
@@ -96,8 +91,6 @@ TEST(Items, AreOfTheseKinds) {
       {"all but two", held(12, 10), ""},
       {"three of four", held(4, 3), ""},
       {"no number", becomes(made_exercise("H2", {{3, kInfinity}})), "blown-up/H2/ann\n", "no finite number"},
-      {"a run without numbers", run_says("numbers that are not finite"), "blown-up/H2/ann\n"},
-      {"a wrong run", run_says("the stretch is up to 10 times as large as allowed"), ""},
       {"a run that breaks off", becomes(breaks_off), "blown-up/H4/ann\n", "H4: its run breaks off"},
       {"a wrong picture of code that is right",
        becomes(with_picture(made_exercise("H6", {{8, 50}}), 0.2, false)), "far-in-pictures/H6/ann\n",
