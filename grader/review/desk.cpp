@@ -109,7 +109,6 @@ Html Desk::part(const std::string& key) {
 }
 
 hair::WebAnswer Desk::shown(const Shown& what, std::size_t since) {
-  refresh();
   Json rows = Json::array();
   for (const auto& [key, row] : rows_)
     if (row.stamp > since) rows.push_back({{"key", key}, {"html", row.html}});
@@ -147,6 +146,7 @@ hair::WebAnswer Desk::save(const std::string& body) {
   const auto then = fields.value("then", std::vector<std::string>{});
   const auto since = fields.value("stamp", std::size_t{0});
   std::string told = what == "skip" ? "" : "Saved.", back = key;
+  unsigned status = 200;
   try {
     if (what == "accept") {
       list_.save(key, version);
@@ -179,11 +179,14 @@ hair::WebAnswer Desk::save(const std::string& body) {
       throw BadInput("\"" + printable(what) + "\" is nothing that the desk does");
     }
   } catch (const ChangedMeanwhile& changed) {
-    return shown({key, changed.what(), 409}, since);
+    told = changed.what();
+    status = 409;
   } catch (const BadInput& error) {
-    return shown({key, error.what(), 400}, since);
+    told = error.what();
+    status = 400;
   }
   refresh();
+  if (status != 200) return shown({key, told, status}, since);
   const std::string next = then.empty() ? back : first_of(then);
   if (next.empty()) {
     told = "Nothing undecided is left in this list.";
@@ -231,6 +234,7 @@ hair::WebAnswer Desk::answer(const hair::WebRequest& request) {
     if (first != "item" && first != "news") return {404};
     const std::size_t since = number_in(take(path));
     if (first == "news" && !path.empty()) list_.open(path);
+    refresh();
     return shown({path, "", 200, first == "item"}, since);
   } catch (const nlohmann::json::exception&) {
     return {400, "this is not what the desk's page sends\n"};

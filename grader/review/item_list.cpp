@@ -135,7 +135,13 @@ std::string ItemList::open(const std::string& key) {
   refresh();
   const Item* item = found(key);
   std::string other = item ? open_by_other(item->row(), facts_.rows, who_, clock_()) : "";
-  rows_.open(item && other.empty() ? std::optional(item->row()) : std::nullopt, clock_());
+  const std::optional<RowOfItem> row = item && other.empty() ? std::optional(item->row()) : std::nullopt;
+  rows_.open(row, clock_());
+  // No item looks otherwise for that, so the list need not be made again.
+  for (auto& [what, kept] : facts_.rows)
+    if (kept.open_by == who_) kept.open_by.clear();
+  if (row) std::tie(facts_.rows[*row].open_by, facts_.rows[*row].open_at) = std::tuple(who_, clock_());
+  state_.second = rows_.state().second;
   return other;
 }
 

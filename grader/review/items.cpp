@@ -204,7 +204,8 @@ class Making {
            .why = "Late by less than an hour: handed in " + person.handed_in + ", due " + facts_.rules.due},
           person.handed_in + facts_.rules.due);
     if (!had_first_look_) return;
-    const bool known = facts_.rows.contains({word_of(ItemKind::changed), name});
+    const auto row = facts_.rows.find({word_of(ItemKind::changed), name});
+    const bool known = row != facts_.rows.end() && !row->second.looks.empty();
     add({.kind = ItemKind::changed,
          .people = {name},
          .lost = max_points(result) - points(result),

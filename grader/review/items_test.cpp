@@ -221,6 +221,8 @@ TEST(Items, AreNewOnlyAfterAFirstLook) {
   ASSERT_EQ(keys(items), "changed//ann\nchanged//cy\n");
   EXPECT_EQ(items[0].why, "The result is another one than before: 14 of 16 points");
   EXPECT_EQ(items[1].why, "The hand-in is new: 16 of 16 points");
+  facts.rows[items[1].row()].open_by = "eve";
+  EXPECT_EQ(items_of(facts)[1].why, items[1].why) << "eve has it open, and no more";
   facts.rows[items[1].row()] = {items[1].looks, "eve", "2025-01-01 10:00:00"};
   EXPECT_EQ(keys(items_of(facts)), "changed//ann\nchanged//cy by eve\n");
 }

@@ -225,6 +225,11 @@ void check(Decision& decision, const SubmissionResult& computed, const std::vect
       throw BadInput(decision.place + ": " + other->who + " set " + other->place + " to " +
                      shown_number(other->number) + " points, and nobody could say which count; unset " +
                      other->place + " first");
+    for (const Decision& other : others)
+      if (other.kind == DecisionKind::excuse && (other.place.empty() || other.place == place.exercise->id))
+        throw BadInput(decision.place + ": " + other.who + " excused " +
+                       (other.place.empty() ? "the whole" : other.place) +
+                       ", so points would not count; unset the excuse first");
   }
   if (is_comment && (!std::isfinite(decision.number) || (decision.number != 0 && !place.exercise)))
     throw BadInput(std::isfinite(decision.number)

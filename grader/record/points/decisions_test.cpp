@@ -107,10 +107,12 @@ TEST_F(Decisions, OfAnExerciseAndItsCategoryContradict) {
 }
 
 TEST_F(Decisions, ExcuseFromAnExerciseOrFromAll) {
-  decide(DecisionKind::excuse, "H2");
   decide(DecisionKind::points, "H2.2", 4);
+  decide(DecisionKind::excuse, "H2");
   EXPECT_EQ(points(now()), 4);
   EXPECT_EQ(max_points(now()), 5);
+  EXPECT_NE(refusal(DecisionKind::points, "H2.2", 3).find("unset the excuse first"), std::string::npos);
+  EXPECT_EQ(refusal(DecisionKind::points, "S1", 3), "");
   EXPECT_EQ(now().exercises[0].status, alice().exercises[0].status);
   EXPECT_EQ(now().exercises[1].status, Status::excused);
   decide(DecisionKind::excuse, "");
