@@ -12,9 +12,16 @@ namespace grader::inline compare {
 
 using HeatColor = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// Has night blue, violet, red, orange, pale yellow: evenly from 0 to 1, interpolated in encoded values.
-inline constexpr std::array<HeatColor, 5> kHeatColors{
-    {{8, 10, 34}, {84, 28, 116}, {196, 54, 78}, {248, 150, 48}, {255, 246, 198}}};
+// Is Matplotlib's magma, as FLIP's authors show errors: evenly from 0 to 1, interpolated in encoded values.
+inline constexpr std::array<HeatColor, 9> kHeatColors{{{0, 0, 4},
+                                                       {28, 16, 68},
+                                                       {79, 18, 123},
+                                                       {129, 37, 129},
+                                                       {181, 54, 122},
+                                                       {229, 80, 100},
+                                                       {251, 135, 97},
+                                                       {254, 194, 135},
+                                                       {252, 253, 191}}};
 
 HeatColor heat_color(double value);  // clamped to 0..1
 

@@ -34,7 +34,7 @@ TEST(HeatMap, HasTheMapsSizeAndItsEndsColours) {
   const hair::Image image = heat_map(map);
   EXPECT_EQ(image.width, 3);
   EXPECT_EQ(image.height, 1);
-  EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{8, 10, 34, 196, 54, 78, 255, 246, 198}));
+  EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{0, 0, 4, 181, 54, 122, 252, 253, 191}));
 }
 
 }  // namespace

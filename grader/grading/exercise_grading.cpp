@@ -155,6 +155,7 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
       if (one.name == kMemoryTitle && one.status != Status::passed) one.feedback = sanitised->switched_off;
   result.cases = std::move(found.cases);
   result.pictures = std::move(found.pictures);
+  result.motions = std::move(found.motions);
   result.status = overall_status(result.cases);
   result.feedback = sentence_for(result.status);
   if (!jobs.settings().memory_errors)

@@ -120,6 +120,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
   if (run) {
     run->student().finish();
     result.pictures = run->pictures();
+    result.motions = run->motions();
     result.run_cpu_seconds = run->student().cpu_seconds();
     result.picture_cpu_seconds = run->picture_seconds();
   }

@@ -35,7 +35,9 @@ void put_file(const fs::path& file, const std::string& text) {
 }
 
 std::string json_with_person(const SubmissionResult& result, const NamesForPeople& people) {
-  OrderedJson json = to_json_value(result, {picture_name, {}});
+  SubmissionResult without_motions = result;  // those are in pages
+  for (ExerciseResult& one : without_motions.exercises) one.motions = {};
+  OrderedJson json = to_json_value(without_motions, {picture_name, {}});
   if (people.contains(result.name)) json["person"] = hair::valid_utf8(people.at(result.name));
   return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
@@ -50,6 +52,10 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
   put_file(dir / result.name / "results.json", student_json(result));
   put_file(dir / result.name / "report.html", student_page(result, people));
   write_pictures(pictures_folder(dir), result);
+  const fs::path runs = dir / "staff" / "runs" / result.name;
+  fs::remove_all(runs);
+  for (const ExerciseResult& one : result.exercises)
+    if (!one.motions.student.empty()) put_file(runs / (one.id + ".html"), run_page(result, one, people));
   put_file(dir / "staff" / (result.name + ".html"), staff_page(result, people));
   put_file(dir / "staff" / (result.name + ".json"), json_with_person(result, people));
 }
@@ -83,6 +89,7 @@ void write_course_reports(const fs::path& dir, const CourseTable& course, const 
 void remove_reports(const fs::path& dir, const std::string& name) {
   check_name(name);
   fs::remove_all(dir / name);
+  fs::remove_all(dir / "staff" / "runs" / name);
   for (const char* ending : {".html", ".json"}) fs::remove(dir / "staff" / (name + ending));
 }
 

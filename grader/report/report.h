@@ -7,6 +7,7 @@
 //   DIR/staff/NAME.html    for staff: inputs, expected and actual values, output of compiler and worker
 //   DIR/staff/NAME.json    the whole result
 //   DIR/staff/pictures/    the pictures of these two, each stored once for the class; see picture_files.h
+//   DIR/staff/runs/NAME/H4.html  its run beside the reference's, if they look different
 //   DIR/NAME/study.html, study.json  only with studies: error against time; the only files here with times
 //   DIR/grades.csv, index.html  the class
 //

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/compare/montage.h"
-#include "grader/compare/palette.h"
 #include "grader/report/facts/student_text.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
@@ -26,7 +25,6 @@ constexpr const char* kOfPublicChecks =
     "These are the public checks, compiled as for grading. They give no points: the hidden ones do, after "
     "the deadline.";
 constexpr int kPictureWidth = 240;  // is half the size
-constexpr std::size_t kPictureColors = 128;
 
 std::string text_of(const std::string& text) {
   const std::string shown = hair::readable(text);
@@ -38,9 +36,8 @@ std::string text_of(const std::string& text) {
 Html picture(const std::string& png, const std::string& shows) {
   if (png.empty()) return {};
   const hair::Image small = shrunk(hair::decode_png(png, "a picture"), kPictureWidth);
-  return html(
-      "<img width=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">\n",
-      {std::size_t{kPictureWidth}, shows, base64(encode_palette_png(in_few_colors(small, kPictureColors)))});
+  return html("<img width=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">\n",
+              {std::size_t{kPictureWidth}, shows, base64(hair::encode_png(small))});
 }
 
 Html moments(const std::vector<PictureResult>& pictures) {

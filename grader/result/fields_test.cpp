@@ -23,7 +23,8 @@ const PictureResult kPicture{.name = "0.50 s",
                              .reference = "\xff\x00ours"s,
                              .heat = "heat",
                              .far_off = true,
-                             .breaks_off = true};
+                             .breaks_off = true,
+                             .apart = 12};
 
 const CaseResult kCase{.name = "Ill-conditioned systems",
                        .status = Status::broke_rules,
@@ -108,6 +109,7 @@ SuiteResult suite_result() {
   SuiteResult found;
   found.cases = {kCase};
   found.pictures = {kPicture};
+  found.motions = {"theirs", "ours", "both"};
   found.study = study();
   found.memory = {.message = "It writes behind an array", .call = 1, .cpu_seconds = 0.5};
   found.cpu_seconds = 0.1;
@@ -150,10 +152,11 @@ bool may_be_missing(const std::string& place) {
   const std::string key = place.substr(place.rfind('/') + 1);
   if (place.find("/points/") != place.npos)
     return key == "note" || key == "error" || key == "solver_steps" || key == "correction_steps";
-  return key == "hint" || key == "breaks_off" || key == "studied" || key == "ended_by_the_clock" ||
-         key == "extra_credit_counted" || key == "source" || key == "said" || key == "adjustments" ||
-         key == "remarks" || key == "about" || key == "last_run" || key == "began" || key == "ended" ||
-         key == "asked" || key == "done" || key == "alice" || key == "bob" || key == "S1" || key == "runs";
+  return key == "hint" || key == "breaks_off" || key == "apart" || key == "motions" || key == "studied" ||
+         key == "ended_by_the_clock" || key == "extra_credit_counted" || key == "source" || key == "said" ||
+         key == "adjustments" || key == "remarks" || key == "about" || key == "last_run" || key == "began" ||
+         key == "ended" || key == "asked" || key == "done" || key == "alice" || key == "bob" || key == "S1" ||
+         key == "runs";
 }
 
 template <class T>
@@ -267,11 +270,11 @@ constexpr Slip kSlips[] = {
     {R"("starts":4)", R"("starts":4,"starts":4)",
      "a.json: \"starts\" stands twice in the same object; keep one of them"},
     {R"("starts":4)", R"("starts":4,"weight":1)",
-     "a.json: unknown key \"weight\"; known here: cases, pictures, study, memory, "
+     "a.json: unknown key \"weight\"; known here: cases, pictures, motions, study, memory, "
      "cpu_seconds, "
      "run_cpu_seconds, picture_cpu_seconds, starts, spent"},
     {R"("starts":4,)", "",
-     "a.json: \"starts\" is missing; an object here has: cases, pictures, study, memory, "
+     "a.json: \"starts\" is missing; an object here has: cases, pictures, motions, study, memory, "
      "cpu_seconds, run_cpu_seconds, picture_cpu_seconds, starts, spent"},
 };
 

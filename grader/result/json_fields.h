@@ -148,7 +148,7 @@ Field<T> of_earlier_versions(std::string key) {
       std::move(key), {}, [](T&, const JsonValue&, const PictureText&) {}, [](const T&) { return false; }};
 }
 
-// Declares a PNG file's bytes.
+// Declares bytes of a PNG file, or of another one that many results may share.
 template <class T>
 Field<T> picture(std::string key, std::string T::*member) {
   return {std::move(key),

@@ -73,8 +73,19 @@ struct PictureResult {
   // True if its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
   bool breaks_off = false;  // the run has no later moment that can be drawn
+  // Is the largest distance of a point from the reference's, in per cent of the longest strand; of the scene's
+  // size if it has no strands.
+  double apart = 0;
 
   bool operator==(const PictureResult&) const = default;
+};
+
+// Holds the motions of a whole run, if they look different. They contain no text from a student.
+struct RunMotions {
+  std::string student, reference;  // for staff: JSON of hair/view/motion.h
+  std::string film;                // for students: a PNG file with both (grader/judge/run/run_pictures.h)
+
+  bool operator==(const RunMotions&) const = default;
 };
 
 // Is said by the staff at a place of an exercise, or asked there.
@@ -96,6 +107,7 @@ struct ExerciseResult {
   std::string compiler_messages;  // for students: the compiler's messages about their own lines
   std::vector<CaseResult> cases;
   std::vector<PictureResult> pictures;  // show the whole run
+  RunMotions motions = {};              // the same
   std::string staff_log;                // the whole output of compiler, linker and worker
   std::string source = {};              // is the beginning of the student's file
   std::vector<Said> said = {};          // by people, for students, too

@@ -34,6 +34,7 @@ const Rows<PictureResult>& Fields<PictureResult>::rows() {
       field("name", &T::name),
       field("blurred_rmse", &T::blurred_rmse),
       field("flip", &T::flip),
+      field<T>("apart", &T::apart, [](const T& one) { return one.apart != 0; }),
       picture("student", &T::student),
       picture("reference", &T::reference),
       picture("heat", &T::heat),
@@ -41,6 +42,13 @@ const Rows<PictureResult>& Fields<PictureResult>::rows() {
       field<T>("breaks_off", &T::breaks_off, [](const T& one) { return one.breaks_off; }),
       of_earlier_versions<T>("blurred_rmse_limit"),
       of_earlier_versions<T>("flip_limit")};
+  return all;
+}
+
+const Rows<RunMotions>& Fields<RunMotions>::rows() {
+  using T = RunMotions;
+  static const Rows<T> all = {picture("student", &T::student), picture("reference", &T::reference),
+                              picture("film", &T::film)};
   return all;
 }
 
@@ -64,6 +72,7 @@ const Rows<ExerciseResult>& Fields<ExerciseResult>::rows() {
       field("compiler_messages", &T::compiler_messages),
       field("cases", &T::cases),
       field("pictures", &T::pictures),
+      field<T>("motions", &T::motions, [](const T& one) { return one.motions != RunMotions{}; }),
       field("staff_log", &T::staff_log),
       field<T>("source", &T::source, [](const T& one) { return !one.source.empty(); }),
       field<T>("said", &T::said, [](const T& one) { return !one.said.empty(); }),
@@ -110,6 +119,7 @@ const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
   using T = SuiteResult;
   static const Rows<T> all = {field("cases", &T::cases),
                               field("pictures", &T::pictures),
+                              field("motions", &T::motions),
                               field("study", &T::study),
                               field("memory", &T::memory),
                               field("cpu_seconds", &T::cpu_seconds),

@@ -30,6 +30,10 @@ struct Fields<PictureResult> {
   static const Rows<PictureResult>& rows();
 };
 template <>
+struct Fields<RunMotions> {
+  static const Rows<RunMotions>& rows();
+};
+template <>
 struct Fields<Said> {
   static const Rows<Said>& rows();
 };

@@ -27,6 +27,7 @@ struct MemoryLook {
 struct SuiteResult {
   std::vector<CaseResult> cases;         // belong to an exercise; points are weights, not yet its points
   std::vector<PictureResult> pictures;   // show its whole run
+  RunMotions motions;                    // the same
   std::optional<SubmissionStudy> study;  // is set for "study"
   std::optional<MemoryLook> memory;      // nothing: there was no search
   double cpu_seconds = 0;                // is the worker's

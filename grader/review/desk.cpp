@@ -7,6 +7,7 @@
 
 #include "grader/class_folder/class_files.h"
 #include "grader/course/input.h"
+#include "grader/report/facts/columns.h"
 #include "grader/report/facts/picture_files.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/strict_json.h"
@@ -207,6 +208,12 @@ hair::WebAnswer Desk::page_of_class(const std::string& path) {
   if (first == "staff" && second.ends_with(".html") && rest.empty()) {
     if (const auto one = recorded(second.substr(0, second.size() - 5)))
       return {200, report::staff_page(one->result, people), hair::kHtmlType};
+  } else if (first == "staff" && second == "runs") {
+    const std::string name = take(rest);
+    if (const auto one = rest.ends_with(".html") ? recorded(name) : std::nullopt)
+      if (const ExerciseResult* exercise = find_exercise(one->result, rest.substr(0, rest.size() - 5));
+          exercise && !exercise->motions.student.empty())
+        return {200, report::run_page(one->result, *exercise, people), hair::kHtmlType};
   } else if (first == "staff" && second == "pictures") {
     if (const std::string png = picture(record_.pages(), rest); !png.empty()) return {200, png, "image/png"};
   } else if (rest.empty() && second == "report.html") {

@@ -220,7 +220,7 @@ Html item_part(const OpenItem& open, const DeskPeople& people) {
   for (const SubmissionResult& result : open.results) {
     if (item.people.size() > 1)
       all += html("<p class=\"line\"><strong>One of them: {}</strong></p>\n", {person(result.name, people)});
-    all += report::staff_part(result, item.exercise, "class/staff/pictures");
+    all += report::staff_part(result, item.exercise, "class/staff/");
   }
   return all += html("</div>\n{}</article>\n", {dialogs(open)});
 }

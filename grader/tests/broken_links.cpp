@@ -54,7 +54,7 @@ std::vector<std::string> broken_links(const fs::path& folder) {
   std::map<fs::path, Page> pages;  // by their paths in the folder
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().extension() == ".html")
-      read(hair::plot::parse(hair::bytes_of(entry.path())), pages[fs::relative(entry.path(), folder)]);
+      read(hair::plot::parse_page(hair::bytes_of(entry.path())), pages[fs::relative(entry.path(), folder)]);
   if (pages.empty()) return {folder.string() + ": no pages"};
 
   std::vector<std::string> broken;

@@ -10,10 +10,12 @@
 
 #include "grader/compare/compare.h"
 #include "grader/compare/test_pictures.h"
+#include "grader/result/base64.h"
 #include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "hair/io/files/write_file.h"
 #include "hair/io/image/read_png.h"
 #include "solver/test_refusal.h"
 
@@ -76,6 +78,15 @@ TEST_F(Comparing, TwoPicturesGiveTheirDistances) {
   const ProgramRun table = compare({a, b});
   EXPECT_TRUE(says(table.output, line));
   EXPECT_EQ(compare({a, a}).output, "1 of 1 the same, pixel for pixel\n");
+  const string black = path("black.png"), clear = path("clear.png");
+  put("black.png", Image{1, 1, {0, 0, 0}});
+  // A PNG file of one pixel: grey 0 with alpha 0.
+  hair::write_file(
+      clear,
+      from_base64(
+          "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR4nGNgYAAAAAMAAbitOmMAAAAASUVORK5CYII="));
+  EXPECT_TRUE(says(compare({black, clear, "--json"}).output, "\"flip_mean\": 0.967")) << "as black and white";
+  EXPECT_EQ(compare({clear, clear}).output, "1 of 1 the same, pixel for pixel\n");
 }
 
 TEST_F(Comparing, FoldersGiveAPageWorstFirstWhereWhatIsMissingIsNamed) {

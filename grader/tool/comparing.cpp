@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using hair::Image;
 
 constexpr std::size_t kMostShown = 12;    // bounds the pairs whose pictures are in the page
-constexpr int kSmallWidth = 480;          // is the width of these, px
+constexpr int kHeatWidth = 480;           // is the width of their heat maps in the page, px
 constexpr int kMostPixels = 4096 * 4096;  // FLIP needs some 70 bytes for each
 
 // Collects files in a folder beside `out`; they move to `out` once all of them are complete.
@@ -81,6 +81,8 @@ std::pair<Image, Image> read_pair(const PicturePair& pair) {
   if (reference.width > kMostPixels / reference.height)
     throw BadInput(shown(pair.reference) + " is " + size_of(reference) +
                    " pixels; pictures that are compared have at most 4096 x 4096");
+  // Black is black, opaque or not; over white the two differ.
+  if (reference == test) both = {hair::read_png(pair.reference, 255), hair::read_png(pair.test, 255)};
   return both;
 }
 
@@ -107,7 +109,7 @@ int compare_pictures(const CompareSettings& settings, std::ostream& output,
                         std::move(found.only_in_reference),
                         std::move(found.only_in_test)};
   const bool folders = fs::is_directory(settings.reference);
-  std::vector<SmallPair> worst;
+  std::vector<ShownPair> worst;
   {
     Progress progress(found.pairs.size());
     for (const PicturePair& pair : found.pairs) {
@@ -131,10 +133,10 @@ int compare_pictures(const CompareSettings& settings, std::ostream& output,
         staging->write(side_file(pair.name), hair::encode_png(side_by_side({reference, test, heat})));
         if (!compared.distance.identical) {
           staging->write(heat_file(pair.name), hair::encode_png(heat));
-          const auto small = [](const Image& image) { return hair::encode_png(shrunk(image, kSmallWidth)); };
-          worst.push_back({compared, small(reference), small(test), small(heat)});
+          worst.push_back({compared, hair::encode_png(reference), hair::encode_png(test),
+                           hair::encode_png(shrunk(heat, kHeatWidth))});
           std::sort(worst.begin(), worst.end(),
-                    [](const SmallPair& a, const SmallPair& b) { return is_worse(a.pair, b.pair); });
+                    [](const ShownPair& a, const ShownPair& b) { return is_worse(a.pair, b.pair); });
           if (worst.size() > kMostShown) worst.pop_back();
         }
       }

@@ -1,6 +1,5 @@
 #include "hair/view/view_page.h"
 
-#include "hair/io/plot/html.h"
 #include "hair/view/page_scripts.h"
 #include "hair/view/run_script.h"
 
@@ -18,7 +17,7 @@ Html inside_a_page(const std::string& json) {
 
 }  // namespace
 
-std::string view_page(const std::vector<NamedMotion>& motions) {
+std::string view_page(const std::vector<NamedMotion>& motions, const Html& below, const std::string& script) {
   std::string title;
   Html data;
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -44,10 +43,11 @@ std::string view_page(const std::vector<NamedMotion>& motions) {
 <h2>In words</h2>
 <div id="words"></div>
 <p class="quiet">Drag to turn, with shift to move, and use the wheel or two fingers to come nearer. Arrow keys turn, + and - come nearer and go away, 0 goes back. Space plays and stops; comma and full stop go a frame back and on.</p>
-</main>
+{}</main>
 {})",
-                         {title, data});
-  return html_page(title, body, {{"\"use strict\";\n" + kPageScripts + kRunScript}});
+                         {title, below, data});
+  return html_page(title, body,
+                   {{"\"use strict\";\n" + kPageScripts + kRunScript + "\n{\n" + script + "}\n"}});
 }
 
 }  // namespace hair

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "hair/io/plot/html.h"
+
 namespace hair {
 
 struct NamedMotion {
@@ -12,7 +14,9 @@ struct NamedMotion {
   std::string json;  // motion.json
 };
 
-// One motion, or two to compare.
-std::string view_page(const std::vector<NamedMotion>& motions);
+// One motion, or two to compare. `below` stands below them, and `script` runs last: the page's parts are its
+// window.hairView.
+std::string view_page(const std::vector<NamedMotion>& motions, const Html& below = {},
+                      const std::string& script = {});
 
 }  // namespace hair

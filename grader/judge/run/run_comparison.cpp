@@ -8,6 +8,7 @@
 
 #include "grader/judge/run/dense_strands.h"
 #include "hair/scene_drawing/scene_drawing.h"
+#include "hair/view/motion.h"
 
 namespace grader::inline judge {
 namespace {
@@ -78,6 +79,47 @@ hair::Drawing with_dense(hair::Drawing drawing, const std::vector<int>& sizes, c
   return drawing;
 }
 
+// Returns the longest strand's length; 0 if there are no strands.
+double longest(const particles::State& state, const std::vector<int>& strands) {
+  double most = 0;
+  Eigen::Index at = 0;
+  for (const int points : strands) {
+    double length = 0;
+    for (int i = 1; i < points; ++i)
+      length += (state.x.segment<3>(at + 3 * i) - state.x.segment<3>(at + 3 * i - 3)).norm();
+    most = std::max(most, length);
+    at += 3 * points;
+  }
+  return most;
+}
+
+// Collects the motion of one run for a page.
+class Motion {
+ public:
+  Motion(const hair::Scene& scene, const hair::Camera& camera, std::size_t frames)
+      : frames_(static_cast<int>(frames), hair::kMostPointsShipped) {
+    story_.name = scene.name;
+    story_.shows = scene.shows;
+    story_.camera = camera;
+    story_.series = {{"energy", "J"}, {"largest stretch", "%"}};
+  }
+
+  void add(const hair::Drawing& drawing, double time, const hair::FrameMeasures& measures) {
+    frames_.add(drawing);
+    story_.times.push_back(time);
+    story_.series[0].values.push_back(measures.energy());
+    story_.series[1].values.push_back(100 * measures.stretch);
+  }
+  std::string json(const char* broken) {
+    story_.blow_up = broken;
+    return frames_.json(story_);
+  }
+
+ private:
+  hair::MotionFrames frames_;
+  hair::MotionStory story_;
+};
+
 }  // namespace
 
 RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs) {
@@ -127,21 +169,44 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
   taken.erase(std::ranges::find_if(
                   taken, [&](const Taken& one) { return !(apart_of(one) <= kFarthestDrawn * result.size); }),
               taken.end());
+  const double length = taken.empty() ? 0 : longest(taken.front().ours, ours.strands());
+  const double whole = length > 0 ? length : result.size;
+  const auto drawn = [&](const hair::SceneDrawing& by, const Taken& one, bool is_ours) {
+    hair::Drawing plain = by.at(is_ours ? one.ours : one.theirs, one.obstacles, one.moment.time);
+    const Eigen::VectorXd& dense = is_ours ? one.our_dense : one.their_dense;
+    return with_dense_hair ? with_dense(std::move(plain), strands.sizes(), dense) : plain;
+  };
+  const auto looks_same = [&](const Taken& one) { return apart_of(one) <= kSameParticles * result.size; };
+  const auto shot = [&](const Taken& one, bool is_last) {
+    const double apart = apart_of(one);
+    return Shot{name_at(one.moment.time),
+                drawn(drawing, one, true),
+                drawn(drawing, one, false),
+                100 * apart / whole,
+                looks_same(one),
+                apart > kNear * result.size,
+                is_last};
+  };
   // The start shows only the scene.
   const bool is_cut =
       !pictures.empty() && taken.size() > 1 && static_cast<int>(taken.size()) <= pictures.back();
   for (const Taken& one : taken) {
     const bool is_last = is_cut && one.frame == taken.back().frame;
-    if (!is_last && std::ranges::find(pictures, one.frame) == pictures.end()) continue;
-    const double apart = apart_of(one);
-    const auto drawn = [&](const particles::State& state, const Eigen::VectorXd& dense) {
-      hair::Drawing plain = drawing.at(state, one.obstacles, one.moment.time);
-      return with_dense_hair ? with_dense(std::move(plain), strands.sizes(), dense) : plain;
-    };
-    result.shots.push_back({name_at(one.moment.time), drawn(one.ours, one.our_dense),
-                            drawn(one.theirs, one.their_dense), apart <= kSameParticles * result.size,
-                            apart > kNear * result.size, is_last});
+    if (is_last || std::ranges::find(pictures, one.frame) != pictures.end())
+      result.shots.push_back(shot(one, is_last));
   }
+  if (pictures.empty() || std::ranges::all_of(taken, looks_same)) return result;
+  const hair::SceneDrawing for_pages(scene, ours.strands(), {}, hair::kCellsOfPage);
+  Motion our_motion(scene, result.camera, taken.size()), their_motion(scene, result.camera, taken.size());
+  for (const Taken& one : taken) {
+    our_motion.add(drawn(for_pages, one, true), one.moment.time, one.moment.ours);
+    their_motion.add(drawn(for_pages, one, false), one.moment.time, one.moment.theirs);
+  }
+  result.our_motion = our_motion.json("");
+  result.their_motion = their_motion.json(is_cut ? "no later moment can be drawn" : "");
+  const std::size_t shots = std::min(kFilmShots, taken.size());
+  for (std::size_t i = 0; i < shots; ++i)
+    result.film.push_back(shot(taken[i * (taken.size() - 1) / std::max<std::size_t>(shots - 1, 1)], false));
   return result;
 }
 

@@ -10,6 +10,8 @@
 
 namespace grader::inline judge {
 
+inline constexpr std::size_t kFilmShots = 12;
+
 struct Moment {
   double time = 0;                   // s
   hair::FrameMeasures ours, theirs;  // both measured with our forces
@@ -24,8 +26,11 @@ struct RunComparison {
   bool finite = true;           // true if all of the worker's numbers are finite
   std::vector<Moment> moments;  // are in both runs, until a number is not finite
   std::vector<Shot>
-      shots;            // frames that can be drawn: the requested ones, and the last one if others can't be
-  hair::Camera camera;  // shows all of the reference's run
+      shots;  // frames that can be drawn: the requested ones, and the last one if others can't be
+  // These three are empty if the runs look the same.
+  std::string our_motion, their_motion;  // JSON of hair/view/motion.h: all frames that can be drawn
+  std::vector<Shot> film;                // at most kFilmShots of these frames
+  hair::Camera camera;                   // shows all of the reference's run
 };
 
 // Runs the scene with the reference. `pictures` are the frames for shots. Throws std::logic_error if the

@@ -6,7 +6,6 @@
 #include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
-#include "grader/compare/palette.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"
 #include "hair/io/image/read_png.h"
@@ -48,14 +47,6 @@ std::string made_once(const fs::path& file, const Make& make) {
   return bytes;
 }
 
-// Returns a page's PNG file. A map is smooth, so half its size is enough.
-std::string shown_picture(const hair::Image& image) {
-  return encode_palette_png(in_few_colors(image, kPictureColors));
-}
-std::string shown_map(const ErrorMap& map) {
-  return encode_palette_png(in_few_colors(shrunk(heat_map(map), kPictureWidth / 2), kMapColors));
-}
-
 }  // namespace
 
 std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair::Camera& camera,
@@ -67,25 +58,38 @@ std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair
     picture.name = shot.name;
     picture.far_off = shot.far_off;
     picture.breaks_off = shot.breaks_off;
-    const std::string drawn =
+    picture.apart = shot.apart;
+    picture.reference = picture.student =
         made_once(kept / (shot.name + ".png"), [&] { return hair::encode_png(artist.draw(shot.reference)); });
-    picture.reference = picture.student = made_once(
-        kept / (shot.name + " shown.png"), [&] { return shown_picture(hair::decode_png(drawn, shot.name)); });
     if (!shot.same) {
-      const hair::Image reference = hair::decode_png(drawn, shot.name);
+      const hair::Image reference = hair::decode_png(picture.reference, shot.name);
       const hair::Image student = artist.draw(shot.student);
       const ErrorMap map = flip(reference, student);
       const PictureDistance distance = compare_pictures(reference, student, map);
       picture.blurred_rmse = distance.blurred_rmse;
       picture.flip = distance.flip_mean;
       if (!distance.identical) {
-        picture.student = shown_picture(student);
-        picture.heat = shown_map(map);
+        picture.student = hair::encode_png(student);
+        // A map is smooth, so half its size is enough.
+        picture.heat = hair::encode_png(shrunk(heat_map(map), kPictureWidth / 2));
       }
     }
     pictures.push_back(std::move(picture));
   }
   return pictures;
+}
+
+std::string draw_film(const std::vector<Shot>& shots, const hair::Camera& camera) {
+  Artist artist(camera);
+  hair::Image film;
+  for (const Shot& shot : shots) {
+    const hair::Image both = side_by_side(
+        {shrunk(artist.draw(shot.student), kCoarseWidth), shrunk(artist.draw(shot.reference), kCoarseWidth)});
+    film.width = both.width;
+    film.height += both.height;
+    film.pixels.insert(film.pixels.end(), both.pixels.begin(), both.pixels.end());
+  }
+  return hair::encode_png(film);
 }
 
 }  // namespace grader::judge

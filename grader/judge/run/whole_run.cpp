@@ -77,6 +77,7 @@ void WholeRun::judge(Trial& trial) {
 void WholeRun::draw(const RunComparison& run) {
   const double start = timing::process_cpu_seconds();
   pictures_ = draw_shots(run.shots, run.camera, *kept_pictures_);
+  motions_ = {run.their_motion, run.our_motion, run.film.empty() ? "" : draw_film(run.film, run.camera)};
   picture_seconds_ = timing::process_cpu_seconds() - start;
 }
 

@@ -58,6 +58,7 @@ class WholeRun {
 
   Student& student() { return student_; }
   const std::vector<PictureResult>& pictures() const { return pictures_; }
+  const RunMotions& motions() const { return motions_; }
   double picture_seconds() const { return picture_seconds_; }  // is CPU time
 
  private:
@@ -74,6 +75,7 @@ class WholeRun {
   std::optional<std::filesystem::path> kept_pictures_;
   Student& cases_;
   std::vector<PictureResult> pictures_;
+  RunMotions motions_;
   double picture_seconds_ = 0;
 };
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -118,6 +120,13 @@ TEST(RunComparison, SeesDenseHair) {
   EXPECT_TRUE(moved.shots[1].same) << "nobody can see it";
   EXPECT_FALSE(moved.shots[2].same);
   EXPECT_TRUE(moved.shots[2].far_off);
+  EXPECT_EQ(same.their_motion, "");
+  const auto theirs = nlohmann::json::parse(moved.their_motion),
+             ours = nlohmann::json::parse(moved.our_motion);
+  EXPECT_EQ(theirs["times"].size(), moved.moments.size());
+  EXPECT_EQ(theirs["strands"], ours["strands"]) << "so that a page compares their points";
+  EXPECT_LE(moved.our_motion.size(), 500'000U) << "a class has thousands";
+  EXPECT_EQ(moved.film.size(), kFilmShots);
 
   played.dense[3][0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(compare_runs(hidden.scene, hidden.pictures, played).finite);

@@ -7,6 +7,7 @@
 #include "grader/compare/heat_map.h"
 #include "grader/compare/test_pictures.h"
 #include "hair/io/image/png.h"
+#include "hair/view/motion.h"
 
 namespace grader::inline report {
 namespace {
@@ -69,6 +70,28 @@ PictureResult sample_picture(const std::string& name, int shift) {
           hair::encode_png(student),
           hair::encode_png(reference),
           distance.identical ? "" : hair::encode_png(heat_map(map))};
+}
+
+RunMotions sample_motions(double off) {
+  constexpr int kFrames = 10;
+  const auto motion = [](double shift) {
+    hair::MotionFrames frames(kFrames);
+    hair::MotionStory story;
+    story.shows = "strands that sway";
+    for (int k = 0; k < kFrames; ++k) {
+      hair::Drawing drawing;
+      drawing.strands.sizes = {2, 2};
+      for (const double x : {0.0, 0.5}) {
+        const double aside = x + 0.02 * k + (k < kFrames / 2 ? 0 : shift);
+        drawing.strands.points.insert(drawing.strands.points.end(), {{x, 0, 1}, {aside, 0, 0}});
+      }
+      frames.add(drawing);
+      story.times.push_back(0.1 * k);
+    }
+    story.camera = {.eye = {0.25, -3, 0.5}, .target = {0.25, 0, 0.5}};
+    return frames.json(story);
+  };
+  return {motion(off), motion(0), {}};
 }
 
 std::vector<SubmissionResult> sample_class(int size) {

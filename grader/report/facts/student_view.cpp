@@ -9,8 +9,6 @@
 namespace grader::inline report {
 namespace {
 
-constexpr int kCoarseWidth = 48;  // pixels, a tenth
-
 Status right_wrong_or_broke_off(Status status) {
   return status == Status::passed || status == Status::wrong ? status : Status::crashed;
 }
@@ -69,6 +67,8 @@ SubmissionResult for_student(const SubmissionResult& result) {
   for (ExerciseResult& exercise : view.exercises) {
     exercise.staff_log.clear();
     exercise.source.clear();
+    exercise.motions.student.clear();
+    exercise.motions.reference.clear();
     if (exercise.feedback.empty()) exercise.feedback = sentence_for(exercise.status);
     exercise.feedback += next_step(exercise);
     const bool stub = is_stub(exercise);

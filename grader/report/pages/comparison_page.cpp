@@ -7,23 +7,6 @@
 namespace grader::inline report {
 namespace {
 
-// A click on a picture shows its neighbour in its place, as FLIP assumes it; F does so for all.
-constexpr std::string_view flip_script = R"js(
-const flips = [];
-for (const row of document.querySelectorAll(".pictures")) {
-  const [a, b] = row.querySelectorAll("img"), first = a.src, second = b.src;
-  const show = other => { a.src = other ? second : first; b.src = other ? first : second; };
-  flips.push(show);
-  for (const image of [a, b]) {
-    image.draggable = false;
-    image.onpointerdown = () => show(true);
-    image.onpointerup = image.onpointerleave = () => show(false);
-  }
-}
-onkeydown = event => { if (event.key === "f") for (const show of flips) show(true); };
-onkeyup = event => { if (event.key === "f") for (const show of flips) show(false); };
-)js";
-
 // Writes a file's name as a part of a link: all but letters, digits and -._~ as %XX (RFC 3986).
 std::string link_to(const std::string& file) {
   constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~";
@@ -39,17 +22,17 @@ std::string link_to(const std::string& file) {
   return link;
 }
 
-Html shown_pair(const SmallPair& small) {
-  const PictureDistance& distance = small.pair.distance;
+Html shown_pair(const ShownPair& shown) {
+  const PictureDistance& distance = shown.pair.distance;
   return html(
       "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>FLIP {}, up to "
       "{}</span><span>blurred "
       "RMSE {}</span></div>\n<div class=\"pictures\">\n{}{}{}</div>\n</div>\n",
-      {small.pair.name, shown_distance(distance.flip_mean), shown_distance(distance.flip_max),
+      {shown.pair.name, shown_distance(distance.flip_mean), shown_distance(distance.flip_max),
        shown_distance(distance.blurred_rmse),
-       figure(image(small.reference, small.pair.name + ", the first"), html("The first")),
-       figure(image(small.test, small.pair.name + ", the second"), html("The second")),
-       figure(image(small.heat, small.pair.name + ", where they differ"),
+       figure(image(shown.reference, shown.pair.name + ", the first"), html("The first")),
+       figure(image(shown.test, shown.pair.name + ", the second"), html("The second")),
+       figure(image(shown.heat, shown.pair.name + ", where they differ"),
               html("Where they differ {}", {heat_scale()}))});
 }
 
@@ -89,7 +72,7 @@ std::string side_file(const std::string& name) {
   return stem_of(name) + "-side.png";
 }
 
-std::string comparison_page(const Comparison& comparison, const std::vector<SmallPair>& worst) {
+std::string comparison_page(const Comparison& comparison, const std::vector<ShownPair>& worst) {
   Html body = html(
       "<header>\n<h1>Pictures compared</h1>\n<p>The first: <code>{}</code><br/>The second: "
       "<code>{}</code></p>\n"
@@ -100,14 +83,11 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
   body += missing(comparison.reference, comparison.only_in_reference);
   body += missing(comparison.test, comparison.only_in_test);
   if (!worst.empty()) {
-    body += html(
-        "<section id=\"worst\">\n<h2>{}</h2>\n<p class=\"quiet\">Press a picture, or hold the key "
-        "F for "
-        "all of them, to flip between the first and the second.</p>\n",
-        {worst.size() + count_identical(comparison) == count_compared(comparison)
-             ? "Those that differ"
-             : "The worst " + std::to_string(worst.size())});
-    for (const SmallPair& small : worst) body += shown_pair(small);
+    body += html("<section id=\"worst\">\n<h2>{}</h2>\n",
+                 {worst.size() + count_identical(comparison) == count_compared(comparison)
+                      ? "Those that differ"
+                      : "The worst " + std::to_string(worst.size())});
+    for (const ShownPair& shown : worst) body += shown_pair(shown);
     body += html("</section>\n");
   }
   body += html(R"(<section id="all">
@@ -118,7 +98,7 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
 )");
   for (const ComparedPair& pair : comparison.pairs) body += row(pair);
   body += html("</tbody>\n</table></div>\n</section>\n</main>\n");
-  return html_page("Pictures compared", body, {{std::string(flip_script)}});
+  return html_page("Pictures compared", body, {{viewer_script()}});
 }
 
 }  // namespace grader::report

@@ -9,8 +9,8 @@
 
 namespace grader::inline report {
 
-// Holds a shrunk pair, as the bytes of PNG files.
-struct SmallPair {
+// Holds a pair, as the bytes of PNG files. The heat map may be smaller.
+struct ShownPair {
   ComparedPair pair;
   std::string reference, test, heat;
 };
@@ -19,6 +19,6 @@ struct SmallPair {
 std::string heat_file(const std::string& name);
 std::string side_file(const std::string& name);
 
-std::string comparison_page(const Comparison& comparison, const std::vector<SmallPair>& worst);
+std::string comparison_page(const Comparison& comparison, const std::vector<ShownPair>& worst);
 
 }  // namespace grader::report

@@ -19,9 +19,13 @@ std::string student_page(
     const NamesForPeople& people = {});  // writes NAME/report.html, without the staff's texts
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people = {});  // staff/NAME.html
 
+// Writes staff/runs/NAME/H4.html: both motions of a whole run over one another, and its measured pictures.
+std::string run_page(const SubmissionResult& result, const ExerciseResult& exercise,
+                     const NamesForPeople& people = {});
+
 // Writes the part of the staff's page about an exercise, or all of it if there is no such exercise.
-// `pictures` is their folder, from the page on.
-Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures);
+// `staff` is the folder of its pictures and runs, from the page on.
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& staff);
 
 // Writes NAME/study.html for both. `beside_itself` is the reference's study of itself: the noise.
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
@@ -63,7 +67,7 @@ Html about_section(const std::vector<SubmissionResult>& results);
 // Shows what has class "more" in the section around it, or the page: it is folded at first. No script runs.
 Html fold(const std::string& label);
 
-// Is a script: it lets readers sort a table of class "class" by columns with data-sort, "text" or "number".
+// Is a script: it lets readers sort tables by columns with data-sort, "text" or "number".
 std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet

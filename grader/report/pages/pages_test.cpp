@@ -81,7 +81,8 @@ TEST(Pages, AStrictParserReadsThem) {
     pages.push_back(student_page(result));
     pages.push_back(staff_page(result));
   }
-  for (const std::string& page : pages) EXPECT_NO_THROW(hair::plot::parse(page)) << page.substr(0, 2000);
+  for (const std::string& page : pages)
+    EXPECT_NO_THROW(hair::plot::parse_page(page)) << page.substr(0, 2000);
 }
 
 TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
@@ -100,10 +101,11 @@ TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
 
 TEST(Pages, LoadNothingAndRunNothingOfTheirText) {
   const std::vector<SubmissionResult> results = sample_class(30);
-  for (const std::string& page : {student_page(results[1]), staff_page(results[1]), class_page(results)}) {
+  const std::string student = student_page(results[1]);
+  for (const std::string& page : {student, staff_page(results[1]), class_page(results)}) {
     for (const char* outside : {"http:", "https:", "@import", "url("})
       EXPECT_EQ(count(page, outside), 0u) << outside;
-    const bool alone = page == student_page(results[1]);
+    const bool alone = page == student;
     const std::string folder = page == class_page(results) ? "staff/pictures/" : "pictures/";
     EXPECT_EQ(count(page, alone ? "default-src &#39;none&#39;; img-src data:;"
                                 : "default-src &#39;none&#39;; img-src &#39;self&#39; file:;"),
@@ -115,7 +117,8 @@ TEST(Pages, LoadNothingAndRunNothingOfTheirText) {
     EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
     EXPECT_EQ(count(page, "<table"), count(page, "</table>"));
   }
-  EXPECT_EQ(count(student_page(results[1]) + staff_page(results[1]), "<script"), 0u);
+  EXPECT_EQ(count(student, "<script"), 1u) << "one that looks closer at pictures that differ";
+  EXPECT_EQ(count(staff_page(results[1]) + student_page(results[0]), "<script"), 0u);
 }
 
 TEST(Pages, StudentsSeeNothingOfTheStaffs) {

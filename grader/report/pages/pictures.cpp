@@ -6,8 +6,12 @@
 
 #include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
+#include "grader/compare/montage.h"
 #include "grader/report/facts/picture_files.h"
+#include "grader/report/facts/text.h"
+#include "grader/report/viewer_script.h"
 #include "grader/result/base64.h"
+#include "hair/io/image/read_png.h"
 #include "hair/io/plot/page.h"
 
 namespace grader::inline report {
@@ -25,7 +29,17 @@ std::string measured(const char* name, double distance, double limit) {
          (distance > limit ? ", " + shown_distance(distance / limit) + " times the limit" : "");
 }
 
-Html moment(const PictureResult& picture, const std::string& whose, const PicturePlace& place) {
+// Returns a place of a page of a run, as hair/view reads it.
+std::string at_time(const PictureResult& picture) {
+  return "time=" + picture.name.substr(0, picture.name.find(' '));
+}
+
+Html link_closer(const ExerciseResult& exercise, const PictureResult& picture, const PicturePlace& place) {
+  return link_to_run(exercise, at_time(picture), place.runs, "Look closer");
+}
+
+Html moment(const ExerciseResult& exercise, const PictureResult& picture, const std::string& whose,
+            const PicturePlace& place) {
   if (picture.heat.empty()) {
     return html(
         "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>the same, pixel for "
@@ -34,13 +48,15 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
          figure(image(picture.student, whose + " and the reference's hair at " + picture.name, place),
                 html("{} and the reference&#39;s", {whose}))});
   }
-  const bool is_coarse = picture.far_off && place.folder.empty();
+  const bool is_coarse = picture.far_off && place.is_for_student;
   return html(
       "<div class=\"moment\">\n<div "
-      "class=\"line\"><strong>{}</strong><span>{}</span><span>{}</span></div>\n<div "
+      "class=\"line\"><strong>{}</strong><span>{}</span><span>{}</span>{}{}</div>\n<div "
       "class=\"pictures\">\n{}{}{}</div>\n</div>\n",
       {name_of(picture), measured("blurred RMSE", picture.blurred_rmse, kBlurredRmse),
        measured("FLIP", picture.flip, kFlip),
+       picture.apart > 0 ? html("<span>apart by up to {} %</span>", {shown_distance(picture.apart)}) : Html{},
+       link_closer(exercise, picture, place),
        figure(image(picture.student, whose + " at " + picture.name, place),
               html("{}{}", {whose, is_coarse ? ", shown coarsely: it is far from the reference's" : ""})),
        figure(image(picture.reference, "The reference's at " + picture.name, place),
@@ -93,13 +109,23 @@ Html row(const Worst& worst, bool with_pictures, const PicturePlace& place, cons
         html("<td>{}</td><td>{}</td><td>{}</td>",
              {small(picture->student, shown_name(worst.result->name, people) + ", " + at),
               small(picture->reference, "The reference, " + at), small(picture->heat, "Difference, " + at)});
-  const std::string flip = worst.breaks_off ? "breaks off" : shown_distance(picture->flip);
-  const std::string blurred = worst.breaks_off ? "" : shown_distance(picture->blurred_rmse);
+  // A run that breaks off is further out than all others, whichever column sorts them.
+  const auto number = [&](double distance, const char* of_broken = "") {
+    return html("<td class=\"number\" data-value=\"{}\">{}</td>",
+                {worst.breaks_off ? std::string("1e9") : shown_distance(distance),
+                 worst.breaks_off ? of_broken : shown_distance(distance)});
+  };
+  const PictureResult none;
+  const PictureResult& measured = picture ? *picture : none;
+  const double lost = worst.exercise->max_points - worst.exercise->points;
+  const Html closer = link_to_run(*worst.exercise, picture ? at_time(*picture) : "apart=1",
+                                  "staff/runs/" + worst.result->name, "look closer");
   return html(
-      "<tr><th scope=\"row\"><a href=\"staff/{}.html#{}\">{}</a></th><td class=\"number\">{}</td><td "
-      "class=\"number\">{}</td><td>{}</td>{}</tr>\n",
-      {worst.result->name, worst.exercise->id, shown_name(worst.result->name, people), flip, blurred, at,
-       pictures});
+      "<tr><th scope=\"row\"><a href=\"staff/{}.html#{}\">{}</a></th>{}{}{}<td class=\"number\" "
+      "data-value=\"{}\">{}</td><td>{}<br/>{}</td>{}</tr>\n",
+      {worst.result->name, worst.exercise->id, shown_name(worst.result->name, people),
+       number(measured.flip, "breaks off"), number(measured.blurred_rmse), number(measured.apart),
+       std::to_string(lost), shown_points(lost), at, closer, pictures});
 }
 
 }  // namespace
@@ -130,8 +156,30 @@ Html figure(const Html& picture, const Html& caption) {
   return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {picture, caption});
 }
 
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, RunEnding ending,
+Html link_to_run(const ExerciseResult& exercise, const std::string& place, const std::string& runs,
+                 const std::string& text) {
+  if (runs.empty() || exercise.motions.student.empty()) return {};
+  return html("<a href=\"{}/{}.html#{}\">{}</a>", {runs, exercise.id, place, text});
+}
+
+Html film(const std::string& png) {
+  if (png.empty()) return {};
+  const std::string moments = std::to_string(hair::decode_png(png, "a film").height / kCoarseHeight);
+  return html(
+      "<div class=\"film\"><label><input type=\"checkbox\"/> play it: yours to the left, the reference&#39;s "
+      "to the right, at {} moments, as coarse as pictures that are far off</label>\n<div role=\"img\" "
+      "aria-label=\"Both runs\" style=\"--moments: {}; background-image: "
+      "url(data:image/png;base64,{})\"></div></div>\n",
+      {moments, moments, Html{base64(png)}});
+}
+
+std::string viewer_script() {
+  return "\"use strict\";\n{\n" + hair::kViewerScript + "}\n";
+}
+
+Html moments(const ExerciseResult& exercise, const std::string& heading, RunEnding ending,
              const std::string& whose, const PicturePlace& place) {
+  const std::vector<PictureResult>& pictures = exercise.pictures;
   if (pictures.empty()) return {};
   double flip = 0;
   bool open = ending == RunEnding::breaks_off;
@@ -139,16 +187,18 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
   for (const PictureResult& picture : pictures) {
     flip = std::max(flip, picture.flip);
     open = open || picture.flip > 0;
-    rows += moment(picture, whose, place);
+    rows += moment(exercise, picture, whose, place);
   }
   return html(
-      "<details{}><summary>{}{}</summary>\n{}<p class=\"quiet\">Blurred RMSE is how far they "
+      "<details{}><summary>{}{}</summary>\n{}{}{}<p class=\"quiet\">Blurred RMSE is how far they "
       "are "
       "apart once both are blurred by 4 pixels, 1 for black and white. FLIP is how different they look to a "
-      "person who flips between them, 0 to 1.</p>\n</details>\n",
+      "person who flips between them, 0 to 1. Apart is the largest distance of a point from the "
+      "reference&#39;s, in per cent of the longest strand, or of a scene without strands.</p>\n</details>\n",
       {open ? html(" open=\"\"") : Html{}, heading,
        ending == RunEnding::breaks_off ? ", until it breaks off" : ": FLIP up to " + shown_distance(flip),
-       rows});
+       rows, film(exercise.motions.film),
+       link_to_run(exercise, "apart=1", place.runs, "Both runs, from where they differ by more than 1 %")});
 }
 
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,
@@ -170,7 +220,7 @@ Html pictures_by_distance(const std::vector<SubmissionResult>& results, const Pi
                       {same, results.size() - all.size()});
   if (!rows.text.empty())
     section += html(R"(<div class="wide"><table>
-<thead><tr><th scope="col">Submission</th><th scope="col" class="number">FLIP</th><th scope="col" class="number">Blurred RMSE</th><th scope="col">Where</th><th scope="col">Theirs</th><th scope="col">The reference&#39;s</th><th scope="col">Difference {}</th></tr></thead>
+<thead><tr><th scope="col">Submission</th><th scope="col" class="number" data-sort="number">FLIP</th><th scope="col" class="number" data-sort="number">Blurred RMSE</th><th scope="col" class="number" data-sort="number">Apart, % of a strand</th><th scope="col" class="number" data-sort="number">Points lost</th><th scope="col">Where</th><th scope="col">Theirs</th><th scope="col">The reference&#39;s</th><th scope="col">Difference {}</th></tr></thead>
 <tbody>
 {}</tbody>
 </table></div>

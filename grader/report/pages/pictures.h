@@ -17,6 +17,8 @@ using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 // student's are inside; pictures that are far off are coarse there (student_view.h).
 struct PicturePlace {
   std::string folder = "";  // "pictures"; empty: inside the page
+  std::string runs = "";    // is the folder of this person's pages of runs (run_page); empty: no links
+  bool is_for_student = false;
 };
 
 // Writes an image element for a PNG file's bytes. `look` is a class of the style sheet, or "".
@@ -31,8 +33,17 @@ enum class RunEnding { whole, breaks_off };
 // Writes a row with its distances for each moment, under a heading that opens and closes. It starts open if a
 // picture differs, or if the run breaks off: the pictures before that may be like the reference's, and the
 // heading gives no distance. Empty without pictures. `whose` captions the submission's pictures: "Yours".
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, RunEnding ending,
+Html moments(const ExerciseResult& exercise, const std::string& heading, RunEnding ending,
              const std::string& whose, const PicturePlace& place);
+
+// Writes a link to a place of a page of a run: "time=0.5" or "apart=1", as hair/view reads it. Empty without a page.
+Html link_to_run(const ExerciseResult& exercise, const std::string& place, const std::string& runs,
+                 const std::string& text);
+
+// Writes a film (RunMotions::film) with a box that starts it; empty without one.
+Html film(const std::string& png);
+
+std::string viewer_script();  // lets a reader look closer at the pictures of moments
 
 // Writes a section of the class page: submissions sorted by the distance of their pictures from the
 // reference's, worst first, with small pictures of the worst.

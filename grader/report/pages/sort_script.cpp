@@ -8,7 +8,7 @@ namespace grader::inline report {
 namespace {
 
 constexpr std::string_view kSortScript = R"js(
-for (const th of document.querySelectorAll("table.class thead th[data-sort]")) {
+for (const th of document.querySelectorAll("table thead th[data-sort]")) {
   const column = th.cellIndex, button = document.createElement("button");
   button.append(...th.childNodes);
   th.append(button);

@@ -1,4 +1,5 @@
 // STAFF ONLY. Writes the page of a submission, for the student or for staff.
+#include <algorithm>
 #include <sstream>
 
 #include "grader/report/facts/columns.h"
@@ -20,8 +21,8 @@ const char* whose(Reader reader) {
   return reader == Reader::student ? "Yours" : "The student's";
 }
 
-PicturePlace place_of(Reader reader) {
-  return {reader == Reader::student ? "" : "pictures"};
+PicturePlace place_in(const std::string& staff, const std::string& name) {
+  return {staff + "pictures", staff + "runs/" + name};
 }
 
 std::string points_of(double points, double max_points) {
@@ -113,7 +114,7 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader, const Pictu
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
   section +=
-      moments(exercise.pictures, "The whole run in pictures",
+      moments(exercise, "The whole run in pictures",
               run_breaks_off(exercise) ? RunEnding::breaks_off : RunEnding::whole, whose(reader), place);
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
@@ -181,7 +182,9 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
          result.fingerprint.substr(0, 16)});
   }
   body += html("</header>\n<main>\n");
-  body += sections_of(result, reader, place_of(reader));
+  body += sections_of(
+      result, reader,
+      reader == Reader::student ? PicturePlace{.is_for_student = true} : place_in("", result.name));
   if (result.studied)
     body += html("<p><a href=\"{}study.html\">Error against run time</a> of small scenes, beside ours.</p>\n",
                  {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
@@ -230,8 +233,15 @@ Html badge(Status status) {
 }
 
 std::string student_page(const SubmissionResult& result, const NamesForPeople& people) {
-  return html_page("Report for " + shown_name(result.name, people),
-                   body_of(for_student(result), Reader::student, people));
+  const SubmissionResult shown = for_student(result);
+  const auto differs = [](const PictureResult& picture) { return !picture.heat.empty(); };
+  Scripts scripts;
+  if (std::ranges::any_of(shown.exercises, [&](const ExerciseResult& exercise) {
+        return std::ranges::any_of(exercise.pictures, differs);
+      }))
+    scripts.texts = {viewer_script()};
+  return html_page("Report for " + shown_name(result.name, people), body_of(shown, Reader::student, people),
+                   scripts);
 }
 
 std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
@@ -239,10 +249,10 @@ std::string staff_page(const SubmissionResult& result, const NamesForPeople& peo
                    Pictures::beside);
 }
 
-Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& pictures) {
+Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& staff) {
   const ExerciseResult* one = find_exercise(result, exercise);
-  return one ? exercise_section(*one, Reader::staff, {pictures})
-             : sections_of(result, Reader::staff, {pictures});
+  const PicturePlace place = place_in(staff, result.name);
+  return one ? exercise_section(*one, Reader::staff, place) : sections_of(result, Reader::staff, place);
 }
 
 }  // namespace grader::report

@@ -29,17 +29,17 @@ struct SiteOptions {
 
 // Shows the run that is farthest from the reference's, in pictures; empty if all are the same.
 Html worst_run(const std::vector<SubmissionResult>& results) {
-  const std::vector<PictureResult>* worst = nullptr;
+  const ExerciseResult* worst = nullptr;
   double most = 0;
   for (const SubmissionResult& result : results)
     for (const ExerciseResult& exercise : result.exercises)
       for (const PictureResult& picture : exercise.pictures)
         if (picture.flip > most) {
           most = picture.flip;
-          worst = &exercise.pictures;
+          worst = &exercise;
         }
   return worst
-             ? moments(*worst, "A wrong program's run beside the reference's", RunEnding::whole, "Theirs", {})
+             ? moments(*worst, "A wrong program's run beside the reference's", RunEnding::whole, "Theirs", {.is_for_student = true})
              : Html();
 }
 
@@ -60,7 +60,7 @@ std::string start_page(const std::vector<SubmissionResult>& results, const std::
       body += html("<p><a href=\"class/{}/study.html\">Error against run time</a> of {}.</p>\n",
                    {result.name, result.name});
   body += worst_run(results);
-  return html_page("Hair", body += html("</section>\n</main>\n"));
+  return html_page("Hair", body += html("</section>\n</main>\n"), {{report::viewer_script()}});
 }
 
 int site(const SiteOptions& options) {

@@ -93,7 +93,7 @@ class PngReader {
 
 }  // namespace
 
-Image decode_png(std::string_view bytes, const std::string& name) {
+Image decode_png(std::string_view bytes, const std::string& name, std::uint8_t background) {
   const auto fail = [&](const std::string& what) { throw BadInput(printable(name, 4096) + ": " + what); };
   if (bytes.size() > kMostBytes)
     fail("has " + std::to_string(bytes.size()) + " bytes; no PNG here has as many");
@@ -119,13 +119,14 @@ Image decode_png(std::string_view bytes, const std::string& name) {
   for (std::size_t i = 0; i < pixels; ++i) {
     const unsigned opaque = rgba[4 * i + 3];
     for (std::size_t c = 0; c < 3; ++c)
-      image.pixels[3 * i + c] = static_cast<std::uint8_t>((rgba[4 * i + c] * opaque + 127) / 255);
+      image.pixels[3 * i + c] =
+          static_cast<std::uint8_t>((rgba[4 * i + c] * opaque + background * (255 - opaque) + 127) / 255);
   }
   return image;
 }
 
-Image read_png(const std::filesystem::path& file) {
-  return decode_png(read_file(file, kMostBytes, "a PNG picture"), file.string());
+Image read_png(const std::filesystem::path& file, std::uint8_t background) {
+  return decode_png(read_file(file, kMostBytes, "a PNG picture"), file.string(), background);
 }
 
 }  // namespace hair

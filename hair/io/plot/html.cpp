@@ -83,6 +83,11 @@ figure img { display: block; width: 100%; height: auto; border-radius: .25rem; b
 svg { display: block; margin: 1rem 0 1.5rem; max-width: 100%; height: auto; background: #fff; border-radius: .375rem; }
 nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
+.film div { width: min(100%, 30rem); aspect-ratio: 104 / 27; background-size: 100% calc(100% * var(--moments)); image-rendering: pixelated; }
+.film:has(:checked) div { animation: film 4s steps(var(--moments), jump-none) infinite; } @keyframes film { to { background-position: 0 100%; } }
+.viewer { width: 96vw; max-width: none; height: 96vh; max-height: none; border: 0; border-radius: .5rem; background: var(--page); color: var(--text); }
+.viewer[open] { display: flex; flex-direction: column; gap: .25rem; } .viewer canvas { flex: 1; min-height: 0; width: 100%; touch-action: none; background: var(--soft); }
+.viewer h2, .viewer p { margin: 0; max-width: none; } .viewer [aria-pressed=true] { font-weight: 650; border-color: var(--link); }
 .small { display: block; width: 10rem; height: auto; border-radius: .25rem; }
 .beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 0 1.5rem; } body:has(.beside) { max-width: 110rem; }
 .source { font: .8125rem/1.45 ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace; padding-left: 3.5rem; white-space: pre-wrap; overflow-wrap: anywhere; }

@@ -59,4 +59,12 @@ Element parse(const std::string& xml) {
   return element_of(xmlDocGetRootElement(document.get()));
 }
 
+Element parse_page(std::string html) {
+  for (std::size_t at = html.find("<script"); at != std::string::npos; at = html.find("<script", at + 1)) {
+    const std::size_t from = html.find('>', at) + 1;
+    html.erase(from, html.find("</script>", from) - from);
+  }
+  return parse(html);
+}
+
 }  // namespace hair::plot

@@ -35,4 +35,7 @@ struct Element {
 // Throws std::runtime_error with the parser's own message if the XML is not well formed.
 Element parse(const std::string& xml);
 
+// The same for a page. It has no elements within a script: a script's text is no XML.
+Element parse_page(std::string html);
+
 }  // namespace hair::plot

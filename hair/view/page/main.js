@@ -7,6 +7,8 @@ function show() {
   const runs = ["motion", "other"].filter($).map((id) => Object.assign(readMotion($(id).textContent), { name: $(id).dataset.name }));
   const lead = runs.reduce((one, other) => (other.duration > one.duration ? other : one)), { duration, frames } = lead;
   const clock = makeClock(duration), orbit = makeOrbit(runs[0].camera), shown = runs.map(() => true);
+  const apart = runs.length > 1 ? seriesApart(...runs) : null;
+  if (apart) runs[0].series.push(apart);
   let dirty = true, seconds = 0; // seconds: from a picture of all strands to the next one
   const again = () => { dirty = true; };
   const seek = (time) => { clock.seek(time); again(); };
@@ -25,6 +27,7 @@ function show() {
       $("runs").append(label, " ");
     });
 
+  const goApart = apart && offerDifferences(apart, runs[0].times, (time) => { clock.stop(); seek(time); });
   $("time").max = frames - 1;
   $("time").addEventListener("input", () => { clock.stop(); seek(lead.times[$("time").value]); });
   $("rate").addEventListener("change", () => { clock.rate = Number($("rate").value); });
@@ -75,10 +78,22 @@ function show() {
   };
   // For tests: the parts of the page, and the number of pictures drawn.
   window.hairView = {
-    runs, clock, seek, orbit, stage, pictures: 0,
+    runs, clock, seek, orbit, stage, apart, pictures: 0,
+    // ImageData of one run as hair, of this size, as the camera is now
+    pixels(run, time, width, height) {
+      const now = { run, ...frameAt(runs[run], time) };
+      const tint = { name: "picture", write: (bytes) => colourPoints(bytes, runs[run], now.k, "own", run, null) };
+      const pixels = stage.pixels([{ ...now, tint }], matchMedia("(prefers-color-scheme: dark)").matches, width, height);
+      again();
+      return pixels;
+    },
     places: () => { const { k, between } = frameAt(runs[0], clock.time); return [...runs[0].places(k, between)]; },
   };
-  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) clock.play();
+  // An address ends in #apart=1 for the first difference of that size, in per cent, or in #time=0.5 (s).
+  const [, wanted, number] = /^#(apart|time)=([\d.]+)$/.exec(location.hash) ?? [];
+  if (wanted === "time") seek(Number(number));
+  else if (wanted && goApart) goApart(Number(number));
+  if (!wanted && !matchMedia("(prefers-reduced-motion: reduce)").matches) clock.play();
   requestAnimationFrame(loop);
 }
 

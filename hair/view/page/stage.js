@@ -44,6 +44,15 @@ function makeStage(motions, orbit, tell, again) {
       drawPlainly(without);
     }
   };
+  const paint = (now, few, dark, width, height, ratio) => {
+    if (width > 0 && (canvas.width !== width || canvas.height !== height)) { canvas.width = width; canvas.height = height; }
+    const aspect = canvas.width / canvas.height;
+    const scene = {
+      camera: orbit.matrix(aspect), eye: orbit.eye(), target: orbit.target,
+      fieldOfView: orbit.fieldOfView(aspect), pixels: ratio, background: dark ? [0.09, 0.1, 0.12] : [0.93, 0.94, 0.95],
+    };
+    drawing.draw(scene, now.map((one) => ({ ...one, held: held[one.run] })), few);
+  };
   watch();
   begin("This browser shows no WebGL2");
   return {
@@ -53,14 +62,14 @@ function makeStage(motions, orbit, tell, again) {
     // now: run, k, between, tint; few: a share of the strands
     draw(now, few, dark) {
       const ratio = window.devicePixelRatio || 1;
-      const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
-      if (width > 0 && (canvas.width !== width || canvas.height !== height)) { canvas.width = width; canvas.height = height; }
-      const aspect = canvas.width / canvas.height;
-      const scene = {
-        camera: orbit.matrix(aspect), eye: orbit.eye(), target: orbit.target,
-        fieldOfView: orbit.fieldOfView(aspect), pixels: ratio, background: dark ? [0.09, 0.1, 0.12] : [0.93, 0.94, 0.95],
-      };
-      drawing.draw(scene, now.map((one) => ({ ...one, held: held[one.run] })), few);
+      paint(now, few, dark, Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio), ratio);
+    },
+    // ImageData of a picture of this size
+    pixels(now, dark, width, height) {
+      paint(now, false, dark, width, height, 1);
+      const copy = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+      copy.drawImage(canvas, 0, 0);
+      return copy.getImageData(0, 0, width, height);
     },
   };
 }
