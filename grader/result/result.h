@@ -73,8 +73,8 @@ struct PictureResult {
   // True if its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
   bool breaks_off = false;  // the run has no later moment that can be drawn
-  // Is the largest distance of a point from the reference's, in per cent of the longest strand; of the scene's
-  // size if it has no strands.
+  // Is the largest distance of a point from the reference's, in per cent of the longest strand; of the
+  // scene's size if it has no strands.
   double apart = 0;
 
   bool operator==(const PictureResult&) const = default;

@@ -29,8 +29,8 @@ struct Shot {
 std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair::Camera& camera,
                                       const std::filesystem::path& kept);
 
-// Draws a film for students: a PNG file whose rows are moments, the submission's to the left of the reference's,
-// as coarse as they may see what is far off (kCoarseWidth). Throws hair::NoOpenGl.
+// Draws a film for students: a PNG file whose rows are moments, the submission's to the left of the
+// reference's, as coarse as they may see what is far off (kCoarseWidth). Throws hair::NoOpenGl.
 std::string draw_film(const std::vector<Shot>& shots, const hair::Camera& camera);
 
 }  // namespace grader::judge

@@ -16,7 +16,7 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
 // Makes a moment with strands; the student's are moved to the right by `shift` pixels.
 PictureResult sample_picture(const std::string& name, int shift);
 
-// Makes motions of two strands, 10 frames long. From frame 5 on the student's points are off by `off` strands.
+// Makes motions of two strands, 10 frames long. From frame 5 on the student's tips are off by `off` m.
 RunMotions sample_motions(double off);
 
 // Makes a class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results

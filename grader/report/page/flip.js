@@ -68,7 +68,7 @@ function seen(plane, terms, width, height) {
   return out;
 }
 
-// Of one picture: the colours that the eye sees, and its edges and points.
+// Returns what an eye takes from one picture: colours, edges and points.
 function perceived({ data, width, height }) {
   const count = width * height, planes = [0, 1, 2].map(() => new Float32Array(count));
   for (let i = 0; i < count; ++i) {

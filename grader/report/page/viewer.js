@@ -23,8 +23,8 @@ const element = (name, fields, ...inside) => {
   return made;
 };
 
-// pairs: { name, scores, titles, load: () => a promise of two ImageData of one size }. The dialog shows one of
-// them, and removes itself when it is closed.
+// pairs: { name, scores, titles, load: () => a promise of two ImageData of one size }. The dialog shows one
+// of them, and removes itself when it is closed.
 function openViewer(pairs, first) {
   let at = first, both = null, layers = {}, errors = null, mode = "swipe", gain = 0, zoom = 1, left = 0, top = 0, cut = 0.5, cursor = null, held = false;
   const canvas = element("canvas", { tabIndex: 0 }), values = element("p", { className: "quiet" }), scores = element("p"), heading = element("h2");

@@ -18,7 +18,8 @@ class ViewerPage(PageTest):
     # A page that has what the pattern names, with the first of its pictures looked at.
     def look(self, pattern, button=".moment button"):
         folder = Path(self.folder.name)
-        page = next(one for one in sorted(folder.glob(pattern)) if "Look closer" in one.read_text(encoding="utf-8") and 'class="moment"' in one.read_text(encoding="utf-8"))
+        page = next(one for one in sorted(folder.glob(pattern))
+                    if all(part in one.read_text(encoding="utf-8") for part in ("Look closer", 'class="moment"')))
         self.driver.get("about:blank")
         self.driver.get(page.as_uri() + "#time=0.5")
         self.wait_for("return document.querySelector(arguments[0])", button)
@@ -70,11 +71,13 @@ class ViewerPage(PageTest):
         self.press("\ue014", "\ue015")
         even = self.run_script("""const canvas = document.querySelector(".viewer canvas"), zoom = arguments[0], context = canvas.getContext("2d");
             const { data } = context.getImageData(0, 0, 6 * zoom, 6 * zoom);
-            for (let y = 0; y < 6 * zoom; ++y) for (let x = 0; x < 6 * zoom; ++x) for (let c = 0; c < 3; ++c)
-              if (data[4 * (6 * zoom * y + x) + c] !== data[4 * (6 * zoom * (y - y % zoom) + x - x % zoom) + c]) return false;
+            const at = (x, y) => data.slice(4 * (6 * zoom * y + x), 4 * (6 * zoom * y + x) + 3).join();
+            for (let y = 0; y < 6 * zoom; ++y)
+              for (let x = 0; x < 6 * zoom; ++x) if (at(x, y) !== at(x - x % zoom, y - y % zoom)) return false;
             return true""", zoom)
         self.assertTrue(even)
-        one, other, apart = [[int(word) for word in part.replace("apart", "").split()[-3:]] for part in self.values().split(":")[1].split("; ")[:3]]
+        parts = self.values().split(":")[1].split("; ")[:3]
+        one, other, apart = [[int(word) for word in part.replace("apart", "").split()[-3:]] for part in parts]
         self.assertEqual([abs(a - b) for a, b in zip(one, other)], apart)
 
     def test_goes_to_the_first_difference_of_two_runs_and_draws_them(self):
@@ -94,7 +97,8 @@ class ViewerPage(PageTest):
 
     def test_is_small_and_fits(self):
         page = self.look("staff/runs/*/*.html").read_text(encoding="utf-8")
-        self.assertLess(len(page[page.index("// LDR-FLIP"):page.index("watchRuns(window.hairView)")]), MOST_BYTES)
+        script = page[page.index("// LDR-FLIP"):page.index("watchRuns(window.hairView)")]
+        self.assertLess(len(script), MOST_BYTES)
         self.press("\ue00c")
         self.check_no_sideways_scroll()
 
