@@ -73,7 +73,8 @@ class ViewerPage(PageTest):
             const { data } = context.getImageData(0, 0, 6 * zoom, 6 * zoom);
             const at = (x, y) => data.slice(4 * (6 * zoom * y + x), 4 * (6 * zoom * y + x) + 3).join();
             for (let y = 0; y < 6 * zoom; ++y)
-              for (let x = 0; x < 6 * zoom; ++x) if (at(x, y) !== at(x - x % zoom, y - y % zoom)) return false;
+              for (let x = 0; x < 6 * zoom; ++x)
+                if (at(x, y) !== at(x - x % zoom, y - y % zoom)) return false;
             return true""", zoom)
         self.assertTrue(even)
         parts = self.values().split(":")[1].split("; ")[:3]
