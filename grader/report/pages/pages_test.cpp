@@ -81,8 +81,7 @@ TEST(Pages, AStrictParserReadsThem) {
     pages.push_back(student_page(result));
     pages.push_back(staff_page(result));
   }
-  for (const std::string& page : pages)
-    EXPECT_NO_THROW(hair::plot::parse_page(page)) << page.substr(0, 2000);
+  for (const std::string& page : pages) EXPECT_NO_THROW(hair::plot::parse_page(page)) << page.substr(0, 2000);
 }
 
 TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {

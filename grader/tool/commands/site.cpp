@@ -38,9 +38,9 @@ Html worst_run(const std::vector<SubmissionResult>& results) {
           most = picture.flip;
           worst = &exercise;
         }
-  return worst
-             ? moments(*worst, "A wrong program's run beside the reference's", RunEnding::whole, "Theirs", {.is_for_student = true})
-             : Html();
+  return worst ? moments(*worst, "A wrong program's run beside the reference's", RunEnding::whole, "Theirs",
+                         {.is_for_student = true})
+               : Html();
 }
 
 std::string start_page(const std::vector<SubmissionResult>& results, const std::vector<fs::path>& motions) {
