@@ -39,18 +39,10 @@ void BandedCholesky::factor() {
 }
 
 void BandedCholesky::solve(double x[]) const {
-  solve_lower(x);
-  solve_lower_transposed(x);
-}
-
-void BandedCholesky::solve_lower(double x[]) const {
   for (int i = 0; i < n_; ++i) {
     for (int k = std::max(0, i - width_); k < i; ++k) x[i] -= at(factor_, i, k) * x[k];
     x[i] /= at(factor_, i, i);
   }
-}
-
-void BandedCholesky::solve_lower_transposed(double x[]) const {
   for (int i = n_ - 1; i >= 0; --i) {
     x[i] /= at(factor_, i, i);
     for (int k = std::max(0, i - width_); k < i; ++k) x[k] -= at(factor_, i, k) * x[i];

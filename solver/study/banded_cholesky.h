@@ -15,16 +15,12 @@ class BandedCholesky {
   // not square or not positive definite.
   explicit BandedCholesky(const SparseMatrix& A);
 
-  int size() const { return n_; }
   int width() const { return width_; }  // the number of diagonals below the main one
 
   // Computes L with L L' = A from the entries that the constructor read. The study times this function.
   void factor();
 
-  // x = A^-1 x, x = L^-1 x and x = L^-T x.
-  void solve(double x[]) const;
-  void solve_lower(double x[]) const;
-  void solve_lower_transposed(double x[]) const;
+  void solve(double x[]) const;  // x = A^-1 x
 
  private:
   double& at(std::vector<double>& band, int row, int column) const {

@@ -62,7 +62,7 @@ double median(Vector values) {
 DigitsLost digits_lost(const NormalEquationsFunction& solve, double condition, int draws,
                        int most_iterations) {
   constexpr int n = kDigitsUnknowns;
-  Vector conj_grad, cholesky, qr, pivoted_qr, iterations;
+  Vector conj_grad, cholesky, qr, iterations;
   for (int draw = 0; draw < draws; ++draw) {
     const MatrixXd A = with_singular_values(log_spaced(n, 1 / condition, 1), 100 * draw + 1);
     const VectorXd exact = random_vector(n, 100 * draw + 99);
@@ -82,11 +82,9 @@ DigitsLost digits_lost(const NormalEquationsFunction& solve, double condition, i
     cholesky.push_back(llt.info() == Eigen::Success ? error(llt.solve(A.transpose() * b))
                                                     : std::numeric_limits<double>::quiet_NaN());
     qr.push_back(error(A.householderQr().solve(b)));
-    pivoted_qr.push_back(error(A.colPivHouseholderQr().solve(b)));
   }
   const int taken = static_cast<int>(median(iterations));
-  return {condition,  median(conj_grad), taken, taken >= most_iterations, median(cholesky),
-          median(qr), median(pivoted_qr)};
+  return {condition, median(conj_grad), taken, taken >= most_iterations, median(cholesky), median(qr)};
 }
 
 }  // namespace solver::study

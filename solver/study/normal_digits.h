@@ -27,7 +27,6 @@ struct DigitsLost {
   bool stopped = false;  // conj_grad used all iterations without an end: its error says nothing
   double cholesky = 0;   // on A'A as a dense matrix (Eigen's LLT)
   double qr = 0;         // on A: Householder (Eigen)
-  double pivoted_qr = 0;
 };
 
 inline constexpr int kDigitsUnknowns = 40;

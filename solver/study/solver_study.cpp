@@ -4,7 +4,6 @@
 
 #include "solver/study/banded_cholesky.h"
 #include "solver/study/eigen_conj_grad.h"
-#include "solver/study/preconditioned.h"
 #include "solver/study/systems.h"
 
 namespace solver::study {
@@ -93,21 +92,13 @@ class Study {
       const SparseMatrix matrix = strand_matrix(kSegments, step);
       study_.strands.push_back(compared(strand_system(kSegments, step), &matrix));
     }
-    say_("a strand with links, preconditioned");
-    for (const double step : {1e-5, 1e-4, 1e-3, 1e-2}) {
-      const SparseMatrix matrix = linked_strand_matrix(kSegments, step),
-                         band = strand_matrix(kSegments, step);
-      study_.linked.push_back(compared(linked_strand_system(kSegments, step), &matrix, &band));
-    }
   }
 
-  // `banded` is the system's matrix, if it has a band; `near` a matrix near it, if one is known.
-  Compared compared(const System& system, const SparseMatrix* banded = nullptr,
-                    const SparseMatrix* near = nullptr) const {
+  // `banded` is the system's matrix, if it has a band.
+  Compared compared(const System& system, const SparseMatrix* banded = nullptr) const {
     const ConjGradFunction eigen = eigen_as_conj_grad;
     Compared on = {history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, watch_),
                    history_of(eigen, "Eigen's CG", system, study_.most_iterations, watch_),
-                   {},
                    {}};
     std::optional<BandedCholesky> factored;
     Vector x;
@@ -122,17 +113,8 @@ class Study {
                 },
                 &on.direct->solve_seconds}};
     }
-    std::vector<TimedHistory> histories = {{&functions_.conj_grad, &on.conj_grad}, {&eigen, &on.eigen}};
-    std::optional<BandedCholesky> factored_near;
-    ConjGradFunction with_near;
-    if (near) {
-      factored_near.emplace(*near);
-      with_near = preconditioned(functions_.conj_grad, *factored_near);
-      on.preconditioned =
-          history_of(with_near, "ConjGrad, preconditioned", system, study_.most_iterations, watch_);
-      histories.push_back({&with_near, &*on.preconditioned});
-    }
-    time_in_turn(system, histories, std::move(calls), timing_, watch_);
+    time_in_turn(system, {{&functions_.conj_grad, &on.conj_grad}, {&eigen, &on.eigen}}, std::move(calls),
+                 timing_, watch_);
     return on;
   }
 

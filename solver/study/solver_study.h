@@ -58,14 +58,8 @@ std::optional<int> normal_iterations_needed(const NormalEquationsFunction& solve
 struct Compared {
   History conj_grad, eigen;
   std::optional<DirectSolve> direct;  // if the matrix is banded
-  std::optional<History>
-      preconditioned;  // if a band near it is known: ConjGrad, with the factor's time in each point
 
-  std::vector<const History*> histories() const {
-    std::vector<const History*> all = {&conj_grad, &eigen};
-    if (preconditioned) all.push_back(&*preconditioned);
-    return all;
-  }
+  std::vector<const History*> histories() const { return {&conj_grad, &eigen}; }
 };
 
 struct SolverStudy {
@@ -74,7 +68,6 @@ struct SolverStudy {
   std::vector<Compared> conditions;  // spread spectra of growing condition number
   std::vector<Compared> clusters;    // one condition number, different numbers of distinct eigenvalues
   std::vector<Compared> strands;     // a strand, for several time steps
-  std::vector<Compared> linked;      // the strand with links, preconditioned by the one without
   std::vector<IterationsNeeded> needed;
   std::vector<DigitsLost> digits;             // empty without normal equations
   std::optional<NotImplemented> not_written;  // the normal equations, if they are a stub

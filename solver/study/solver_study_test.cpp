@@ -11,9 +11,7 @@
 #include "solver/study/banded_cholesky.h"
 #include "solver/study/bowl_path.h"
 #include "solver/study/eigen_conj_grad.h"
-#include "solver/study/preconditioned.h"
 #include "solver/study/systems.h"
-#include "solver/symmetric_eigen.h"
 
 namespace solver::study {
 namespace {
@@ -38,44 +36,20 @@ bool definite(const SparseMatrix& A, double sign, double shift) {
 // Rounding moves them by about u times the condition number, here below 1e5.
 TEST(Systems, AStrandHasTheEigenvaluesThatItSays) {
   constexpr double kClose = 1e-9;
-  for (const double step : {1e-5, 1e-4, 1e-3})
-    for (const bool linked : {false, true}) {
-      if (linked && step > 1e-4) continue;
-      const System system = linked ? linked_strand_system(10, step) : strand_system(10, step);
-      const SparseMatrix A = linked ? linked_strand_matrix(10, step) : strand_matrix(10, step);
-      EXPECT_TRUE(definite(A, 1, (1 - kClose) * system.smallest)) << step;
-      EXPECT_FALSE(definite(A, 1, (1 + kClose) * system.smallest)) << step;
-      EXPECT_TRUE(definite(A, -1, (1 + kClose) * system.largest)) << step;
-      EXPECT_FALSE(definite(A, -1, (1 - kClose) * system.largest)) << step;
-    }
+  for (const double step : {1e-5, 1e-4, 1e-3}) {
+    const System system = strand_system(10, step);
+    const SparseMatrix A = strand_matrix(10, step);
+    EXPECT_TRUE(definite(A, 1, (1 - kClose) * system.smallest)) << step;
+    EXPECT_FALSE(definite(A, 1, (1 + kClose) * system.smallest)) << step;
+    EXPECT_TRUE(definite(A, -1, (1 + kClose) * system.largest)) << step;
+    EXPECT_FALSE(definite(A, -1, (1 - kClose) * system.largest)) << step;
+  }
 }
 
 TEST(Systems, TheSolutionSolvesThem) {
   for (const System& system : {spread_system(50, 1e4), clustered_system(50, 1e4, 3), strand_system(5, 1e-3)})
     EXPECT_EQ(product(*system.matrix, system.solution), system.right_side) << system.name;
   EXPECT_THROW(clustered_system(50, 1e4, 1), std::invalid_argument);
-}
-
-// The eigenvalues of M^-1 A, with M the strand without its links: 1, and two for each link.
-TEST(Systems, LinksLeaveFewEigenvaluesBesideTheStrand) {
-  for (const double step : {1e-4, 1e-3}) {
-    const SparseMatrix A = linked_strand_matrix(10, step);
-    const BandedCholesky M(strand_matrix(10, step));
-    const int n = A.rows();
-    Eigen::MatrixXd between = Eigen::MatrixXd::Zero(n, n);
-    for (const SparseMatrix::Entry& entry : A.entries()) between(entry.row, entry.col) = entry.value;
-    for (int pass = 0; pass < 2; ++pass) {
-      for (int i = 0; i < n; ++i) M.solve_lower(between.col(i).data());
-      between.transposeInPlace();
-    }
-    const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(between);
-    // Rounding moves them by about u times the condition number, here below 1e5.
-    EXPECT_EQ((eigenvalues.array() > 1 + 1e-9).count(), 3 * kLinks) << step;
-    EXPECT_GT(eigenvalues[0], 1 - 1e-9) << step;
-    int different = 0;
-    for (int i = 1; i < n; ++i) different += eigenvalues[i] > (1 + 1e-9) * eigenvalues[i - 1];
-    EXPECT_EQ(different, 2 * kLinks) << step;
-  }
 }
 
 TEST(BandedCholeskyTest, SolvesAStrandAndRefusesWhatIsNotDefinite) {
@@ -220,22 +194,6 @@ TEST(IterationsNeededTest, AreOnlyThoseThatLedThere) {
   EXPECT_EQ(iterations_needed(no_numbers, system, 1000), std::nullopt);
 }
 
-// k + 1 different eigenvalues take k + 1 iterations, for any condition number, and so with Eigen's method.
-TEST(PreconditionedTest, ALinkedStrandTakesAsManyIterationsAsItHasEigenvalues) {
-  const ConjGradFunction solve = eigen;
-  for (const double step : {1e-4, 1e-2}) {
-    const System system = linked_strand_system(20, step);
-    BandedCholesky band(strand_matrix(20, step));
-    const History with = history_of(preconditioned(solve, band), "with", system, 100, {});
-    const auto there =
-        std::ranges::find_if(with.progress, [](const Progress& one) { return one.error < 1e-9; });
-    ASSERT_NE(there, with.progress.end()) << step;
-    EXPECT_LE(there->iterations, 2 * kLinks + 1) << step;
-    EXPECT_LE(there->products, 2 * kLinks + 3) << step;
-    EXPECT_GT(history_of(solve, "without", system, 2 * kLinks + 2, {}).progress.back().error, 1e-3) << step;
-  }
-}
-
 // The solver is called with as many iterations as before, and not with the number that it reported.
 TEST(HistoryTest, TimesWhatWasAskedFor) {
   const System system = spread_system(10, 10);
@@ -303,13 +261,10 @@ TEST(SolverStudyTest, WithoutNormalEquationsAllFamiliesAreMeasuredAndTimedBeside
   ASSERT_TRUE(study->not_written);
   EXPECT_STREQ(study->not_written->what(), "S2 solve_normal_equations is not implemented yet");
   EXPECT_TRUE(study->digits.empty());
-  for (const std::vector<Compared>* family :
-       {&study->conditions, &study->clusters, &study->strands, &study->linked}) {
+  for (const std::vector<Compared>* family : {&study->conditions, &study->clusters, &study->strands}) {
     EXPECT_GE(family->size(), 4);
     for (const Compared& on : *family) {
-      EXPECT_EQ(on.direct.has_value(), family == &study->strands || family == &study->linked)
-          << "full matrices have no band";
-      EXPECT_EQ(on.preconditioned.has_value(), family == &study->linked);
+      EXPECT_EQ(on.direct.has_value(), family == &study->strands) << "full matrices have no band";
       EXPECT_EQ(on.conj_grad.system, on.eigen.system);
       for (const History* history : on.histories())
         for (const Progress& one : history->progress)

@@ -7,8 +7,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "solver/symmetric_eigen.h"
-
 namespace solver::study {
 
 namespace {
@@ -76,28 +74,6 @@ System strand_system(int segments, double step) {
                        std::make_shared<SparseMatrix>(strand_matrix(segments, step)), 3 * segments,
                        eigenvalue(std::min(strand.stretch, strand.bend), 1),
                        eigenvalue(std::max(strand.stretch, strand.bend), segments));
-}
-
-SparseMatrix linked_strand_matrix(int segments, double step) {
-  std::vector<SparseMatrix::Entry> entries = strand_matrix(segments, step).entries();
-  const double k = step * step * kLinkStiffness * strand_numbers(segments).bend;
-  for (int link = 0; link < kLinks; ++link) {
-    const int a = link * segments / (2 * kLinks), b = a + segments / 2;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int i = 3 * a + axis, j = 3 * b + axis;
-      entries.insert(entries.end(), {{i, i, k}, {j, j, k}, {i, j, -k}, {j, i, -k}});
-    }
-  }
-  return {3 * segments, 3 * segments, entries};
-}
-
-System linked_strand_system(int segments, double step) {
-  const auto matrix = std::make_shared<SparseMatrix>(linked_strand_matrix(segments, step));
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(matrix->rows(), matrix->rows());
-  for (const SparseMatrix::Entry& entry : matrix->entries()) dense(entry.row, entry.col) = entry.value;
-  const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(dense);
-  return with_solution(short_text("linked strand, h = %g ms", 1000 * step), matrix, 3 * segments,
-                       eigenvalues[0], eigenvalues[eigenvalues.size() - 1]);
 }
 
 Vector scattered(int n, unsigned seed) {

@@ -43,15 +43,6 @@ System strand_system(int segments, double step);
 // The same matrix as a SparseMatrix.
 SparseMatrix strand_matrix(int segments, double step);
 
-// The strand of strand_system with kLinks additional springs between distant particles, as in a strand that
-// touches itself. A link is kLinkStiffness times as stiff as a segment's bending, in all directions. With A =
-// M + U U', where M is the strand's matrix without links, only 2 kLinks eigenvalues of M^-1 A differ from 1
-// and from each other: the directions across the strand, x and y, are equivalent.
-System linked_strand_system(int segments, double step);
-SparseMatrix linked_strand_matrix(int segments, double step);
-inline constexpr int kLinks = 3;
-inline constexpr double kLinkStiffness = 10;
-
 // The numbers of a strand of human hair with `segments` springs (C. R. Robbins, "Chemical and Physical
 // Behavior of Human Hair", 5th edition, 2012, chapter 9).
 struct StrandNumbers {

@@ -12,7 +12,6 @@
 #include "hair/lab/run/output_folder.h"
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
-#include "hair/lab/run/strip_pushes.h"
 #include "hair/render/opengl/renderer.h"
 #include "hair/scene/scene_run.h"
 #include "hair/scene_drawing/idle_guides.h"
@@ -179,7 +178,6 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   const std::unique_ptr<SceneRun> scene_run = assemble(scene);
   record.strands = scene_run->strands();
   record.particles = static_cast<int>(scene_run->centre_lines(scene_run->state()).x.size() / 3);
-  if (const auto slow = too_thick_strips(scene)) notes << scene.name << ": " << *slow << std::endl;
   laps.book(seconds.assemble);
   const bool draws = settings.draws || (settings.render && scene.look);
   const Scene bare = draws ? Scene() : without_dense_hair(scene);

@@ -115,24 +115,18 @@ Section clusters_section(const SolverStudy& study) {
                 Against::iterations, Measure::error);
   const History& spread = study.clusters.back().conj_grad;
   error.series.push_back(bound_of(spread, "bound, all of them", static_cast<int>(study.clusters.size()) - 1));
-  Figure residual =
-      figure_of(Drawn::all_solvers, study.clusters, system_name, "squared-residual-for-clusters",
-                "Squared residual against iterations: clustered eigenvalues",
-                "Residuals should fall where errors do.", Against::iterations, Measure::squared_residual);
   Figure time = figure_of(Drawn::all_solvers, study.clusters, system_name, "error-for-clusters-against-time",
                           "Error against CPU time: clustered eigenvalues",
                           "The fewer different eigenvalues, the less time.", Against::time, Measure::error);
-  return {
-      "Clustered eigenvalues",
-      {"The condition number is " + to_text(spread.condition) +
+  return {"Clustered eigenvalues",
+          {"The condition number is " + to_text(spread.condition) +
            " for all of them, and the bound the same. But what counts is how many different eigenvalues "
            "there are: without rounding, k of them take k iterations. The polynomial that is zero at all of "
            "them is large between them, though, and makes roundings as much larger: so it takes more "
            "iterations the more clusters there are. " +
-           found + " (Not each number of iterations is tried.)",
-       "A good preconditioner does not only lower the condition number; it draws eigenvalues together."},
-      {to_svg(error), to_svg(residual), to_svg(time)},
-      tables_of(study.clusters, "Clustered eigenvalues")};
+           found + " (Not each number of iterations is tried.)"},
+          {to_svg(error), to_svg(time)},
+          tables_of(study.clusters, "Clustered eigenvalues")};
 }
 
 Section strands_section(const SolverStudy& study) {
@@ -171,46 +165,6 @@ Section strands_section(const SolverStudy& study) {
        "ConjGrad needs nothing but products."},
       {to_svg(products), to_svg(residual), to_svg(time)},
       tables_of(study.strands, "ConjGrad and Eigen's ConjugateGradient on a strand")};
-}
-
-Section linked_section(const SolverStudy& study) {
-  const std::string found = preconditioned_verdict(study.linked);
-  Figure residual =
-      figure_of(Drawn::all_solvers, study.linked, step_name, "linked-squared-residual-against-iterations",
-                "Squared residual against iterations: a strand with links",
-                "The preconditioner leaves seven different eigenvalues. " + found, Against::iterations,
-                Measure::squared_residual);
-  Figure products =
-      figure_of(Drawn::all_solvers, study.linked, step_name, "linked-error-against-products",
-                "Error against products: a strand with links",
-                "With the preconditioner the stiffest system should take no more products than the others.",
-                Against::products, Measure::error);
-  Figure time =
-      figure_of(Drawn::all_solvers, study.linked, step_name, "linked-error-against-time",
-                "Error against CPU time: a strand with links",
-                "The preconditioner's factor is counted in each point.", Against::time, Measure::error);
-
-  return {
-      "A strand with links, and a preconditioner",
-      {"The strand of before, and " + std::to_string(kLinks) +
-           " springs between particles that are far apart, as where it touches itself. The links spoil the "
-           "band: "
-           "a direct way has to fill in all that lies between a link's two ends. But most of the matrix is "
-           "still the "
-           "strand's, M. So a cheap factor, M = LL', serves as a preconditioner: ConjGrad gets "
-           "L\u207B\u00B9AL\u207B\u1D40 "
-           "instead of A.",
-       "Each link changes M by one spring along the strand and two across it, and the two across are alike. "
-       "So L\u207B\u00B9AL\u207B\u1D40 has " +
-           std::to_string(2 * kLinks) +
-           " eigenvalues that are not 1, whatever the step, and without rounding " +
-           std::to_string(2 * kLinks + 1) + " iterations are enough. " + found,
-       "With no links A is M, and the first guess is the solution: so it is with hair that is straight at "
-       "rest, in "
-       "implicit methods (exercise H4). " +
-           time_verdict(study.linked)},
-      {to_svg(residual), to_svg(products), to_svg(time)},
-      tables_of(study.linked, "A strand with links")};
 }
 
 }  // namespace hair::solver_lab

@@ -72,7 +72,7 @@ Section digits_section(const SolverStudy& study) {
       "Errors of QR should grow with the condition number, those of the normal equations with its square.",
       {"condition number of A"},
       {"relative error of x (a decade is a digit)"},
-      {{"ConjGrad on A'A", {}}, {"Cholesky of A'A", {}}, {"QR of A", {}}, {"QR of A with pivots", {}}},
+      {{"ConjGrad on A'A", {}}, {"Cholesky of A'A", {}}, {"QR of A", {}}},
       {}};
   Series square = {"u c\u00B2", {}, true, false, true, 1}, linear = {"u c", {}, true, false, true, 2};
   for (const DigitsLost& one : study.digits) {
@@ -87,7 +87,6 @@ Section digits_section(const SolverStudy& study) {
     figure.series[0].points.push_back(normal);
     figure.series[1].points.push_back(point(one.condition, one.cholesky, at));
     figure.series[2].points.push_back(point(one.condition, one.qr));
-    figure.series[3].points.push_back(point(one.condition, one.pivoted_qr));
     if (kRounding * one.condition * one.condition <= 10)
       square.points.push_back({one.condition, kRounding * one.condition * one.condition});
     linear.points.push_back({one.condition, kRounding * one.condition});
@@ -119,7 +118,7 @@ Page solver_page(const SolverStudy& study, const std::string& left_out) {
                {}};
   if (!left_out.empty()) page.paragraphs.push_back("The normal equations are left out: " + left_out + ".");
   page.sections = {conditions_section(study), clusters_section(study), strands_section(study),
-                   linked_section(study), needed_section(study)};
+                   needed_section(study)};
   if (!study.digits.empty()) page.sections.push_back(digits_section(study));
   return page;
 }

@@ -50,8 +50,7 @@ Row row_of_digits(const DigitsLost& one) {
           {"cholesky", "", one.cholesky, {"Cholesky of A'A"}},
           {"cholesky_digits", "", digits_left(one.cholesky), {"digits left"}, In::tables},
           {"qr", "", one.qr, {"QR of A"}},
-          {"qr_digits", "", digits_left(one.qr), {"digits left"}, In::tables},
-          {"pivoted_qr", "", one.pivoted_qr, {"QR with pivots"}}};
+          {"qr_digits", "", digits_left(one.qr), {"digits left"}, In::tables}};
 }
 
 std::vector<Row> convergence_rows(const std::vector<Compared>& systems) {
@@ -89,7 +88,6 @@ OrderedJson solver_json(const SolverStudy& study, const std::string& left_out) {
   add("condition numbers", study.conditions);
   add("clusters", study.clusters);
   add("strands", study.strands);
-  add("linked strands", study.linked);
   return {{"format", 2},
           {"seconds", study.cpu_seconds},
           {"left_out", Value(if_any(left_out)).json()},

@@ -8,7 +8,7 @@
 //   direct              system, solver, error, squared_residual, factor_seconds, solve_seconds
 //   iterations          condition, conj_grad, eigen, clustered, normal_equations (null: not within
 //                       most_iterations, or a false residual or count), bound
-//   digits              condition, relative errors conj_grad, cholesky, qr, pivoted_qr (null: none),
+//   digits              condition, relative errors conj_grad, cholesky, qr (null: none),
 //                       iterations, stopped (whether conj_grad used all allowed iterations)
 #pragma once
 

@@ -29,6 +29,5 @@ std::string condition_name(const solver::study::History& history);
 Section conditions_section(const solver::study::SolverStudy& study);
 Section clusters_section(const solver::study::SolverStudy& study);
 Section strands_section(const solver::study::SolverStudy& study);
-Section linked_section(const solver::study::SolverStudy& study);
 
 }  // namespace hair::solver_lab

@@ -59,20 +59,6 @@ std::string bound_verdict(const std::vector<Compared>& systems) {
              : "ConjGrad's errors are above the bound, where theory has none: " + listed(above) + ".";
 }
 
-std::string preconditioned_verdict(const std::vector<Compared>& systems) {
-  const auto taken = [](const History& history) {
-    const Progress* there = good(history);
-    return there ? std::to_string(there->iterations) : std::string("never");
-  };
-  std::vector<std::string> all;
-  for (const Compared& on : systems)
-    if (on.preconditioned)
-      all.push_back(taken(*on.preconditioned) + " instead of " + taken(on.conj_grad) + " (" +
-                    step_of(on.conj_grad.system) + ")");
-  return "With the preconditioner ConjGrad's error is first seen below " + to_text(kGood) +
-         " after so many iterations: " + listed(all) + ".";
-}
-
 std::string clusters_verdict(const std::vector<Compared>& clusters) {
   std::vector<std::string> taken;
   for (const Compared& on : clusters) {
@@ -88,7 +74,6 @@ std::string time_verdict(const std::vector<Compared>& systems) {
   for (const Compared* on : {&systems.front(), &systems.back()}) {
     text += (text.empty() ? "To an error of " + to_text(kGood) + ", with " : "; with ") +
             step_of(on->conj_grad.system) + ": " + time_of(on->conj_grad) + ", " + time_of(on->eigen);
-    if (on->preconditioned) text += ", " + time_of(*on->preconditioned);
     if (on->direct)
       text += ", " + on->direct->solver + " " +
               to_text(1e6 * (on->direct->factor_seconds + on->direct->solve_seconds)) + " \u00B5s";

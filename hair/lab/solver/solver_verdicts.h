@@ -18,9 +18,6 @@ std::string clusters_verdict(const std::vector<solver::study::Compared>& cluster
 // The times of ConjGrad, Eigen's conjugate gradients and the direct solver on the first and the last system.
 std::string time_verdict(const std::vector<solver::study::Compared>& systems);
 
-// The iterations that ConjGrad took with and without the preconditioner.
-std::string preconditioned_verdict(const std::vector<solver::study::Compared>& systems);
-
 // Names systems for which ConjGrad took more iterations than the bound, compared with Eigen's.
 std::string needed_verdict(const std::vector<solver::study::IterationsNeeded>& needed);
 

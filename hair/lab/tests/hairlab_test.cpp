@@ -104,21 +104,6 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_GT(record["seconds"]["simulate"], 0);
 }
 
-// 1 kg on a rod of 1 m, level and at rest at the start, so that E = 0. RK4 with steps of 1/600 s; a swing
-// turns by 3.9 rad/s at most, (3.9 / 600)^4 = 2e-9 a step, 600 steps.
-TEST_F(Hairlab, MeasuresAPendulumAsItsClosedFormSays) {
-  ASSERT_EQ(play(kPendulum).code, 0);
-  const Json frames = read_run(out_)["frames"];
-  const StatesFile states = read_states(out_ / "states.bin");
-  ASSERT_EQ(frames.size(), 61u);
-  EXPECT_TRUE(states.strands.empty());
-  for (std::size_t k = 0; k < 61; ++k) {
-    EXPECT_NEAR(frames[k]["potential"], 9.81 * states.frames[k].state.x[5], 1e-12) << k;
-    EXPECT_NEAR(frames[k]["energy"], 0, 1e-6 * 9.81) << k;
-    EXPECT_LT(frames[k]["stretch"], 1e-6) << k;
-  }
-}
-
 TEST_F(Hairlab, DoesTheSameTwice) {
   ASSERT_EQ(play(kSwing).code, 0);
   const std::vector<std::string> names = folder_.names("out");
@@ -186,20 +171,6 @@ TEST_F(Hairlab, WritesWhichLinksBrokeWhen) {
   EXPECT_EQ(links["broken"], states.links->broken.size());
   EXPECT_EQ(links["first_broken"], states.links->broken.front().step);
   EXPECT_GT(links["worn_off"], 0);
-}
-
-// Strands that start through a ball are moved out of it.
-TEST_F(Hairlab, WritesHowManyStrandsItKeptOutOfObstacles) {
-  const std::string scene = R"({"shows": "a disc of hair on a ball", "frames": 1, "method": "implicit_euler",
-    "hair": [{"segments": 4, "length": 0.04, "roots": {"disc": {"centre": [0, 0, 0.1], "normal": [0, 0, 1],
-      "radius": 0.02, "count": 5, "direction": [1, 0, 0]}}, "synthesis": {"strands": 50}}],
-    "render": {"hair": "fine", "image_width": 32, "image_height": 32})";
-  ASSERT_EQ(
-      play((scene + R"(, "obstacles": [{"sphere": {"centre": [0, 0, 0.03], "radius": 0.1}}]})").c_str()).code,
-      0);
-  const Json dense = read_run(out_)["dense_hair"];
-  EXPECT_GT(dense["moved_out"], 0);
-  EXPECT_LE(dense["moved_out"], dense["strands"]);
 }
 
 TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
@@ -395,20 +366,6 @@ TEST_F(Hairlab, ResultsThatAreLostAreNotASuccess) {
         "hairlab: the standard output can't be written (No space left on device), so that results are lost");
 }
 
-// It does not write messages into a file that it opens.
-TEST_F(Hairlab, AClosedStandardOutputIsNotASuccess) {
-  const std::vector<std::string> run = {
-      "run", folder_.write("scene.json", kSwing), "--no-render", "--frames", "1", "--out", out_.string()};
-  ASSERT_EQ(run_hairlab(run).code, 0);
-  const std::string states = bytes_of(out_ / "states.bin");
-  fs::remove_all(out_);
-  std::vector<std::string> words = {"-c", "exec \"$0\" \"$@\" 0<&- >&-", HAIRLAB};
-  words.insert(words.end(), run.begin(), run.end());
-  expect_refused(run_hairlab(words, {.program = "/usr/bin/bash"}), 2,
-                 "hairlab: the standard output can't be written (Bad file descriptor)");
-  EXPECT_EQ(bytes_of(out_ / "states.bin"), states);
-}
-
 TEST_F(Hairlab, ExplainsWithoutRunning) {
   const std::string scene = folder_.write("scene.json", kSwing);
   const ProgramRun run = run_hairlab({"run", scene, "--explain"});
@@ -421,29 +378,6 @@ TEST_F(Hairlab, ExplainsWithoutRunning) {
   EXPECT_TRUE(has(both.output, "\n  OpenGL             left out  --no-render: no library is loaded\n"))
       << both.output;
   EXPECT_TRUE(fs::exists(out_ / "run.json"));
-}
-
-// Two rows of eight straight guides, 2 cm apart. Thicker strips touch all 15 particles of each guide of the
-// other row except its root: inner guides are at an edge of two strips, outer ones at an edge of one.
-TEST_F(Hairlab, TellsOfThickStripsBeforeItBegins) {
-  const auto row = [](double z) {
-    return Json{
-        {"segments", 15},
-        {"length", 0.15},
-        {"roots",
-         {{"line", {{"from", {0, 0, z}}, {"to", {0.1, 0, z}}, {"count", 8}, {"direction", {0, 1, 0}}}}}}};
-  };
-  Json scene = {
-      {"shows", "two rows"}, {"frames", 1}, {"method", "implicit_euler"}, {"hair", {row(0), row(0.02)}}};
-  for (const double thickness : {0.005, 0.019, 0.021, 0.2}) {
-    scene["links"] = {{"stiffness", 10},
-                      {"strips", {{"thickness", thickness}, {"stiffness", 1}, {"friction", 0.3}}}};
-    const ProgramRun run = play(scene.dump().c_str(), {"--no-render", "--frames", "0"});
-    EXPECT_EQ(run.code, 0) << run.errors;
-    const std::string all = run.errors + run.output, pushes = std::to_string(2 * 15 * (6 * 2 + 2));
-    EXPECT_EQ(has(all, "push 256 particles at " + pushes + " places"), thickness > 0.02) << thickness << all;
-    EXPECT_EQ(has(all, "strips"), thickness > 0.02) << all;
-  }
 }
 
 TEST_F(Hairlab, ListsTheScenesThatComeAlong) {

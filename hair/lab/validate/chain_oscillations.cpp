@@ -141,33 +141,6 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
   return result;
 }
 
-// The table alone shows the steps' losses: if the lower mass is 0.01 of the upper one, H6 loses seven times
-// as much for the swing's size as with one pendulum, and no theory here bounds this.
-ValidationResult swing_double_pendulums(const ChainMethod& method, const ValidationSettings& settings) {
-  ValidationResult result;
-  Table table = table_of_modes("Double pendulums, " + method.name, "mass ratio, mode");
-  for (const double ratio : {1e-2, 1.0, 1e2, 1e4, 1e6}) {
-    if (settings.quick && ratio != 1 && ratio != 1e6) continue;
-    HangingChain chain{Eigen::Vector2d(kMass, ratio * kMass), kLink};
-    const Eigen::Vector2d squares = double_pendulum_squares(ratio);
-    // The fast mode feels it times x. It is less than 1e-11, and a relative error of 1e-12 in a length is
-    // only rounding.
-    chain.stretch = std::clamp(1e-7 / squares[1], 1e-11, 1e-9);
-    for (const int k : {0, 1}) {
-      const MeasuredMode mode = measure_mode(method, chain, squares[k], squares[1], settings);
-      const std::string name = k == 0 ? "slow" : "fast";
-      table.rows.push_back(row_of(to_text(ratio) + ", " + name, chain, mode, squares[k]));
-      Check& check = result.checks.emplace_back(check_of(mode, squares[k]));
-      check.id = "ratio" + to_text(ratio) + "-" + name;
-      check.shows = "lower mass " + to_text(ratio) + " times the upper, " + name + ": l w^2 / g";
-      check.source =
-          "1 + mu -+ sqrt(mu (1 + mu)): L. D. Landau and E. M. Lifshitz, Mechanics, section 23, problem 2";
-    }
-  }
-  result.tables.push_back(std::move(table));
-  return result;
-}
-
 }  // namespace
 
 MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, double x, double highest,
@@ -212,12 +185,6 @@ Validation chain_oscillations(const ChainMethod& method) {
   return {"chain-" + method.id, "Small oscillations of N equal masses that hang, " + method.name,
           method.exercises,
           [&method](const ValidationSettings& settings) { return swing_chains(method, settings); }};
-}
-
-Validation double_pendulums(const ChainMethod& method) {
-  return {"double-pendulum-" + method.id, "Two masses of very different weight, " + method.name,
-          method.exercises,
-          [&method](const ValidationSettings& settings) { return swing_double_pendulums(method, settings); }};
 }
 
 }  // namespace hair

@@ -32,12 +32,6 @@ Eigen::VectorXd laguerre_zeros(int n) {
   return zeros;
 }
 
-Eigen::Vector2d double_pendulum_squares(double mass_ratio) {
-  const double s = std::sqrt(mass_ratio / (1 + mass_ratio));
-  // 1 / (1 - s) = (1 + s) (1 + mu), without the cancellation in 1 - s.
-  return {1 / (1 + s), (1 + s) * (1 + mass_ratio)};
-}
-
 Eigen::VectorXd mode_angles(const HangingChain& chain, double x) {
   const int n = chain.count();
   Eigen::VectorXd angles(n);

@@ -10,10 +10,6 @@
 // amplitude of mass i is L_{n-i}(x). The equation above is then (j+1) L_{j+1} = (2j+1-x) L_j - j L_{j-1},
 // j = n - i (D. Bernoulli 1732, for the chain; M. Abramowitz and I. A. Stegun, "Handbook of Mathematical
 // Functions", 22.7.12, for the polynomials).
-//
-// Two masses, upper m and lower mu m: w^2 = (g/l) (1 + mu +- sqrt(mu (1 + mu))). The determinant of the two
-// equations, with w^2 = (g/l) x, is (1 + mu) (1 - x)^2 = mu x^2; so x = 1 / (1 -+ s), s = sqrt(mu / (1 +
-// mu)).
 #pragma once
 
 #include <Eigen/Core>
@@ -36,9 +32,6 @@ struct HangingChain {
 // The n zeros of L_n, increasing: eigenvalues of the symmetric tridiagonal matrix with 2j + 1 on its diagonal
 // and j beside it (G. H. Golub and J. H. Welsch, Math. Comp. 23 (1969), 221), then one Newton step each.
 Eigen::VectorXd laguerre_zeros(int n);
-
-// x of the slow and the fast mode of two masses.
-Eigen::Vector2d double_pendulum_squares(double mass_ratio);
 
 // The angles of the links in the mode with w^2 = (g/l) x, scaled so that the largest is 1.
 Eigen::VectorXd mode_angles(const HangingChain& chain, double x);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "solver/dense_solve.h"
-#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -126,17 +125,6 @@ Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input
   return K;
 }
 
-double slowest_frequency(const Strand& strand, const particles::Force& force, particles::Input x) {
-  const Eigen::MatrixXd K = planar_stiffness(force, x);
-  Eigen::VectorXd weights(K.rows());
-  for (Eigen::Index j = 0; j < weights.size(); ++j) weights[j] = 1 / std::sqrt(strand.mass[j / 2 + 1]);
-  return std::sqrt(solver::symmetric_eigenvalues(weights.asDiagonal() * K * weights.asDiagonal())[0]);
-}
-
-Eigen::Vector2d planar_tip(particles::Input x) {
-  return {x[x.size() - 3], -x[x.size() - 1]};
-}
-
 Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x) {
   Balance balance;
   balance.x = std::move(x);
@@ -155,7 +143,8 @@ Balance planar_balance(const Strand& strand, const particles::Force& force, Eige
 }
 
 Eigen::Vector2d tip_of(const Balance& balance) {
-  if (balance.found()) return planar_tip(balance.x);
+  const Eigen::VectorXd& x = balance.x;
+  if (balance.found()) return {x[x.size() - 3], -x[x.size() - 1]};
   return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -14,12 +14,6 @@ namespace hair {
 // two apart have five block diagonals. x: 3n.
 Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input x);
 
-// The frequency of the slowest small oscillation about x in the plane, rad/s; NaN if x is not stable.
-double slowest_frequency(const Strand& strand, const particles::Force& force, particles::Input x);
-
-// The last particle: its distance from the origin along x, and its depth below the origin.
-Eigen::Vector2d planar_tip(particles::Input x);
-
 struct Balance {
   Eigen::VectorXd x;    // 3n, m
   int iterations = 0;   // Newton iterations
@@ -29,13 +23,12 @@ struct Balance {
   bool found() const { return residual <= rounding && change <= 1e-9; }
 };
 
-// The tip's position; NaN if no balance was found.
+// The tip's distance from the origin along x, and its depth below it; NaN if no balance was found.
 Eigen::Vector2d tip_of(const Balance& balance);
 
 // Starts from x and uses Newton's method in the segments' angles and lengths. (In positions, a turning
 // segment would also stretch, and hair is stiff.) A step turns no segment by more than a radian. So straight
-// hair finds its elastica in 4 to 16 steps, without a continuation in the load, and an end moment bends it
-// directly.
+// hair finds its elastica in 4 to 16 steps, without a continuation in the load.
 Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x);
 
 }  // namespace hair

@@ -1,6 +1,7 @@
 #include <numbers>
 #include <string>
 
+#include "hair/lab/validate/elastica.h"
 #include "hair/lab/validate/pendulum.h"
 #include "hair/lab/validate/validations.h"
 
@@ -34,6 +35,18 @@ ValidationResult compare(const ValidationSettings&) {
         "a pendulum out to " + std::to_string(degrees) + " degrees: T/T0",
         "2/pi K(sin(angle/2)): Abramowitz and Stegun, table 17.2", ratio,
         period_ratio(degrees * std::numbers::pi / 180), kSixDigits);
+  const struct {
+    double gamma, width, drop;
+  } tips[] = {{1, 0.991246, 0.123471}, {10, 0.656354, 0.700200}, {100, 0.159223, 0.937524}};
+  for (const auto& [gamma, width, drop] : tips) {
+    const Elastica curve = elastica(gamma);
+    const std::string id = "elastica-" + to_text(gamma),
+                      shows = "hair clamped level, Gamma = " + to_text(gamma);
+    add(result, id + "-width", shows + ": the tip's x / L", "the assignment's numbers", width, curve.tip()[0],
+        kSixDigits + curve.error);
+    add(result, id + "-drop", shows + ": the tip's drop / L", "the assignment's numbers", drop,
+        curve.tip()[1], kSixDigits + curve.error);
+  }
   return result;
 }
 
