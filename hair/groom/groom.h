@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace hair {
@@ -53,8 +52,6 @@ struct Groom {
   std::vector<Eigen::VectorXd> strands;  // 3n numbers each, n >= 1, from the root to the tip; in the file's
                                          // unit. n = 1: a bald root, where no hair grows
   GroomLook look = {};
-  // Other parts of its file, which are not kept here: "nx of each vertex".
-  std::vector<std::string> not_read = {};
 };
 
 inline Eigen::Index points_of(const Eigen::VectorXd& strand) {

@@ -1,7 +1,6 @@
 #include "hair/groom/groom_file.h"
 
 #include <algorithm>
-#include <array>
 
 #include "hair/groom/groom_bytes.h"
 #include "hair/groom/hair_file.h"
@@ -44,30 +43,11 @@ void check_groom_name(const std::filesystem::path& file) {
   is_hair_file(file);
 }
 
-std::vector<std::string> lost_in(const std::filesystem::path& file, const Groom& groom) {
-  std::vector<std::string> lost = groom.not_read;
-  if (!is_hair_file(file) && groom.look.info[0] != '\0') lost.emplace_back("text");
-  if (std::any_of(groom.strands.begin(), groom.strands.end(),
-                  [](const Eigen::VectorXd& x) { return x != x.cast<float>().cast<double>(); }))
-    lost.emplace_back("digits of points that 32 bits don't hold");
-  return lost;
-}
-
-std::vector<std::string> unknown_in(const std::filesystem::path& file, const Groom& groom) {
-  const bool has_header = is_hair_file(file);
-  std::vector<std::string> unknown;
-  constexpr std::array header = {" (the header says 0)", " (the header says 0)", " (the header says white)"};
-  const auto parts = parts_of(groom.look);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!parts[i].is_known()) unknown.push_back(parts[i].name + std::string(has_header ? header[i] : ""));
-  return unknown;
-}
-
-void write_groom(const Groom& groom, const std::filesystem::path& file, bool ascii) {
+void write_groom(const Groom& groom, const std::filesystem::path& file) {
   const bool is_hair = is_hair_file(file);
   std::string bytes;
   try {
-    bytes = is_hair ? hair_file_of(groom) : ply_file_of(groom, ascii);
+    bytes = is_hair ? hair_file_of(groom) : ply_file_of(groom);
   } catch (const BadInput& error) {
     throw BadInput(printable(file.string(), 4096) + ": " + error.what());
   }

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "hair/groom/groom.h"
 
@@ -25,13 +24,8 @@ Groom read_groom(const std::filesystem::path& file, Numbers numbers = Numbers::f
 // Throws BadInput for a name with another ending.
 void check_groom_name(const std::filesystem::path& file);
 
-// Names the parts of the groom's file that a file with this name can't hold, such as "text", and the parts of
-// a look that are not known, such as "thickness". Both throw as check_groom_name does.
-std::vector<std::string> lost_in(const std::filesystem::path& file, const Groom& groom);
-std::vector<std::string> unknown_in(const std::filesystem::path& file, const Groom& groom);
-
-// Writes the whole file, or nothing. `ascii` makes a .ply file text. Throws BadInput for a name with another
+// Writes the whole file, or nothing. Throws BadInput for a name with another
 // ending, a file that can't be written, and content that its format can't hold, with the file's name.
-void write_groom(const Groom& groom, const std::filesystem::path& file, bool ascii = false);
+void write_groom(const Groom& groom, const std::filesystem::path& file);
 
 }  // namespace hair

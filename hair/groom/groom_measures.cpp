@@ -2,13 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
-#include "hair/groom/nearest_points.h"
 #include "hair/mass_spring/rest_curvature.h"
 
 namespace hair {
@@ -19,8 +17,6 @@ using Eigen::Vector3d;
 
 constexpr double kScalp = 0.2;        // m
 constexpr std::size_t kFewRoots = 3;  // so few roots do not show a scalp
-constexpr double kFarRoot = 10;       // times the usual distance to the next root
-constexpr double kLongSegment = 20;   // times the usual segment
 
 void include(GroomBox& box, const Vector3d& point) {
   box.low = box.low.cwiseMin(point);
@@ -30,15 +26,6 @@ void include(GroomBox& box, const Vector3d& point) {
 GroomBox nothing() {
   const Vector3d far = Vector3d::Constant(std::numeric_limits<double>::infinity());
   return {far, -far};
-}
-
-bool passes_a_point_twice(const Eigen::VectorXd& x) {
-  std::vector<std::array<double, 3>> points;
-  for (Eigen::Index k = 0; k < x.size(); k += 3)
-    // Neighbours at the same place are counted elsewhere.
-    if (k == 0 || x.segment<3>(k) != x.segment<3>(k - 3)) points.push_back({x[k], x[k + 1], x[k + 2]});
-  std::sort(points.begin(), points.end());
-  return std::adjacent_find(points.begin(), points.end()) != points.end();
 }
 
 class Count {
@@ -58,8 +45,7 @@ class Count {
 // Numbers of all strands, and their positions.
 struct Gathered {
   std::vector<double> points, lengths, segments, curvatures, bends;
-  std::vector<std::size_t> strand_of_segment;
-  Count bald, not_finite, without_length, points_at_one_place, twice, sharp;
+  Count bald, not_finite, without_length, points_at_one_place, sharp;
 };
 
 void gather(const Eigen::VectorXd& x, std::size_t i, Gathered& all) {
@@ -70,7 +56,6 @@ void gather(const Eigen::VectorXd& x, std::size_t i, Gathered& all) {
     const double l = segment.norm();
     length += l;
     all.segments.push_back(l);
-    all.strand_of_segment.push_back(i);
     if (l == 0) all.points_at_one_place.add(i);
     if (l > 0 && before.norm() > 0) {
       const Vector3d u = before.normalized(), v = segment.normalized();
@@ -84,29 +69,6 @@ void gather(const Eigen::VectorXd& x, std::size_t i, Gathered& all) {
   all.points.push_back(static_cast<double>(points_of(x)));
   all.lengths.push_back(length);
   if (length == 0) all.without_length.add(i);
-  if (passes_a_point_twice(x)) all.twice.add(i);
-}
-
-// Roots that are far from all others, or at the same place as another.
-void look_at_roots(const std::vector<Vector3d>& roots, const std::vector<std::size_t>& strands,
-                   GroomMeasures& measures) {
-  if (roots.size() <= kFewRoots) return;
-  const NearestPoints tree(roots);
-  std::vector<double> distances;
-  distances.reserve(roots.size());
-  for (std::size_t i = 0; i < roots.size(); ++i)
-    distances.push_back(tree.nearest(roots[i], static_cast<long>(i)).distance);
-  const double usual = spread_of(distances).median;
-  Count far, same;
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (distances[i] == 0) same.add(strands[i]);
-    if (usual > 0 && distances[i] > kFarRoot * usual) far.add(strands[i]);
-  }
-  same.say("root at the same place as another", "roots at the same place as another", measures.odd);
-  far.say("root that is ten times as far from the next as usual",
-          "roots that are ten times as far from the next as usual", measures.odd);
-  const double span = (measures.roots.high - measures.roots.low).maxCoeff();
-  if (span > 0) measures.unit_guess = kScalp / span;
 }
 
 }  // namespace
@@ -130,7 +92,6 @@ GroomMeasures measure_groom(const Groom& groom) {
   measures.box = measures.roots = nothing();
   Gathered all;
   std::vector<Vector3d> roots;
-  std::vector<std::size_t> strands;
   for (std::size_t i = 0; i < groom.strands.size(); ++i) {
     const Eigen::VectorXd& x = groom.strands[i];
     if (!x.allFinite()) {
@@ -140,7 +101,6 @@ GroomMeasures measure_groom(const Groom& groom) {
     for (Eigen::Index k = 0; k < x.size(); k += 3) include(measures.box, x.segment<3>(k));
     include(measures.roots, x.head<3>());
     roots.emplace_back(x.head<3>());
-    strands.push_back(i);
     if (points_of(x) < 2)
       all.bald.add(i);
     else
@@ -160,17 +120,10 @@ GroomMeasures measure_groom(const Groom& groom) {
   all.without_length.say("strand without length", "strands without length", measures.odd);
   all.points_at_one_place.say("point where the point before is; scenes refuse it",
                               "points where the point before is; scenes refuse them", measures.odd);
-  all.twice.say("strand that passes the same point twice", "strands that pass the same point twice",
-                measures.odd);
   all.sharp.say("joint that bends by more than 154 degrees; scenes refuse it",
                 "joints that bend by more than 154 degrees; scenes refuse them", measures.odd);
-  Count long_segments;
-  for (std::size_t i = 0; i < all.segments.size(); ++i)
-    if (all.segments[i] > kLongSegment * measures.segment.median) long_segments.add(all.strand_of_segment[i]);
-  if (measures.segment.median > 0)
-    long_segments.say("segment that is twenty times as long as usual",
-                      "segments that are twenty times as long as usual", measures.odd);
-  look_at_roots(roots, strands, measures);
+  const double span = (measures.roots.high - measures.roots.low).maxCoeff();
+  if (roots.size() > kFewRoots && span > 0) measures.unit_guess = kScalp / span;
   measures.root_sphere = sphere_through(roots);
   return measures;
 }

@@ -1,7 +1,6 @@
 #include "hair/groom/ply_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -19,7 +18,6 @@ struct Parts {
   std::vector<double> points;  // 3 for each vertex
   GroomLook look;
   std::vector<std::uint32_t> segments;
-  std::vector<std::string> not_read;
 };
 
 // The number that means 1 in a colour's properties; 0 if this type can't store colours.
@@ -59,12 +57,6 @@ std::vector<Column> look_columns(const PlyElement& element, GroomLook& look) {
   return columns;
 }
 
-void name_the_rest(const PlyElement& element, const std::vector<std::size_t>& read, Parts& parts) {
-  for (std::size_t i = 0; i < element.properties.size(); ++i)
-    if (std::find(read.begin(), read.end(), i) == read.end())
-      parts.not_read.push_back(element.properties[i].name + " of each " + element.name);
-}
-
 void read_vertices(PlyRows& rows, const PlyElement& element, Numbers numbers, Parts& parts) {
   const std::array at = {element.find("x"), element.find("y"), element.find("z")};
   if (std::find(at.begin(), at.end(), -1) != at.end()) rows.fail("its vertices lack x, y or z");
@@ -75,8 +67,6 @@ void read_vertices(PlyRows& rows, const PlyElement& element, Numbers numbers, Pa
   const std::vector<Column> columns = look_columns(element, parts.look);
   std::vector<std::size_t> read(at.begin(), at.end());
   for (const Column& column : columns) read.insert(read.end(), column.from.begin(), column.from.end());
-  name_the_rest(element, read, parts);
-  bool rounded = false;
   std::vector<double> row;
   for (std::size_t i = 0; i < element.count; ++i) {
     rows.read(element, row);
@@ -85,19 +75,13 @@ void read_vertices(PlyRows& rows, const PlyElement& element, Numbers numbers, Pa
         rows.fail_here("vertex " + std::to_string(i) + " has a number that is not finite");
     for (const int k : at) parts.points.push_back(row[static_cast<std::size_t>(k)]);
     for (const Column& column : columns)
-      for (const std::size_t k : column.from) {
-        const auto value = static_cast<float>(row[k]);
-        rounded |= static_cast<double>(value) != row[k] && !std::isnan(value);
-        column.to->push_back(value / column.whole);
-      }
+      for (const std::size_t k : column.from) column.to->push_back(static_cast<float>(row[k]) / column.whole);
   }
-  if (rounded) parts.not_read.emplace_back("digits of the look that 32 bits don't hold");
 }
 
 void read_strands(PlyRows& rows, const PlyElement& element, Parts& parts) {
   const int at = element.find("nsegs");
   if (at < 0) rows.fail("its strands lack nsegs, the number of their segments");
-  name_the_rest(element, {static_cast<std::size_t>(at)}, parts);
   parts.segments.reserve(element.count);
   std::vector<double> row;
   std::uint64_t points = 0;
@@ -113,33 +97,6 @@ void read_strands(PlyRows& rows, const PlyElement& element, Parts& parts) {
     parts.segments.push_back(static_cast<std::uint32_t>(segments));
   }
 }
-
-void put_text(std::string& text, auto number) {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
-}
-
-// Numbers of a row, as text or in binary.
-class RowsOut {
- public:
-  RowsOut(std::string& out, bool ascii) : out_(out), ascii_(ascii) {}
-  void real(double number) {
-    const auto value = static_cast<float>(number);
-    ascii_ ? word(value) : put_real(out_, value);
-  }
-  void whole(std::uint32_t number, int size) { ascii_ ? word(number) : put_number(out_, number, size); }
-  void end_row() {
-    if (ascii_) out_.back() = '\n';
-  }
-
- private:
-  void word(auto number) {
-    put_text(out_, number);
-    out_ += ' ';
-  }
-  std::string& out_;
-  bool ascii_;
-};
 
 std::uint32_t in_u8(float value) {
   return static_cast<std::uint32_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
@@ -190,13 +147,10 @@ Groom parse_ply_file(std::string_view bytes, const std::string& name, Numbers nu
       read_vertices(rows, element, numbers, parts);
     else if (element.name == "strand")
       read_strands(rows, element, parts);
-    else {
-      if (element.name != "edge") parts.not_read.push_back("the element " + element.name);
+    else
       for (std::size_t i = 0; i < element.count; ++i) rows.read(element, row);
-    }
   }
   rows.expect_end();
-  if (rows.has_comments()) parts.not_read.emplace_back("the header's comments");
   if (parts.segments.empty()) rows.fail("has no strands; a groom has one at least");
   std::uint64_t sum = 0;
   for (const std::uint32_t segments : parts.segments) sum += std::uint64_t{segments} + 1;
@@ -212,11 +166,10 @@ Groom parse_ply_file(std::string_view bytes, const std::string& name, Numbers nu
     at += size;
   }
   groom.look = std::move(parts.look);
-  groom.not_read = std::move(parts.not_read);
   return groom;
 }
 
-std::string ply_file_of(const Groom& groom, bool ascii) {
+std::string ply_file_of(const Groom& groom) {
   check_writable(groom);
   const std::vector<Look> looks = looks_of(groom.look);
   const auto points = static_cast<std::uint32_t>(points_of(groom));
@@ -225,8 +178,7 @@ std::string ply_file_of(const Groom& groom, bool ascii) {
   for (const Eigen::VectorXd& x : groom.strands) longest = std::max(longest, points_of(x) - 1);
   const bool is_short = longest <= std::numeric_limits<std::uint16_t>::max();
 
-  std::string out = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
-  out += "element vertex " + std::to_string(points);
+  std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(points);
   out += "\nproperty float x\nproperty float y\nproperty float z\n";
   for (const Look& look : looks)
     for (const char* const name : look.names)
@@ -236,26 +188,21 @@ std::string ply_file_of(const Groom& groom, bool ascii) {
   out += "element edge " + std::to_string(points - strands);
   out += "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
 
-  RowsOut rows(out, ascii);
   std::size_t vertex = 0;
   for (const Eigen::VectorXd& x : groom.strands)
     for (Eigen::Index k = 0; k < x.size(); k += 3, ++vertex) {
-      for (Eigen::Index i = 0; i < 3; ++i) rows.real(x[k + i]);
+      for (Eigen::Index i = 0; i < 3; ++i) put_real(out, static_cast<float>(x[k + i]));
       for (const Look& look : looks)
         for (const float value : look.at(vertex))
-          look.is_u8 ? rows.whole(in_u8(value), 1) : rows.real(static_cast<double>(value));
-      rows.end_row();
+          look.is_u8 ? put_number(out, in_u8(value), 1) : put_real(out, value);
     }
-  for (const Eigen::VectorXd& x : groom.strands) {
-    rows.whole(static_cast<std::uint32_t>(points_of(x) - 1), is_short ? 2 : 4);
-    rows.end_row();
-  }
+  for (const Eigen::VectorXd& x : groom.strands)
+    put_number(out, static_cast<std::uint32_t>(points_of(x) - 1), is_short ? 2 : 4);
   std::uint32_t first = 0;
   for (const Eigen::VectorXd& x : groom.strands) {
     for (Eigen::Index k = 1; k < points_of(x); ++k, ++first) {
-      rows.whole(first, 4);
-      rows.whole(first + 1, 4);
-      rows.end_row();
+      put_number(out, first);
+      put_number(out, first + 1);
     }
     ++first;
   }

@@ -153,10 +153,7 @@ void PlyRows::read_header() {
     std::string_view line = next_line();
     const std::string_view word = next_word(line);
     if (word == "end_header") break;
-    if (word == "comment" || word == "obj_info") {
-      has_comments_ = true;
-      continue;
-    }
+    if (word == "comment" || word == "obj_info") continue;
     if (word == "format") {
       const std::string_view format = next_word(line), version = next_word(line);
       format_ = format == "ascii"                  ? PlyFormat::ascii

@@ -37,7 +37,6 @@ class PlyRows {
   PlyRows(std::string_view bytes, const std::string& name);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
-  bool has_comments() const { return has_comments_; }
 
   // The next row, of this element: a value for each property, 0 for a list.
   void read(const PlyElement& element, std::vector<double>& row);
@@ -62,7 +61,7 @@ class PlyRows {
   std::string name_;
   PlyFormat format_ = PlyFormat::ascii;
   std::vector<PlyElement> elements_;
-  bool in_header_ = true, has_comments_ = false;
+  bool in_header_ = true;
   std::size_t at_ = 0;      // the next byte
   std::size_t row_at_ = 0;  // the start of the last row, or line
   long line_ = 0;           // the last line that was read, from 1

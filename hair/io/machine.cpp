@@ -40,10 +40,10 @@ Machine this_machine() {
               std::to_string(EIGEN_MINOR_VERSION)};
 }
 
-std::string measured_on(const Machine& machine, int cores_used) {
-  return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) + " cores, " +
-         (cores_used == 1 ? "one" : std::to_string(cores_used)) + " of them used; " + machine.compiler +
-         ", " + machine.build + "; Eigen " + machine.eigen + ".";
+std::string measured_on(const Machine& machine) {
+  return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
+         " cores, one of them used; " + machine.compiler + ", " + machine.build + "; Eigen " + machine.eigen +
+         ".";
 }
 
 }  // namespace hair

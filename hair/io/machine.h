@@ -18,6 +18,6 @@ struct Machine {
 Machine this_machine();
 
 // A text for a page: "Measured on ..., 2 cores, one of them used; GCC ...".
-std::string measured_on(const Machine& machine, int cores_used = 1);
+std::string measured_on(const Machine& machine);
 
 }  // namespace hair

@@ -122,8 +122,9 @@ TEST(GroomScene, BaldRootsAreLeftOutAndCounted) {
   const hair::Scene scene = hair::read_scene(folder.scene(R"("file": "a.hair", "scale": 1)"));
   EXPECT_EQ(scene.hair.strands.size(), 1U);
   EXPECT_EQ(scene.bald_roots, 2);
-  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.hair", "scale": 1, "every": 2)")),
-            "hair[0].groom.file: all strands that are taken are bald roots, of a single point");
+  hair::write_groom({{Eigen::VectorXd::Zero(3)}}, file);
+  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.hair", "scale": 1)")),
+            "hair[0].groom.file: all its strands are bald roots, of a single point");
 }
 
 // A lattice of upright hairs of three points on a plane, 1 apart.
@@ -220,7 +221,7 @@ TEST(GroomScene, ARealGroomMovesLikeHair) {
   if (!grooms) GTEST_SKIP() << "HAIR_GROOMS does not say where real grooms are";
   const Folder folder;
   const hair::Scene scene = hair::read_scene(folder.scene(
-      "\"file\": \"" + std::string(grooms) + R"(/straight.hair", "scale": 0.0045, "every": 100)"));
+      "\"file\": \"" + std::string(grooms) + R"(/straight.hair", "scale": 0.0045, "strands": 100)"));
   ASSERT_EQ(scene.hair.strands.size(), 100U);
   EXPECT_EQ(hair::exercises_of(scene), (std::vector<std::string>{"S1", "H1", "H4"}));
   hair::SceneRun scene_run(scene);

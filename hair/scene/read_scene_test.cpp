@@ -137,10 +137,9 @@ TEST(ReadScene, RigiditiesHaveTheirFactors) {
   EXPECT_DOUBLE_EQ(strand.skip_rigidity, 10 * hair::Material{}.stretch_rigidity());
 }
 
-TEST(ReadScene, CombedHairGrowsOutOfItsHead) {
+TEST(ReadScene, HairGrowsOutOfItsHead) {
   const Scene scene = read(R"({"shows": "a head", "frames": 1, "hair": [{"segments": 10, "length": 0.3,
-    "roots": {"cap": {"centre": [1, 2, 3], "radius": 0.1, "degrees": 110, "count": 300, "comb": [0, 1, -1],
-                      "lift": 0.1}}}]})");
+    "roots": {"cap": {"centre": [1, 2, 3], "radius": 0.1, "degrees": 110, "count": 300}}}]})");
   const Vector3d centre(1, 2, 3);
   for (const hair::StrandStart& start : scene.hair.strands) {
     EXPECT_NEAR((start.state.x.head<3>() - centre).norm(), 0.1, 1e-15);

@@ -43,10 +43,4 @@ std::vector<Vector3d> directions_in_cap(const Vector3d& axis, double angle, int 
   return directions;
 }
 
-Vector3d combed(const Vector3d& outward, const Vector3d& comb, double lift) {
-  const Vector3d along = comb - comb.dot(outward) * outward;
-  if (along.norm() < 1e-6 * comb.norm()) return outward;
-  return (lift * outward + (1 - lift) * along.normalized()).normalized();
-}
-
 }  // namespace hair

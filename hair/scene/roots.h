@@ -18,9 +18,4 @@ std::vector<Vector3d> points_on_disc(const Vector3d& centre, const Vector3d& nor
 // Evenly distributed over the part of a unit sphere within `angle` (0 to pi) of `axis`, on the same spiral.
 std::vector<Vector3d> directions_in_cap(const Vector3d& axis, double angle, int count);
 
-// The direction in which a hair leaves a head: between `outward` and the combed direction along the head.
-// `lift` from 0 (flat) to 1 (straight out). All have length 1 except `comb`. If `comb` is parallel to
-// `outward`, the result is `outward`.
-Vector3d combed(const Vector3d& outward, const Vector3d& comb, double lift);
-
 }  // namespace hair

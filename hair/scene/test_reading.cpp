@@ -64,8 +64,7 @@ std::string small_scene(const std::string& what, const std::string& by) {
     {
       "segments": 8, "length": 0.1,
       "shape": {"curly": {"radius": 0.005, "pitch": 0.1}},
-      "roots": {"cap": {"centre": [0, 0, 0], "radius": 0.1, "axis": [0, 0, 1], "degrees": 60, "count": 2,
-                        "comb": [0, 1, 0], "lift": 0.5}},
+      "roots": {"cap": {"centre": [0, 0, 0], "radius": 0.1, "axis": [0, 0, 1], "degrees": 60, "count": 2}},
       "root_velocity": [0, 0, 1]
     },
     {"segments": 1, "length": 0.1, "clamped": false,

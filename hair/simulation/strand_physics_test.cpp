@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "hair/simulation/test_hairs.h"
@@ -12,8 +11,6 @@
 
 namespace reference_tests {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 hair::Measures measures(const Simulation& simulation) {
   return hair::measure(simulation.strand(0), simulation.particles(0), simulation.force(0),
@@ -89,57 +86,6 @@ TEST(StrandPhysics, AHangingHairStaysAtRest) {
     EXPECT_LE(simulation.state(0).v.cwiseAbs().maxCoeff(), 1e-4 * fall) << name_of(method);
     EXPECT_LE((simulation.state(0).x - x).cwiseAbs().maxCoeff(), 1e-6 * 0.1) << name_of(method);
   }
-}
-
-// Axial modes of n segments with half the mass at the tip: w_j = 2 sqrt(k/m) sin((2j - 1) pi / 4n), with
-// shapes sin((2j - 1) pi i / 2n), at any stiffness: along a line springs are linear.
-TEST(StrandPhysics, AxialModesSwingWithTheirFrequencies) {
-  const int n = 8;
-  for (const double stiffer : {1.0, 1e6}) {
-    hair::Material material;
-    material.young_modulus *= stiffer;
-    for (int j = 1; j <= n; ++j) {
-      StrandStart start = straight_hair(n, 0.08, kDown, material);
-      const double k = material.stretch_rigidity() / 0.01, m = material.line_density() * 0.01;
-      const double w = 2 * std::sqrt(k / m) * std::sin((2 * j - 1) * kPi / (4 * n));
-      Eigen::VectorXd shape = Eigen::VectorXd::Zero(3 * n + 3);
-      for (int i = 1; i <= n; ++i) shape[3 * i + 2] = 1e-4 * std::sin((2 * j - 1) * kPi * i / (2 * n));
-      const Eigen::VectorXd rest = start.state.x;
-      start.state.x += shape;
-
-      const int steps = 1000;
-      const double t = 2 * kPi / w * 1.3;  // cos(w t) and sin(w t) are both far from 0
-      Simulation simulation(alone(std::move(start), Method::runge_kutta_4, t / steps));
-      ASSERT_FALSE(simulation.advance(steps));
-      // RK4: (w h)^4 / 120 of phase for each radian, with h a thousandth of 8.2 radians of this mode; other
-      // modes, which rounding excites, are at most 2.8 sqrt(k/m) / w times as fast, for which h is small
-      // enough, too.
-      EXPECT_LE((simulation.state(0).x - rest - std::cos(w * t) * shape).cwiseAbs().maxCoeff(),
-                1e-9 * 1e-4 + 1e-15)
-          << "mode " << j << ", " << stiffer << " times as stiff";
-    }
-  }
-}
-
-// A root that is flung away at v strains the hair by v / c behind a front that moves at c = sqrt(E / rho):
-// 6.6 % at 100 m/s. The root's displacement, v t, is the stretch of the part that the front has reached,
-// which is c t long.
-TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
-  const int n = 400;
-  const hair::Material material;
-  const double v = 100, c = std::sqrt(material.young_modulus / material.density);
-  EXPECT_NEAR(v / c, 0.066, 0.0005);
-  StrandStart start = straight_hair(n, 0.4, kDown, material);
-  start.state.v[2] = v;
-  const double h = 0.2 * 0.001 / c;
-  Simulation simulation(alone(std::move(start), Method::runge_kutta_4, h));
-  ASSERT_FALSE(simulation.advance(static_cast<long>(0.2 / c / h)));  // the front is in the middle
-  // Behind the front strain rings around v / c; over many segments it averages out: within 2 %, ten times
-  // less than the ringing.
-  const double length = particle(simulation, 20)[2] - particle(simulation, 120)[2];
-  EXPECT_NEAR(length / 0.1 - 1, v / c, 0.02 * v / c);
-  // The part ahead of the front has not moved.
-  EXPECT_LE(std::abs(particle(simulation, 260)[2] + 0.26), 1e-6);
 }
 
 }  // namespace

@@ -42,24 +42,24 @@ void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eig
 // worst one. Three entries are a vector, more are particles. `before`, if given, is the input, or the
 // output's numbers before the call.
 void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
-                    const std::string& what, const std::string& source_of_bound,
+                    const std::string& what, const std::string& source_of_bound = "rounding",
                     const Eigen::VectorXd& before = {});
 
 // The same for joints' rates, curvatures and other numbers that belong to no particle.
 void expect_numbers(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
-                    const std::string& what, const std::string& source_of_bound);
+                    const std::string& what, const std::string& source_of_bound = "rounding");
 
 // One number; the words say what it is and how it is calculated.
 void expect_number(double actual, double expected, double bound, const std::string& what,
                    const std::string& formula);
 
 void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double bound,
-                   const std::string& what, const std::string& source_of_bound);
+                   const std::string& what, const std::string& source_of_bound = "rounding");
 
 // The forces on all particles add up to no force and no torque, to within `bound` N and `bound` times the
 // largest coordinate of x.
 void expect_balanced(const Eigen::VectorXd& force, const Eigen::VectorXd& x, double bound,
-                     const std::string& source_of_bound);
+                     const std::string& source_of_bound = "rounding");
 
 // `add` adds to its argument, and keeps the numbers in it. Failures call the argument `name`.
 void expect_added(const std::function<void(Eigen::VectorXd&)>& add, const Eigen::VectorXd& before,
@@ -67,7 +67,7 @@ void expect_added(const std::function<void(Eigen::VectorXd&)>& add, const Eigen:
 
 // a . (K b) = b . (K a), to within `bound`.
 void expect_symmetric(const Operator& K, const Eigen::VectorXd& a, const Eigen::VectorXd& b, double bound,
-                      const std::string& source_of_bound);
+                      const std::string& source_of_bound = "rounding");
 
 Eigen::VectorXd vector(std::initializer_list<double> values);
 

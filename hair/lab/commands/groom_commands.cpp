@@ -17,15 +17,6 @@
 
 namespace hair {
 
-namespace {
-
-void print_list(const std::string& name, const std::vector<std::string>& all) {
-  for (const std::string& one : all) std::cout << (&one == all.data() ? name + ": " : ", ") << printable(one);
-  if (!all.empty()) std::cout << "\n";
-}
-
-}  // namespace
-
 int convert_groom(const ConvertOptions& options) {
   // The command line accepts nan.
   if (!(options.scale > 0)) throw BadInput("--scale: is not a number from 1e-09 to 1e+09");
@@ -33,7 +24,6 @@ int convert_groom(const ConvertOptions& options) {
   check_folder_of(options.out);
   Groom groom = read_groom(options.in);
   keep_every(groom, options.every);
-  const std::vector<std::string> lost = lost_in(options.out, groom);
   if (options.points > 0) {
     const auto strands = static_cast<long>(groom.strands.size());
     if (strands > kMostGroomPoints / options.points)
@@ -43,10 +33,8 @@ int convert_groom(const ConvertOptions& options) {
     resample(groom, options.points);
   }
   if (options.scale != 1) scale(groom, options.scale);
-  write_groom(groom, options.out, options.ascii);
+  write_groom(groom, options.out);
   std::cout << printable(options.out.string(), 4096) << ": " << counts_of(groom) << "\n";
-  print_list("left out", lost);
-  print_list("not known", unknown_in(options.out, groom));
   return 0;
 }
 

@@ -12,7 +12,6 @@ struct ConvertOptions {
   double scale = 1;
   long every = 1;
   int points = 0;      // per strand; 0: unchanged
-  bool ascii = false;  // for .ply
 };
 
 struct GrowOptions {

@@ -18,7 +18,6 @@ Command add_convert_command(CLI::App& program) {
       ->check(CLI::Range(1L, 1'000'000'000L));
   app->add_option("--points", options->points, "So many points for each strand, at equal distances along it")
       ->check(CLI::Range(2, 1'000'000));
-  app->add_flag("--ascii", options->ascii, ".ply: text; without it, binary");
   return {app, [options](const Course&) { return convert_groom(*options); }};
 }
 

@@ -38,7 +38,7 @@ int run(const HeadOptions& options, const Course& course) {
   for (const HeadHair& hair : chosen(head_hairs(), options.hairs, "--hair")) ids.push_back(hair.id);
   StudyShell shell(options, "hairlab study head", "head.json", head_files(), WhenInterrupted::loses);
   const auto bust = std::make_shared<Bust>();
-  HeadStudy study{options.threads, {}, {}, options.no_pictures ? "--no-pictures" : ""};
+  HeadStudy study{{}, {}, options.no_pictures ? "--no-pictures" : ""};
   std::unique_ptr<HeadPictures> pictures;
   try {
     if (!options.no_pictures) pictures = std::make_unique<HeadPictures>(*bust);
@@ -54,7 +54,7 @@ int run(const HeadOptions& options, const Course& course) {
                                      : options.quick     ? kQuickStrands
                                                          : kStrands);
     const int strands = static_cast<int>(head.strands.size());
-    HeadStudySettings settings{true, options.threads, {}};
+    HeadStudySettings settings{true, {}};
     std::copy_if(std::begin(kGuides), std::end(kGuides), std::back_inserter(settings.guides),
                  [&](int guides) { return guides < strands; });
     if (pictures) pictures->begin();
@@ -95,9 +95,6 @@ Command add_study_head_command(CLI::App& study) {
   app->add_option("--hair", options->hairs, "Which: straight, combed, wavy, curly (default: all)");
   app->add_option("--exercise-strands", options->strands, "Of hair that the exercises move (default: 1,000)")
       ->check(CLI::Range(1, kMostStrands));
-  app->add_option("--threads", options->threads,
-                  "How many move hair (default: 1); exercises must not use globals then")
-      ->check(CLI::Range(1, 64));
   app->add_flag("--no-pictures", options->no_pictures, "None: without OpenGL");
   return {app, [options](const Course& course) { return run(*options, course); }};
 }

@@ -40,7 +40,7 @@ void StudyShell::say(const std::string& what) const {
 void StudyShell::keep(const OrderedJson& record, Page page,
                       const std::vector<std::pair<std::string, std::vector<Row>>>& tables) {
   if (kept_) folder_.emplace(options_.out, kind_);
-  const std::string machine = measured_on(this_machine(), options_.threads);
+  const std::string machine = measured_on(this_machine());
   OrderedJson whole = {{"program", kind_.command}, {"quick", options_.quick}, {"machine", machine}};
   whole.update(record);
   page.paragraphs.push_back(machine + (options_.quick ? " A quick study: " + options_.when_quick + "." : ""));

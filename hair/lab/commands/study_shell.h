@@ -24,7 +24,6 @@ struct ShellOptions {
   bool writes = true;  // into `out`
   bool quick = false;
   std::string when_quick;  // the changes by --quick
-  int threads = 1;
 };
 
 // Adds a command with --out and --quick, which `quick` describes. --out is required, unless the command

@@ -149,39 +149,7 @@ Section section_of(const HeadStudy& study, const std::string& id) {
   return section;
 }
 
-Section left_out() {
-  return {
-      "What is left out",
-      {"Strands do not touch each other, in either way to simulate them. On a head hair lies in layers, and "
-       "contact is what gives it volume, holds neighbours together and stops strands that cross. "
-       "Without it hair sinks onto the head, and neighbours part more easily than they should.",
-       "So this is an answer for the forces within strands and the head alone. With contacts it is another: "
-       "Daviet's times below hold them, and there the solve along strands, which is nearly all that is done "
-       "here, is a hundredth of the time. Finding and resolving contacts does not become faster with a "
-       "better solve of strands.",
-       "An error here is a distance from the same strand, simulated. An eye does not follow one strand: "
-       "it sees whether a head as a whole has the right shape, motion and disorder. The motion alone is "
-       "the smaller error, and the shape can be given to each strand once."}};
-}
-
 }  // namespace
-
-Table published_heads() {
-  const std::string selle =
-      "A. Selle, M. Lentine, R. Fedkiw, \"A Mass Spring Model for Hair Simulation\", SIGGRAPH 2008";
-  const std::string daviet =
-      "G. Daviet, \"Interactive Hair Simulation on the GPU using ADMM\", SIGGRAPH 2023";
-  const std::string hsu = "J. Hsu et al., \"Real-time Physically Guided Hair Interpolation\", SIGGRAPH 2024";
-  return {"Theirs, as they report it: other machines, other scenes",
-          {"source", "hair", "contacts between strands", "what they report"},
-          {{selle, "10,000 long straight strands, each simulated", "yes", "no strand is interpolated"},
-           {daviet, "16,000 strands, each simulated, on a GPU", "yes", "0.18 s for a frame"},
-           {daviet, "128,000 strands, each simulated, on a GPU", "yes", "3.14 s for a frame"},
-           {daviet, "a hairball of 16,000 strands", "yes",
-            "of the time, 49 % finds contacts, 38 % resolves them, 1.3 % is the tridiagonal solve"},
-           {hsu, "106,000 strands interpolated from 128 guides, on a GPU", "no",
-            "0.34 ms for the interpolation of a frame"}}};
-}
 
 Page head_page(const HeadStudy& study) {
   Page page;
@@ -196,9 +164,8 @@ Page head_page(const HeadStudy& study) {
       "no differences of length and direction. Wavy and curly hair rests as it grew.",
       "The exercises (H1, H2, H4) step one strand at a time, and so there are fewer strands than on a real "
       "head.",
-      std::string("Times are CPU times") +
-          (study.threads > 1 ? " of " + std::to_string(study.threads) + " threads together" : "") + ", of " +
-          std::to_string(kMoving) + " frames with " + std::to_string(kStepsPerFrame) +
+      "Times are CPU times, of " + std::to_string(kMoving) + " frames with " +
+          std::to_string(kStepsPerFrame) +
           " steps each, and of a synthesis for each frame. 'Start': as the head begins to move. 'All': of "
           "all frames after that. "
           "'Motion alone': as if each strand were given its own shape once, at the start. '95 %': of the "
@@ -212,8 +179,6 @@ Page head_page(const HeadStudy& study) {
   for (const HeadCase& one : study.cases)
     if (ids.empty() || ids.back() != one.hair->id) ids.push_back(one.hair->id);
   for (const std::string& id : ids) page.sections.push_back(section_of(study, id));
-  page.sections.push_back(left_out());
-  page.sections.push_back({"Beside it, others", {}, {}, {}, {published_heads()}});
   return page;
 }
 

@@ -50,7 +50,6 @@ OrderedJson head_json(const HeadStudy& study) {
   for (const HeadPicture& one : study.pictures)
     pictures.push_back({{"hair", one.hair}, {"file", one.file}, {"guides", one.guides}});
   return {{"format", 1},
-          {"threads", study.threads},
           {"frames_per_second", kFramesPerSecond},
           {"steps_per_frame", kStepsPerFrame},
           {"moving", kMoving},

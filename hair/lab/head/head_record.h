@@ -1,7 +1,7 @@
-// The study of a head: head.json, its rows, and the page: error against run time for each hair, pictures, and
-// numbers of other authors. In head.json:
+// The study of a head: head.json, its rows, and the page: error against run time for each hair, and pictures.
+// In head.json:
 //
-//   program, quick, machine, format, threads
+//   program, quick, machine, format
 //   frames_per_second, steps_per_frame, moving     of the motion: `moving` frames are measured
 //   cases      hair, head (true if it collides), simulated_by ("exercises"), strands, points (in a strand),
 //              length (m), seconds (CPU time of every strand simulated), runs
@@ -24,9 +24,6 @@ Row row_of_mode(const ModeRun& run);
 
 OrderedJson head_json(const HeadStudy& study);
 Page head_page(const HeadStudy& study);
-
-// Numbers that others report of heads with many strands, on their machines, of their scenes.
-Table published_heads();
 
 // head.csv: a row for each way of synthesis, and one for every strand.
 std::vector<Row> head_rows(const HeadStudy& study);

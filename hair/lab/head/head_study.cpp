@@ -44,7 +44,7 @@ class GuidedHead {
     description.points = head.hair->points;
     for (const ModeName& mode : kModes) {
       description.mode = mode.mode;
-      synthesis_.push_back(std::make_unique<Synthesis>(description, settings.threads));
+      synthesis_.push_back(std::make_unique<Synthesis>(description));
       tallies_.emplace_back(head.hair->points);
     }
   }
@@ -63,7 +63,7 @@ std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, cons
   HeadCase result{head.hair, settings.collides, static_cast<int>(head.strands.size()), head.length, 0, {}};
   const std::string name = head.hair->title + (settings.collides ? ", on a head" : ", without a head");
   say(name);
-  const MovingHeadSettings moving{bust, settings.collides, settings.threads};
+  const MovingHeadSettings moving{bust, settings.collides};
   std::vector<std::size_t> all(head.strands.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   MovingHead every(head, all, moving);

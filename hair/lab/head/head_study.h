@@ -2,7 +2,7 @@
 // synthesis, and the run time of both. As plain data.
 //
 // All sets of guides move together with the whole head, frame by frame, so that no motion is stored. Times
-// are CPU times of all threads, s, for the second in which the head moves. They exclude the search for a
+// are CPU times, s, for the second in which the head moves. They exclude the search for a
 // strand's guides, which is done once.
 #pragma once
 
@@ -57,7 +57,6 @@ struct HeadPicture {
 };
 
 struct HeadStudy {
-  int threads = 1;
   std::vector<HeadCase> cases;
   std::vector<HeadPicture> pictures;
   std::string no_pictures;  // the reason why there are none; empty: there are pictures
@@ -65,7 +64,6 @@ struct HeadStudy {
 
 struct HeadStudySettings {
   bool collides = true;
-  int threads = 1;
   std::vector<int> guides;  // sets with more guides than strands are left out
 };
 

@@ -29,7 +29,6 @@ Scene scene_of(const GrownHead& head, std::span<const std::size_t> which,
   scene.hair.method = Method::implicit_euler;
   scene.hair.step = 1 / (kFramesPerSecond * kStepsPerFrame);
   scene.hair.drag = kDrag;
-  scene.hair.jobs = settings.threads;
   scene.hair.watched = false;
   Rider rider{turn_of_head(), std::vector<int>(which.size()), {}};
   std::iota(rider.strands.begin(), rider.strands.end(), 0);

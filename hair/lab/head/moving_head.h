@@ -28,7 +28,6 @@ Motion turn_of_head();
 struct MovingHeadSettings {
   std::shared_ptr<const Bust> bust;
   bool collides = true;
-  int threads = 1;
 };
 
 class MovingHead {

@@ -99,10 +99,7 @@ Section section_of_hair(const StabilityReport& report) {
   };
   add("along the hair", f.along);
   add("across it", f.across);
-  add("across it, by tension alone (omega_t), half mass at the tip", f.tension);
-  add("the same with full mass at the tip, sqrt(g/l x_N), x_N the largest zero of the Laguerre polynomial "
-      "L_N",
-      f.chain);
+  add("across it, by tension alone (omega_t)", f.tension);
   section.tables.push_back(std::move(table));
   return section;
 }

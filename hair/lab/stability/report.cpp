@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "hair/io/files/bad_input.h"
-#include "hair/lab/validate/hanging_chain.h"
 #include "solver/timing.h"
 
 namespace hair {
@@ -28,11 +27,8 @@ Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
 
 Frequencies frequencies_of(const Description& hair) {
   const Hanging hanging = hang(hair, 1, false);
-  const Strand& strand = hanging.start.strand;
-  const double l = strand.rest_length.sum() / strand.segments();
   return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(),
-          fastest_by_tension(hair, hanging),
-          std::sqrt(hair.gravity.norm() / l * laguerre_zeros(strand.segments()).maxCoeff())};
+          fastest_by_tension(hair, hanging)};
 }
 
 }  // namespace

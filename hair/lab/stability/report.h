@@ -30,9 +30,7 @@ MapSettings quick_maps();
 // The frequencies that determine the maps, 1/s.
 struct Frequencies {
   double along = 0, across = 0;  // the fastest of this hair
-  double tension = 0;            // the fastest across it from tension alone, with half a mass at the tip
-  double chain =
-      0;  // the same with full mass at the tip, sqrt(g/l x), x the Laguerre polynomial's largest zero
+  double tension = 0;            // the fastest across it from tension alone
 };
 
 struct LeftOut {

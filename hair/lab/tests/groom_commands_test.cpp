@@ -38,47 +38,27 @@ TEST_F(GroomCommands, InfoSaysWhatAGroomIsLike) {
       << run.output;
 }
 
-TEST_F(GroomCommands, ConvertKeepsThePointsAndSaysWhatItLeavesOut) {
-  const std::string counts = ": 4 strands, 11 points\n", unknown = "not known: thickness";
-  EXPECT_EQ(run_hairlab({"convert", groom_, out_}).output,
-            out_ + counts + unknown +
-                " (the header says 0), transparency (the header says 0), colour (the header says white)\n");
-  EXPECT_EQ(read_groom(out_).strands, read_groom(groom_).strands);
+TEST_F(GroomCommands, ConvertKeepsThePointsAndTheLook) {
   const std::string ply = folder_ / "b.ply";
-  EXPECT_EQ(run_hairlab({"convert", groom_, ply}).output,
-            ply + counts + unknown + ", transparency, colour\n");
+  EXPECT_EQ(run_hairlab({"convert", groom_, out_}).output, out_ + ": 4 strands, 11 points\n");
+  EXPECT_EQ(read_groom(out_).strands, read_groom(groom_).strands);
+  run_hairlab({"convert", groom_, ply});
   EXPECT_EQ(bytes_of(ply), bytes_of(groom_));
 
   Groom groom = read_groom(groom_);
-  groom.look = {.thickness = 0.5F,
-                .transparency = 0.0F,
-                .colour = {{1, 0, 0}},
-                .transparencies = std::vector<float>(11, 0.5F)};
-  groom.look.info[0] = 'A';
+  groom.look = {.thickness = 0.5F, .transparencies = std::vector<float>(11, 0.5F)};
   write_groom(groom, out_);
-  EXPECT_EQ(run_hairlab({"convert", out_, ply}).output, ply + counts + "left out: text\n");
-  EXPECT_EQ(run_hairlab({"convert", ply, out_}).output, out_ + counts);
+  EXPECT_EQ(run_hairlab({"convert", out_, ply}).code, 0);
+  EXPECT_EQ(run_hairlab({"convert", ply, out_}).code, 0);
   EXPECT_EQ(read_groom(out_).look.thicknesses, std::vector<float>(11, 0.5F));
   EXPECT_EQ(read_groom(out_).look.transparencies, std::vector<float>(11, 0.5F));
-
-  const std::string other = folder_.write(
-      "c.ply",
-      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double "
-      "z\nproperty float nx\n"
-      "element strand 1\nproperty int nsegs\nproperty int id\nelement thing 0\nproperty int a\nend_header\n"
-      "0 0 0.1 5\n0 0 -1 5\n1 7\n");
-  EXPECT_TRUE(run_hairlab({"convert", other, ply})
-                  .output.starts_with(ply + ": 1 strand, 2 points\nleft out: nx of each vertex, id of each "
-                                            "strand, the element thing, digits of points that 32 bits don't "
-                                            "hold\n"));
 }
 
 TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
   const std::string ply = folder_ / "b.ply";
   const ProgramRun run =
-      run_hairlab({"convert", groom_, ply, "--scale", "0.5", "--every", "2", "--points", "5", "--ascii"});
+      run_hairlab({"convert", groom_, ply, "--scale", "0.5", "--every", "2", "--points", "5"});
   EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_TRUE(bytes_of(ply).starts_with("ply\nformat ascii 1.0\nelement vertex 6\n"));
   Eigen::VectorXd x(15);
   x << 1, 0, 0, 1, 0, -0.25, 1, 0, -0.5, 1, 0, -0.75, 1, 0, -1;
   EXPECT_EQ(read_groom(ply).strands, (std::vector<Eigen::VectorXd>{Eigen::VectorXd::Zero(3), x}));

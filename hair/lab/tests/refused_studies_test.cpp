@@ -37,7 +37,6 @@ const Refused kRefused[] = {
      "hairlab: --hair: there is no \"grey\"; there are straight, combed, wavy, curly\n"},
     {"study head --out OUT --exercise-strands 0", "--exercise-strands"},
     {"study head --out OUT --exercise-strands nan", "--exercise-strands"},
-    {"study head --out OUT --threads 0", "--threads"},
     {"study head --out OUT --duration 1", "--duration"},
     {"validate pendulum", "validate: there is no \"pendulum\"; there are published-numbers, "},
 };

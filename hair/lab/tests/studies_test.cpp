@@ -181,7 +181,7 @@ TEST_P(Studies, WritePageTablesAndRecordInPlaceOfEarlierOnesAndAreQuietInAPipe) 
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"out"});
   const std::string text = bytes_of(out_ / one.record), page = bytes_of(out_ / "index.html");
   EXPECT_TRUE(text.starts_with("{\n  \"program\": \"hairlab " + one.name + "\"")) << text.substr(0, 100);
-  EXPECT_TRUE(has(page, "<svg"));
+  EXPECT_TRUE(one.name == "validate" || has(page, "<svg"));
   const Json record = Json::parse(text);
   const bool quick = std::ranges::count(one.arguments, "--quick") > 0;
   EXPECT_EQ(record["quick"], quick);

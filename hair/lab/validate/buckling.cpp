@@ -57,12 +57,6 @@ ValidationResult find_heights(const ValidationSettings& settings) {
                            7.8373, exact, 5e-5, "half of the last published digit"});
   Table table{
       "Where standing hair buckles", {"segments", "Gamma", "height, m", "relative error", "order"}, {}};
-  Figure figure{"buckling",
-                "Where standing hair buckles: error against segments",
-                "A straight line of slope -2: order 2.",
-                {"segments"},
-                {"relative error of the critical Gamma"}};
-  Series& series = figure.series.emplace_back(Series{"critical Gamma", {}});
   double last = 0;
   for (int segments : {10, 20, 40, 80}) {
     settings.go_on();
@@ -83,11 +77,8 @@ ValidationResult find_heights(const ValidationSettings& settings) {
            "the error's next term: 3/4 of it at half as many segments, over log(2); and W / EA"});
     table.rows.push_back({n, printed("%.9g", gamma), printed("%.9g", length_of(hair, gamma)),
                           printed("%.9g", error), last == 0 ? "" : printed("%.4f", std::log2(last / error))});
-    series.points.push_back(error_point(segments, std::abs(error)));
     last = error;
   }
-  figure.guides.push_back({-2, "order 2"});
-  result.figures = {figure};
   result.tables = {table};
   return result;
 }

@@ -108,11 +108,12 @@ Figure figure_of(const std::vector<SegmentSweep>& sweeps) {
                 {"error of the tip, over L"}};
   for (const SegmentSweep& sweep : sweeps) {
     Series& series = figure.series.emplace_back(Series{"Gamma = " + to_text(sweep.gamma), {}});
+    // A logarithmic axis can't show an error that is not above 0.
     for (const Rest& rest : sweep.rests)
-      series.points.push_back(
-          error_point(rest.segments, rest.error,
-                      std::to_string(rest.segments) + " segments" +
-                          (has_an_order(sweep.gamma, rest.segments) ? "" : ", too few for an order")));
+      series.points.push_back({static_cast<double>(rest.segments), rest.error,
+                               std::to_string(rest.segments) + " segments" +
+                                   (has_an_order(sweep.gamma, rest.segments) ? "" : ", too few for an order"),
+                               !(rest.error > 0 && std::isfinite(rest.error))});
   }
   figure.guides.push_back({-2, "order 2"});
   return figure;

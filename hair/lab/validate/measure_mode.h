@@ -10,11 +10,8 @@ namespace hair {
 struct MeasuredMode {
   double square = 0;     // l w^2 / g of a small swing: corrected for dispersion and amplitude
   double tolerance = 0;  // relative, as below
-  double softening = 0;  // the amplitude's effect on `square`, relative: 2 c A^2
   double decay = 0;      // the amplitude's decay in a step
   double expected_decay = 0, decay_tolerance = 0;
-  double step = 0, angle = 0;
-  int steps = 0;
 };
 
 // x is the theory's value of `square`; `highest` is that of the chain's fastest mode.
@@ -33,7 +30,7 @@ MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, 
                           const ValidationSettings& settings);
 
 // The tolerance of the decay per step is twice the sum of decay_error (chain_methods.h), of (w h)^2 times
-// `softening` (for a single pendulum H6 takes away (3/16) (w h A)^2 per step, 3/2 of that), and of the fit's
+// 2 c A^2 (for a single pendulum H6 takes away (3/16) (w h A)^2 per step, 3/2 of that), and of the fit's
 // resolution, 10 r / steps.
 inline constexpr double kSoftest = 1e-6, kLargestAngle = 1e-3, kWorstFit = 1e-6;
 

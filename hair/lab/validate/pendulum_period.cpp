@@ -101,28 +101,16 @@ Check check_of_order(const Periods& periods, double degrees, int order) {
 
 ValidationResult swing(const ChainMethod& method, const ValidationSettings& settings) {
   ValidationResult result;
-  Figure figure;
-  figure.id = "pendulum-" + method.id;
-  figure.title = "Error of a pendulum's period";
-  figure.description = "The error of T/T0 against the step, for swings out to 30 to 170 degrees.";
-  figure.x = {"step / T0"};
-  figure.y = {"error of T/T0"};
-  figure.guides = {{static_cast<double>(method.order), "order " + std::to_string(method.order)}};
   Table table{method.name, {"degrees", "steps for T0", "T/T0", "error"}, {}};
   for (const double degrees : {30.0, 60.0, 90.0, 150.0, 170.0}) {
     const double angle = degrees * std::numbers::pi / 180, expected = period_ratio(angle);
     const Periods periods = measure_periods(method, angle, settings);
     result.checks.push_back(check_of(periods, degrees, expected, method.order));
     if (degrees == 90) result.checks.push_back(check_of_order(periods, degrees, method.order));
-    Series& series = figure.series.emplace_back(Series{to_text(degrees) + " degrees", {}});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double error = periods.measured[i] - expected;
+    for (std::size_t i = 0; i < 3; ++i)
       table.rows.push_back({to_text(degrees), std::to_string(periods.steps[i]),
-                            printed("%.9g", periods.measured[i]), to_text(error)});
-      series.points.push_back(error_point(1.0 / periods.steps[i], std::abs(error)));
-    }
+                            printed("%.9g", periods.measured[i]), to_text(periods.measured[i] - expected)});
   }
-  result.figures.push_back(std::move(figure));
   result.tables.push_back(std::move(table));
   return result;
 }

@@ -39,9 +39,6 @@ struct ValidationResult {
   std::vector<Table> tables = {};
 };
 
-// A point in a figure with a logarithmic axis: an error that the axis can't show becomes a failed point.
-Point error_point(double x, double error, std::string note = {});
-
 // Thrown by a validation that was interrupted.
 struct Interrupted {};
 

@@ -23,7 +23,6 @@ constexpr double kMostPicked = 5000;
 struct FileText {
   std::optional<JsonValue> file;
   double scale;
-  int every = 1;
   std::optional<int> strands, points;
   Vector3d move = Vector3d::Zero();
 };
@@ -42,16 +41,11 @@ void keys_of(Keys& keys, FileText& groom) {
                .most = 1e6,
                .what = "what the file's unit is"},
               groom.scale);
-  keys.whole({.name = "every",
-              .least = 1,
-              .most = kMostParticles,
-              .what = "takes the first of every so many strands, and leaves the others out"},
-             groom.every);
   keys.whole({.name = "strands",
               .least = 1,
               .most = kMostPicked,
               .otherwise = "all of them",
-              .what = "takes so many of these, well spread over the scalp; what bends too much for hair "
+              .what = "takes so many, well spread over the scalp; what bends too much for hair "
                       "is left out then"},
              groom.strands);
   keys.whole({.name = "points",
@@ -133,13 +127,13 @@ bool is_hair(const Eigen::VectorXd& x, double scale) {
 
 // Strands of a file, without bald roots.
 Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
-  const auto [file, scale, every, picked, points, move] = read<FileText>(groom);
+  const auto [file, scale, picked, points, move] = read<FileText>(groom);
   if (!reading.groom) groom["file"].fail("this scene can't have files of its own; leave the groom out");
   const std::vector<Eigen::VectorXd> all = reading.groom(groom["file"]);
   std::vector<std::size_t> hairs;  // in the file
   std::vector<RootFrame> roots;
   std::vector<Vector3d> places;
-  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(every)) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].size() == 3) {
       ++reading.scene.bald_roots;
       continue;
@@ -149,7 +143,7 @@ Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
     roots.back().position = scale * roots.back().position + move;
     places.push_back(roots.back().position);
   }
-  if (hairs.empty()) groom["file"].fail("all strands that are taken are bald roots, of a single point");
+  if (hairs.empty()) groom["file"].fail("all its strands are bald roots, of a single point");
 
   Strands found;
   if (dense) found.scalp = scalp_of(roots);

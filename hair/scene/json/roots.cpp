@@ -2,8 +2,6 @@
 
 #include <numbers>
 
-#include "hair/head/bust.h"
-#include "hair/head/scalp_roots.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/roots.h"
 
@@ -44,23 +42,15 @@ std::vector<RootFrame> listed(const std::vector<JsonValue>& items) {
   return frames;
 }
 
-std::vector<RootFrame> combed_on_cap(const RootCap& cap, int count) {
+}  // namespace
+
+std::vector<RootFrame> on_cap(const RootCap& cap, int count) {
   std::vector<RootFrame> frames;
   frames.reserve(static_cast<std::size_t>(count));
   for (const Vector3d& outward : directions_in_cap(cap.axis, cap.degrees * std::numbers::pi / 180, count))
-    frames.push_back(frame_at(cap.centre + cap.radius * outward,
-                              cap.comb ? combed(outward, *cap.comb, cap.lift) : outward));
+    frames.push_back(frame_at(cap.centre + cap.radius * outward, outward));
   return frames;
 }
-
-std::vector<RootFrame> combed_on_bust(const RootBust& bust, int count) {
-  std::vector<RootFrame> frames = scalp_roots(Bust(), count, bust.seed);
-  for (RootFrame& frame : frames)
-    frame = frame_at(bust.at + frame.position, combed(frame.axis, frame.side, bust.lift));
-  return frames;
-}
-
-}  // namespace
 
 static void keys_of(Keys& keys, RootLine& line) {
   keys.vector({.name = "from", .unit = "m", .needed = true}, line.from);
@@ -91,27 +81,6 @@ static void keys_of(Keys& keys, RootCap& cap) {
                .most = 180,
                .what = "from the axis to the cap's edge; 180 is the whole sphere"},
               cap.degrees);
-  keys.direction(
-      {.name = "comb", .otherwise = "straight out", .what = "the way that hair is combed, along the head"},
-      cap.comb);
-  keys.number({.name = "lift",
-               .least = 0,
-               .most = 1,
-               .what = "of combed hair: 0 lies flat on the head, 1 stands out"},
-              cap.lift);
-}
-
-static void keys_of(Keys& keys, RootBust& bust) {
-  keys.about(
-      "On the scalp of the bust under `obstacles[].bust`, combed from its parting to both sides. Place "
-      "both alike. Hair that is longer than 12 cm would begin inside the shoulders: let it grow there ([a "
-      "groom that grows](#hairgroom-that-grows)).");
-  count_of(keys, bust.count);
-  keys.vector({.name = "at", .unit = "m", .what = "where the middle of its skull is"}, bust.at);
-  keys.number({.name = "lift", .least = 0, .most = 1, .what = "0 lies flat on the head, 1 stands out"},
-              bust.lift);
-  keys.whole({.name = "seed", .least = 0, .most = kLargestSeed, .what = "the same seed gives the same roots"},
-             bust.seed);
 }
 
 void keys_of(Keys& keys, Roots& roots) {
@@ -120,7 +89,6 @@ void keys_of(Keys& keys, Roots& roots) {
   keys.part({.name = "line", .what = "in a row"}, roots.line);
   keys.part({.name = "disc", .what = "in a tuft"}, roots.disc);
   keys.part({.name = "cap", .what = "on a head that is a sphere"}, roots.cap);
-  keys.part({.name = "bust", .what = "on the scalp of a bust"}, roots.bust);
 }
 
 std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
@@ -141,12 +109,7 @@ std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
     return all_along(points_on_disc(disc->centre, disc->normal, disc->radius, made),
                      disc->direction.value_or(disc->normal));
   }
-  if (const auto& cap = roots.cap) {
-    if (object["cap"].has("lift") && !cap->comb)
-      object["cap"]["lift"].fail("is of hair that is combed; give \"comb\", too");
-    return combed_on_cap(*cap, expect_count("cap", cap->count));
-  }
-  return combed_on_bust(*roots.bust, expect_count("bust", roots.bust->count));
+  return on_cap(*roots.cap, expect_count("cap", roots.cap->count));
 }
 
 }  // namespace hair::json

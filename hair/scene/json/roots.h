@@ -28,15 +28,6 @@ struct RootCap {
   int count;
   Vector3d axis = Vector3d::UnitZ();
   double degrees = 90;
-  std::optional<Vector3d> comb;
-  double lift = 0.3;
-};
-
-struct RootBust {
-  int count;
-  Vector3d at = Vector3d::Zero();
-  double lift = 0.3;
-  std::uint64_t seed = 0;
 };
 
 // Exactly one of them has a value.
@@ -45,10 +36,12 @@ struct Roots {
   std::optional<RootLine> line;
   std::optional<RootDisc> disc;
   std::optional<RootCap> cap;
-  std::optional<RootBust> bust;
 };
 
 void keys_of(Keys& keys, Roots& roots);
+
+// On the cap, along its normals.
+std::vector<RootFrame> on_cap(const RootCap& cap, int count);
 
 // Calls `expect` with the number of roots before making any; it throws for too many, and returns the number
 // to make. A list is made whole. `object`: the one that `roots` was read from.

@@ -1,11 +1,7 @@
 #include "hair/scene/json/scalp.h"
 
-#include <numbers>
-
 #include "hair/dense/roots_between.h"
 #include "hair/groom/root_sphere.h"
-#include "hair/head/bust.h"
-#include "hair/head/scalp_roots.h"
 #include "hair/scene/roots.h"
 
 namespace hair::json {
@@ -15,19 +11,6 @@ namespace {
 std::vector<RootFrame> with_normal(const std::vector<Vector3d>& points, const Vector3d& normal) {
   std::vector<RootFrame> roots;
   for (const Vector3d& point : points) roots.push_back({point, normal, side_of(normal)});
-  return roots;
-}
-
-std::vector<RootFrame> on_cap(const RootCap& cap, int count) {
-  std::vector<RootFrame> roots;
-  for (const Vector3d& normal : directions_in_cap(cap.axis, cap.degrees * std::numbers::pi / 180, count))
-    roots.push_back({cap.centre + cap.radius * normal, normal, side_of(normal)});
-  return roots;
-}
-
-std::vector<RootFrame> on_bust(const RootBust& bust, int count, std::uint64_t seed) {
-  std::vector<RootFrame> roots = scalp_roots(Bust(), count, seed);
-  for (RootFrame& root : roots) root.position += bust.at;
   return roots;
 }
 
@@ -42,9 +25,6 @@ std::vector<RootFrame> along(const Roots& roots, int count) {
 }  // namespace
 
 GroupScalp scalp_of(const Roots& roots, int count) {
-  if (roots.bust)
-    return {on_bust(*roots.bust, count, roots.bust->seed), true,
-            [bust = *roots.bust](int more, std::uint64_t seed) { return on_bust(bust, more, seed); }};
   return {along(roots, count), false, [roots](int more, std::uint64_t) { return along(roots, more); }};
 }
 

@@ -23,10 +23,8 @@ constexpr double kPi = std::numbers::pi;
 using Corners = std::array<Vector3d, 3>;
 using Weights = std::array<double, 3>;
 
-const char* const kRounding = "rounding";
-
 void expect_point(const Vector3d& actual, const Vector3d& expected, const std::string& what) {
-  expect_entries(actual, expected, 1e-12, what, kRounding);
+  expect_entries(actual, expected, 1e-12, what);
 }
 
 void expect_all(const VectorXd& actual, const VectorXd& expected, const std::string& what) {
@@ -356,7 +354,7 @@ TEST(Units, InAnyUnitByInterpolate) {
 TEST(Arcs, MeasuresTheLength) {
   const Lock guide = upright(vector({1, 1, 1, 1, 1, 2, 1, 4, 6, 1, 4, 0}));
   expect_numbers(carried(guide).arc, Eigen::Vector4d(0, 1.0 / 12, 0.5, 1), 1e-12,
-                 "arc of a guide with segments of 1, 5 and 6 m", "rounding");
+                 "arc of a guide with segments of 1, 5 and 6 m");
 }
 
 TEST(CarriedTurns, TurnsNothingAlongAStraightGuide) {
@@ -364,7 +362,7 @@ TEST(CarriedTurns, TurnsNothingAlongAStraightGuide) {
   const GuideFrames frames = carried(lock(root, line(6, Vector3d(0, 0, 2))));
   for (const Matrix3d& turn : frames.turns)
     expect_matrix(turn, Matrix3d::Identity(), 1e-12,
-                  "a turn along a guide that leaves the scalp straight along its normal", "rounding");
+                  "a turn along a guide that leaves the scalp straight along its normal");
 }
 
 // Frames turn only as the guide turns. This one leaves the scalp sideways and then goes straight on, so its
@@ -372,7 +370,7 @@ TEST(CarriedTurns, TurnsNothingAlongAStraightGuide) {
 TEST(CarriedTurns, BeginsWithTheFirstSegment) {
   const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(0, 1, 0)}, line(4, Vector3d(3, 0, 0))};
   for (const Matrix3d& turn : carried(guide).turns)
-    expect_matrix(turn, Matrix3d::Identity(), 1e-12, "a turn along a straight guide", "rounding");
+    expect_matrix(turn, Matrix3d::Identity(), 1e-12, "a turn along a straight guide");
 }
 
 TEST(CarriedTurns, TurnsAtABend) {
@@ -380,11 +378,10 @@ TEST(CarriedTurns, TurnsAtABend) {
   const double bend = kPi / 3, y = 3 * std::sin(bend), z = 3 * std::cos(bend);
   const GuideFrames frames = carried(upright(vector({0, 0, 0, 0, 0, 2, 0, y, 2 + z, 0, 2 * y, 2 + 2 * z})));
   const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
-  expect_matrix(frames.turns[1], Matrix3d::Identity(), 1e-12, "the turn before the guide bends", "rounding");
+  expect_matrix(frames.turns[1], Matrix3d::Identity(), 1e-12, "the turn before the guide bends");
   expect_matrix(frames.turns[2], expected, 1e-12,
-                "the turn of a guide that bends once, by 60 degrees about -x", "rounding");
-  expect_matrix(frames.turns[3], expected, 1e-12, "the turn after that, where it goes straight on",
-                "rounding");
+                "the turn of a guide that bends once, by 60 degrees about -x");
+  expect_matrix(frames.turns[3], expected, 1e-12, "the turn after that, where it goes straight on");
 }
 
 // Around three edges of a cube: no corner twists the frame, and yet it comes back turned.
@@ -400,8 +397,7 @@ TEST(CarriedTurns, AddsUpRotations) {
   for (int i = 0; i < 5; ++i)
     expect_matrix(frames.turns[i], expected[i], 1e-12,
                   "turns[" + std::to_string(i) +
-                      "] along three edges of a cube. In which order are rotations multiplied?",
-                  "rounding");
+                      "] along three edges of a cube. In which order are rotations multiplied?");
 }
 
 TEST(Units, InAnyUnitByCarryAlong) {
@@ -414,7 +410,7 @@ TEST(Units, InAnyUnitByCarryAlong) {
     const GuideFrames frames = carried(other);
     const std::string where =
         " of a curl, all lengths times " + in_powers_of_2(unit) + ", compared with the same in metres";
-    expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
+    expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where);
     for (std::size_t i = 0; i < 12; ++i)
       expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
                     "rounding. Is a segment taken for one of length 0?");
@@ -426,8 +422,7 @@ TEST(Folds, BeginsBehindPointsThatCoincide) {
   for (const Matrix3d& turn : carried(guide).turns)
     expect_matrix(turn, Matrix3d::Identity(), 1e-12,
                   "a turn of a straight guide, whose first two points coincide: there is no direction before "
-                  "the first",
-                  "rounding");
+                  "the first");
 }
 
 // R_i takes one direction to the next and has its axis across both.
@@ -468,8 +463,7 @@ TEST(Folds, SurvivesFoldsAndPointsThatCoincide) {
   Lock guide = upright(vector({0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1}));
   const GuideFrames frames = carried(guide);
   expect_matrix(frames.turns[3], Matrix3d::Identity(), 1e-12,
-                "turns[3] of a guide that goes up, two points of which coincide with the points before them",
-                "rounding");
+                "turns[3] of a guide that goes up, two points of which coincide with the points before them");
   for (int i : {4, 5}) {
     const Matrix3d& turn = frames.turns[i];
     expect_matrix(

@@ -177,7 +177,7 @@ TEST(Matrix, TakesDerivativesAtTheState) {
   const VectorXd expected =
       (masses + kA * 3 * x.square() * v.square() + kA * kB * 2 * x * v.cube()) * dx.array();
   expect_entries(times(*implicit_matrix(ThickAir(), air.particles, air.state, kA, kB), dx), expected, 1e-12,
-                 "the product with " + particles_in_words(dx) + ", " + air.text, "rounding");
+                 "the product with " + particles_in_words(dx) + ", " + air.text);
 }
 
 TEST(Units, IsTheSameInEveryUnitByImplicitMatrix) {
@@ -198,7 +198,7 @@ TEST(Masses, KeepsLightMasses) {
   const State state = apart();
   expect_entries(times(*implicit_matrix(none, light, state, 0.1, 0.2), six(1, 1, 1, 1, 1, 1)),
                  six(2e-7, 2e-7, 2e-7, 3e-9, 3e-9, 3e-9), 1e-22,
-                 "the product with (1, 1, 1, 1, 1, 1), masses 2e-7 and 3e-9 kg, no forces", "rounding");
+                 "the product with (1, 1, 1, 1, 1, 1), masses 2e-7 and 3e-9 kg, no forces");
 }
 
 TEST(RightSide, IsTheForceAndWhatTheMotionChangesOfIt) {
@@ -251,7 +251,7 @@ TEST(RightSide, IsTakenAtTheState) {
   VectorXd rhs = VectorXd::Constant(9, 1e3);
   implicit_rhs(ThickAir(), air.particles, air.state, kA, kB, rhs);
   expect_entries(rhs, kA * (-x.square() * v.cube() - kB * 2 * x * v.cube() * v), 1e-12,
-                 "a (f + b df/dx v), " + air.text, "rounding");
+                 "a (f + b df/dx v), " + air.text);
 }
 
 TEST(Units, IsTheSameInEveryUnitByImplicitRhs) {

@@ -17,8 +17,6 @@ using hair::Matrix3d, hair::StaticLink, hair::StripContact, hair::StripLaw, hair
 
 namespace {
 
-const char* const kRounding = "rounding";
-
 VectorXd zeros(int particles) {
   return VectorXd::Zero(3 * particles);
 }
@@ -151,7 +149,7 @@ TEST(Histories, MeasuresEachLink) {
     const Vector3d a = s.x.segment<3>(3 * link.a), b = s.x.segment<3>(3 * link.b);
     expected[l] = (b - a - link.offset).norm() / link.length;
   }
-  expect_numbers(stretches_of(s), expected, 1e-12, "the largest stretches of three new links", kRounding);
+  expect_numbers(stretches_of(s), expected, 1e-12, "the largest stretches of three new links");
 }
 
 TEST(TurnedFrames, MeasuresFromTheFrame) {
@@ -177,7 +175,7 @@ TEST(WornLinks, OfAWornLink) {
 TEST(LinkForces, PullsBothEnds) {
   expect_entries(forces({link_of(1, 3)}, straight_frames(), one_number(0), pair_with(Vector3d(1, 0, 2))),
                  vector({0, 0, 16, 0, 0, -16}), 1e-11,
-                 "the force of a link whose b should be at (1, 0, 0), and is 2 m above it, 8 N/m", kRounding);
+                 "the force of a link whose b should be at (1, 0, 0), and is 2 m above it, 8 N/m");
 }
 
 TEST(TurnedFrames, PullsToWhereTheFrameIs) {
@@ -185,8 +183,7 @@ TEST(TurnedFrames, PullsToWhereTheFrameIs) {
   expect_entries(forces({link_of(1, 3)}, turned_frames(), one_number(0), x), vector({0, 0, 16, 0, 0, -16}),
                  1e-11,
                  "the force of a link whose b should be at (0, 1, 0), in a frame that takes x to y, and is 2 "
-                 "m above it, 8 N/m",
-                 kRounding);
+                 "m above it, 8 N/m");
 }
 
 // Links are numbered, and so are particles: a frame is that of the particle a.
@@ -195,12 +192,10 @@ TEST(TurnedFrames, TakesTheFrameOfEachLinksParticle) {
   const Linked s, same = s.straight();
   expect_numbers(
       stretches_of(s), stretches_of(same), 1e-12,
-      "stretches of three links, compared with those of links whose offsets are turned in place of frames",
-      kRounding);
+      "stretches of three links, compared with those of links whose offsets are turned in place of frames");
   expect_entries(
       forces(s.links, s.frames, s.largest, s.x), forces(same.links, same.frames, s.largest, s.x), 1e-11,
-      "forces of three links, compared with those of links whose offsets are turned in place of frames",
-      kRounding);
+      "forces of three links, compared with those of links whose offsets are turned in place of frames");
 }
 
 TEST(Added, AddsToWhatIsThereByAddLinkForce) {
@@ -232,7 +227,7 @@ TEST(WornLinks, TakeTheirOwnStrength) {
                 link_energy(fresh.links, s.frames, fresh.largest, s.x), 1e-11)
       << "the energy" << kCompared;
   expect_entries(forces(s.links, s.frames, s.largest, s.x), forces(fresh.links, s.frames, fresh.largest, s.x),
-                 1e-11, "the force" + kCompared, kRounding);
+                 1e-11, "the force" + kCompared);
 }
 
 TEST(LinkProducts, IsTheSlopeOfTheForce) {
@@ -249,7 +244,7 @@ TEST(LinkProducts, TakeTheStrengthOfEachLink) {
   const Linked s, fresh = s.as_weak_new_links();
   const VectorXd dx = scattered_vector(15, 2);
   expect_entries(products(s.links, s.largest, dx), products(fresh.links, fresh.largest, dx), 1e-11,
-                 "the product" + kCompared, kRounding);
+                 "the product" + kCompared);
 }
 
 TEST(Added, AddsToWhatIsThereByAddLinkProduct) {
@@ -267,18 +262,17 @@ TEST(OtherUnits, OfLinksOfAnySize) {
     std::vector<StaticLink> links = s.links;
     for (StaticLink& link : links) link.length *= scale, link.offset *= scale;
     expect_entries(forces(links, s.frames, s.largest, scale * s.x) / scale, expected, 1e-11,
-                   "forces, in units of 2^-50 or 2^40 m", kRounding);
+                   "forces, in units of 2^-50 or 2^40 m");
     VectorXd again = VectorXd::Zero(3);
     remember_stretches(links, s.frames, scale * s.x, again);
-    expect_entries(again, stretches, 1e-11, "stretches of links that are 2^-50 or 2^40 times as long",
-                   kRounding);
+    expect_entries(again, stretches, 1e-11, "stretches of links that are 2^-50 or 2^40 times as long");
   }
 }
 
 TEST(LinkProducts, IsSymmetric) {
   const Linked s;
   expect_symmetric([&](const VectorXd& dx) { return products(s.links, s.largest, dx); },
-                   scattered_vector(15, 4), scattered_vector(15, 5), 1e-11, kRounding);
+                   scattered_vector(15, 4), scattered_vector(15, 5), 1e-11);
 }
 
 // ---- Strips
@@ -367,10 +361,10 @@ TEST(Touches, SaysWhereThePointIs) {
     EXPECT_EQ(contact.point, 3);
     EXPECT_EQ(contact.corners, (std::array{0, 1, 2}));
     expect_entries(contact.normal, Vector3d(0, 0, side), 1e-12,
-                   "the normal, side " + std::to_string(static_cast<int>(side)), kRounding);
+                   "the normal, side " + std::to_string(static_cast<int>(side)));
     expect_numbers(Vector3d(contact.shares[0], contact.shares[1], contact.shares[2]),
                    Vector3d(0.5, 0.25, 0.25), 1e-12,
-                   "the shares of (0.5, 0.75) in the triangle (0, 0), (2, 0), (0, 3)", kRounding);
+                   "the shares of (0.5, 0.75) in the triangle (0, 0), (2, 0), (0, 3)");
   }
   // No right angle, and along no axis.
   VectorXd x = scattered_vector(12, 6);
@@ -379,10 +373,9 @@ TEST(Touches, SaysWhereThePointIs) {
   x.tail<3>() = 0.5 * a + 0.2 * b + 0.3 * c - 0.1 * normal;
   StripContact contact;
   EXPECT_TRUE(touch(x, -1, contact)) << "a point 0.1 below a triangle, thickness 0.25";
-  expect_entries(contact.normal, -normal, 1e-12, "the normal of a triangle along no axis, side -1",
-                 kRounding);
+  expect_entries(contact.normal, -normal, 1e-12, "the normal of a triangle along no axis, side -1");
   expect_numbers(Vector3d(contact.shares[0], contact.shares[1], contact.shares[2]), Vector3d(0.5, 0.2, 0.3),
-                 1e-12, "the shares in a triangle along no axis", kRounding);
+                 1e-12, "the shares in a triangle along no axis");
 }
 
 TEST(FlatTriangles, FindsEdgesAndNoFlatTriangle) {
@@ -473,7 +466,7 @@ TEST(StripForces, PushesThePointAndTheCorners) {
   expected[2] = -2;
   expected[5] = expected[8] = -1;
   expect_entries(strip_forces({some_contact()}, above_triangle(0.05)), expected, 1e-12,
-                 "forces of a contact 0.2 m too near, 40 N/m, weight 0.5, shares 0.5, 0.25, 0.25", kRounding);
+                 "forces of a contact 0.2 m too near, 40 N/m, weight 0.5, shares 0.5, 0.25, 0.25");
   expect_entries(strip_forces({some_contact()}, above_triangle(0.3)), zeros(4), 0,
                  "forces of a point farther away than the thickness", "0");
 }
@@ -502,7 +495,7 @@ TEST(StripForces, BalancesRightAfterTouching) {
   x.tail<3>() = 0.3 * a + 0.3 * b + 0.4 * c + 0.1 * (b - a).cross(c - a).normalized();
   StripContact contact;
   ASSERT_TRUE(touch(x, 1, contact)) << "a point 0.1 over a triangle; touch_strip must work first";
-  expect_balanced(strip_forces({contact}, x), x, 1e-11, kRounding);
+  expect_balanced(strip_forces({contact}, x), x, 1e-11);
 }
 
 TEST(StripProducts, IsTheSlopeOfTheForce) {
@@ -521,8 +514,7 @@ TEST(StripProducts, IsTheSlopeOfTheForce) {
   contacts[1].point = 4;
   expect_entries(strip_products(contacts, two, dx), strip_products({contacts[1]}, two, dx), 1e-12,
                  "the product of a contact that does not press and of one that does, compared with that of "
-                 "the second alone",
-                 kRounding);
+                 "the second alone");
   expect_entries(strip_products({some_contact()}, above_triangle(0.3), scattered_vector(12, 1)), zeros(4), 0,
                  "the product of a point farther away than the thickness", "0");
 }
@@ -538,7 +530,7 @@ TEST(Frictions, SlipsWithCoulombsForce) {
     expect_entries(
         after_friction(above_triangle(0.05), inverse_mass, 0.1, v), expected, 1e-12,
         "velocities after 0.1 s, (3, 4, 7) before; the corners are pinned, the point has 2, 1 or 0.5 kg",
-        kRounding, v);
+        "rounding", v);
   }
 }
 
@@ -554,8 +546,7 @@ TEST(Frictions, StopsThePointBesideCornersThatMove) {
   const double shares[] = {0.5, 0.25, 0.25};
   for (int j = 0; j < 3; ++j) expected.segment<3>(3 * j) -= shares[j] * inverse_mass[j] * impulse;
   expect_entries(after_friction(above_triangle(0.05), inverse_mass, 10, v), expected, 1e-12,
-                 "velocities after 10 s, inverse masses of corners 0.25, 1, 2 and of the point 0.5 / kg",
-                 kRounding);
+                 "velocities after 10 s, inverse masses of corners 0.25, 1, 2 and of the point 0.5 / kg");
 }
 
 TEST(PinnedFrictions, ChangesNothingWithoutFriction) {
@@ -581,7 +572,7 @@ TEST(Frictions, StopsAndDoesNotReverse) {
   expected[11] = 7;
   inverse_mass[3] = 2;
   expect_entries(after_friction(above_triangle(0.05), inverse_mass, 10, v), expected, 1e-12,
-                 "velocities after 10 s; the corners are pinned", kRounding);
+                 "velocities after 10 s; the corners are pinned");
   EXPECT_EQ(after_friction(above_triangle(0.3), inverse_mass, 10, v), v) << "nothing presses";
 }
 
@@ -614,7 +605,7 @@ TEST(OtherUnits, OfPointsOfAnySpeed) {
   const VectorXd before = scattered_vector(12, 3),
                  after = after_friction(above_triangle(0.05), inverse_mass, 10, before);
   expect_entries(after_friction(above_triangle(0.05), inverse_mass, 10, 0x1p-60 * before) * 0x1p60, after,
-                 1e-12, "velocities after 10 s, in units of 2^-60 m/s: the point sticks", kRounding);
+                 1e-12, "velocities after 10 s, in units of 2^-60 m/s: the point sticks");
 }
 
 TEST(Frictions, NeverAccelerates) {
@@ -634,8 +625,7 @@ TEST(Frictions, NeverAccelerates) {
     }
     EXPECT_LE(is, was * (1 + 1e-12))
         << "the kinetic energy after friction, in J, compared with that before it";
-    expect_entries(gained, zeros(1), 1e-10, "the momentum that friction adds to all particles together",
-                   kRounding);
+    expect_entries(gained, zeros(1), 1e-10, "the momentum that friction adds to all particles together");
   }
 }
 

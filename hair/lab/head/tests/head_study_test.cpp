@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(HeadStudy, Hairs, testing::Values("straight", "wavy", "
 // lie at most two lengths away.
 TEST_P(Hairs, HaveNoErrorIfEachIsAGuide) {
   const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 4);
-  const HeadCase one = studied(head, {true, 1, {4}});
+  const HeadCase one = studied(head, {true, {4}});
   ASSERT_EQ(one.runs.size(), 1u);
   EXPECT_EQ(one.runs[0].guides, 4);
   for (const ModeRun& mode : one.runs[0].modes)
@@ -59,26 +59,12 @@ TEST_P(Hairs, HaveNoErrorIfEachIsAGuide) {
     }
 }
 
-TEST_P(Hairs, HaveTheSameErrorsAgainOnTwoThreads) {
-  const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 4);
-  const HeadCase first = studied(head, {true, 1, {3}}), again = studied(head, {true, 2, {3}});
-  ASSERT_EQ(again.runs.size(), 1u);
-  for (std::size_t m = 0; m < kModes.size(); ++m) {
-    const HeadErrors &a = first.runs[0].modes[m].errors, &b = again.runs[0].modes[m].errors;
-    EXPECT_GT(a.end.rms, 0);
-    EXPECT_EQ(a.start.rms, b.start.rms);
-    EXPECT_EQ(a.end.rms, b.end.rms);
-    EXPECT_EQ(a.all.most, b.all.most);
-    EXPECT_EQ(a.motion.rms, b.motion.rms);
-  }
-}
-
 // If n guides are chosen farthest first, each root is within twice the least possible distance, which falls
 // as the root of n. So sixteen times the guides are at most half as far away. Interpolation between them has
 // an error of second order in this distance, and of first order at the rim, where there is no triangle: it
 // falls to a half at least. Extrapolation keeps the shape of the nearest guide: first order.
 TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
-  const HeadCase one = studied(smooth_patch(13), {false, 1, {4, 64}});
+  const HeadCase one = studied(smooth_patch(13), {false, {4, 64}});
   ASSERT_EQ(one.runs.size(), 2u);
   for (std::size_t m = 0; m < kModes.size(); ++m) {
     const HeadErrors &few = one.runs[0].modes[m].errors, &many = one.runs[1].modes[m].errors;
@@ -93,7 +79,7 @@ TEST(HeadStudy, ErrorsOfSmoothHairFallWithMoreGuides) {
 TEST(HeadStudy, SeesEveryStrandFirstAndThenEachNumberOfGuidesOnce) {
   const GrownHead head = grow_head(Bust(), hair_named("straight"), 8);
   std::vector<int> seen;
-  studied(head, {true, 1, {2, 4, 9}}, [&](int guides, std::span<const double> points) {
+  studied(head, {true, {2, 4, 9}}, [&](int guides, std::span<const double> points) {
     seen.push_back(guides);
     EXPECT_EQ(points.size(), 3u * 8 * head.hair->points);
   });
@@ -103,7 +89,7 @@ TEST(HeadStudy, SeesEveryStrandFirstAndThenEachNumberOfGuidesOnce) {
 TEST(HeadStudy, StopsIfInterrupted) {
   const std::atomic<bool> now = true;
   const GrownHead head = grow_head(Bust(), hair_named("straight"), 4);
-  EXPECT_FALSE(study_head(std::make_shared<Bust>(), head, {true, 1, {2}}, now, say_nothing, nullptr));
+  EXPECT_FALSE(study_head(std::make_shared<Bust>(), head, {true, {2}}, now, say_nothing, nullptr));
 }
 
 TEST(HeadHair, AllAlikeHasOneLength) {

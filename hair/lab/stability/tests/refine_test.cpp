@@ -19,12 +19,12 @@ using Classes = std::function<int(int column, int row)>;
 
 constexpr int kSize = 64;
 
-hair::RefinedGrid refined(const Classes& classes, int size = kSize) {
-  std::vector<int> calls(static_cast<std::size_t>(size) * size, 0);
+hair::RefinedGrid refined(const Classes& classes) {
+  std::vector<int> calls(kSize * kSize, 0);
   hair::RefinedGrid grid = hair::refine(
-      size, size,
+      kSize, kSize,
       [&](int column, int row) {
-        ++calls[static_cast<std::size_t>(row) * size + column];
+        ++calls[static_cast<std::size_t>(row) * kSize + column];
         return classes(column, row);
       },
       kNeverInterrupted);
@@ -85,21 +85,6 @@ TEST(Refine, FindsBoundariesThatBend) {
     }
 }
 
-// From one column to the next a boundary jumps, or the class above it becomes another.
-TEST(Refine, FindsWhatChangesFromOneColumnToTheNext) {
-  for (int edge = 1; edge < kSize; ++edge)
-    for (int jump = 3; jump <= 12; ++jump)
-      for (const bool jumps : {true, false}) {
-        const Classes classes = [&](int column, int row) {
-          if (jumps) return row < 20 + (column < edge ? 0 : jump) ? 0 : 1;
-          return row < 20 ? 0 : column < edge ? 1 : 2;
-        };
-        expect_same_within_a_cell(classes, refined(classes),
-                                  "edge " + std::to_string(edge) + ", jump " + std::to_string(jump));
-        if (HasFatalFailure()) return;
-      }
-}
-
 TEST(Refine, MeetsEveryIslandThatIsTwoColumnsWideAndAsHighAsItsStride) {
   const auto is_met = [](int column, int row, int width, int height) {
     const hair::RefinedGrid grid = refined([&](int c, int r) {
@@ -121,13 +106,6 @@ TEST(Refine, AnInterruptedGridSaysSo) {
       16, 16, [&](int, int) { return interrupted = ++calls == 5, 0; }, interrupted);
   EXPECT_FALSE(grid.complete);
   EXPECT_EQ(calls, 5);
-}
-
-TEST(Refine, GridsOfAnySizeAreFilled) {
-  for (const int size : {2, 3, 7, 8, 9, 10, 17}) {
-    const hair::RefinedGrid grid = refined([](int column, int row) { return row > column ? 1 : 0; }, size);
-    EXPECT_EQ(std::count(grid.cells.begin(), grid.cells.end(), -1), 0) << size;
-  }
 }
 
 }  // namespace

@@ -6,9 +6,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "hair/lab/stability/hanging.h"
 #include "hair/lab/stability/theory.h"
-#include "hair/lab/validate/hanging_chain.h"
 #include "hair/simulation/test_hairs.h"
 #include "solver/dense_solve.h"
 
@@ -88,22 +86,6 @@ TEST(StabilityTheory, ImplicitLimitsAreWhereTheStepsMatrixGrows) {
           << "H6, gamma " << gamma << ", part " << k;
   }
   EXPECT_TRUE(std::isinf(hair::implicit_limit(s.mass, s.k, s.k, 0)));  // the whole derivative: none
-}
-
-TEST(StabilityTheory, AHangingChainsFastestIsLaguerres) {
-  EXPECT_NEAR(hair::laguerre_zeros(1)[0], 1, 1e-14);
-  for (const int n : {2, 5, 10}) {
-    Description description = alone(straight_hair(n, 0.1 * n), Method::symplectic_euler, 1e-3);
-    description.gravity = kG * kDown;
-    hair::Strand& strand = description.strands[0].strand;
-    strand.mass[n] *= 2;  // full mass at the tip
-    strand.bend_rigidity = 0;
-    const hair::Hanging hanging = hair::hang(description, 1, false);
-    const double omega = hanging.across_modes.omega.maxCoeff();
-    // Hair stretches by at most its weight over EA, and links get longer by as much.
-    const double strain = strand.mass.sum() * kG / strand.stretch_rigidity;
-    EXPECT_NEAR(omega * omega / (kG / 0.1 * hair::laguerre_zeros(n)[n - 1]), 1, strain) << n << " masses";
-  }
 }
 
 }  // namespace
