@@ -5,10 +5,8 @@
 
 namespace hair {
 
-inline constexpr std::size_t kMostStrandPoints = 20'000'000, kMostRound = 100'000;
-
-// Throws std::invalid_argument with the reason: a number that is not finite, a radius or width that is not
-// positive, sizes that don't match their points, or more data than memory.
+// Throws std::invalid_argument with the reason: a place that is not finite, such as a strand of H10 may have,
+// or sizes that don't match their points.
 void check_drawing(const Drawing& drawing);
 
 }  // namespace hair

@@ -23,11 +23,6 @@ WIDE void five_points(int n, const double* __restrict x, const double* __restric
   for (int i = 0; i < n; ++i) out[i] = 4 * x[i] - (x[i - 1] + x[i + 1]) - (above[i] + below[i]);
 }
 
-WIDE void add_scaled(int n, double* __restrict a, const double* __restrict b, double s,
-                     const double* __restrict c) {
-  for (int i = 0; i < n; ++i) a[i] = b[i] + s * c[i];
-}
-
 }  // namespace
 
 void StrandOperator::matVecMult(double x[], double b[]) {
@@ -48,10 +43,6 @@ void PoissonOperator::matVecMult(double x[], double b[]) {
     five_points(m - 2, row + 1, above + 1, below + 1, out + 1);
     out[last] = 4 * row[last] - row[last - 1] - (above[last] + below[last]);
   }
-}
-
-void triad(int n, double a[], const double b[], double s, const double c[]) {
-  add_scaled(n, a, b, s, c);
 }
 
 }  // namespace solver_bench

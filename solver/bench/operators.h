@@ -32,7 +32,4 @@ class PoissonOperator : public implicitMatrix {
   std::vector<double> boundary_;  // the zeros above the first row and below the last row
 };
 
-// a = b + s c, the triad of the STREAM benchmark: measures the memory bandwidth.
-void triad(int n, double a[], const double b[], double s, const double c[]);
-
 }  // namespace solver_bench

@@ -11,7 +11,6 @@ namespace solver::study {
 namespace {
 
 constexpr int kMostIterations = 30000, kMostIterationsQuick = 4000;
-constexpr double kClusteredCondition = 1e4;
 constexpr int kSegments = 30;
 
 // Eigen's method behind ConjGrad's interface.
@@ -81,12 +80,6 @@ class Study {
       if (study_.quick && condition > 1e4) continue;
       study_.conditions.push_back(compared(spread_system(kUnknowns, condition)));
     }
-    say_("clustered eigenvalues");
-    for (const int clusters : {2, 5, 10, 20})
-      study_.clusters.push_back(compared(clustered_system(kUnknowns, kClusteredCondition, clusters)));
-    System spread = spread_system(kUnknowns, kClusteredCondition);
-    spread.name = std::to_string(kUnknowns) + " eigenvalues";
-    study_.clusters.push_back(compared(spread));
     say_("a strand");
     for (const double step : {1e-5, 1e-4, 1e-3, 1e-2}) {
       const SparseMatrix matrix = strand_matrix(kSegments, step);

@@ -66,7 +66,6 @@ struct SolverStudy {
   bool quick = false;
   int most_iterations = 0;           // the limit for every solver
   std::vector<Compared> conditions;  // spread spectra of growing condition number
-  std::vector<Compared> clusters;    // one condition number, different numbers of distinct eigenvalues
   std::vector<Compared> strands;     // a strand, for several time steps
   std::vector<IterationsNeeded> needed;
   std::vector<DigitsLost> digits;             // empty without normal equations

@@ -194,24 +194,6 @@ TEST(IterationsNeededTest, AreOnlyThoseThatLedThere) {
   EXPECT_EQ(iterations_needed(no_numbers, system, 1000), std::nullopt);
 }
 
-// The solver is called with as many iterations as before, and not with the number that it reported.
-TEST(HistoryTest, TimesWhatWasAskedFor) {
-  const System system = spread_system(10, 10);
-  int smallest = 1 << 30;
-  const ConjGradFunction watched = [&](int n, implicitMatrix*, double x[], double b[], double, int* steps) {
-    smallest = std::min(smallest, *steps);
-    std::copy(b, b + n, x);
-    *steps = 0;
-    return 0.0;
-  };
-  History history = history_of(watched, "lazy", system, 3, {});
-  time_in_turn(system, {{&watched, &history}}, {}, {0, 1}, {});
-  EXPECT_EQ(smallest, 1);
-
-  const std::atomic<bool> interrupted = true;
-  EXPECT_THROW(time_in_turn(system, {{&watched, &history}}, {}, {0, 1}, {&interrupted}), Interrupted);
-}
-
 // Compared calls are timed in turn: a temporary slowdown of the machine affects all of them.
 TEST(HistoryTest, OtherCallsAreTimedInTurnWithTheIterations) {
   const System system = spread_system(10, 10);
@@ -261,7 +243,7 @@ TEST(SolverStudyTest, WithoutNormalEquationsAllFamiliesAreMeasuredAndTimedBeside
   ASSERT_TRUE(study->not_written);
   EXPECT_STREQ(study->not_written->what(), "S2 solve_normal_equations is not implemented yet");
   EXPECT_TRUE(study->digits.empty());
-  for (const std::vector<Compared>* family : {&study->conditions, &study->clusters, &study->strands}) {
+  for (const std::vector<Compared>* family : {&study->conditions, &study->strands}) {
     EXPECT_GE(family->size(), 4);
     for (const Compared& on : *family) {
       EXPECT_EQ(on.direct.has_value(), family == &study->strands) << "full matrices have no band";

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLongest = 130, kShortest = 20;  // pixels
 constexpr double kComfortable = 26;               // pixels to other drawings: more is no better
-constexpr int kColumns = 28, kRows = 22;          // tried places
+constexpr int kColumns = 20, kRows = 16;          // tried places
 
 Spot between(const Spot& a, const Spot& b, double part) {
   return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
@@ -28,43 +28,13 @@ std::vector<Spot> spots_of(const PlacedGuide& guide, double label_width) {
   return spots;
 }
 
-// The distance from any point of a box to the nearest taken spot, to about half a cell.
-class Clearance {
- public:
-  explicit Clearance(const Box& box)
-      : box_(box),
-        columns_(1 + static_cast<int>(box.width / kCell)),
-        rows_(1 + static_cast<int>(box.height / kCell)),
-        squared_(static_cast<std::size_t>(columns_) * rows_, kFar * kFar) {}
-
-  void take(const std::vector<Spot>& spots) {
-    for (int row = 0; row < rows_; ++row)
-      for (int column = 0; column < columns_; ++column) {
-        double& least = squared_[static_cast<std::size_t>(row) * columns_ + column];
-        const double x = box_.left + (column + 0.5) * kCell, y = box_.top + (row + 0.5) * kCell;
-        for (const Spot& spot : spots)
-          least = std::min(least, (spot.x - x) * (spot.x - x) + (spot.y - y) * (spot.y - y));
-      }
-  }
-
-  double at(const Spot& spot) const {
-    const int column = std::clamp(static_cast<int>((spot.x - box_.left) / kCell), 0, columns_ - 1);
-    const int row = std::clamp(static_cast<int>((spot.y - box_.top) / kCell), 0, rows_ - 1);
-    return std::sqrt(squared_[static_cast<std::size_t>(row) * columns_ + column]);
-  }
-
- private:
-  static constexpr double kCell = 8, kFar = 1e4;  // pixels
-
-  Box box_;
-  int columns_, rows_;
-  std::vector<double> squared_;
-};
-
-double clearance_of(const std::vector<Spot>& spots, const Clearance& clearance) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Spot& spot : spots) least = std::min(least, clearance.at(spot));
-  return least;
+// The least distance between two of these.
+double distance(const std::vector<Spot>& spots, const std::vector<Spot>& taken) {
+  double squared = std::numeric_limits<double>::infinity();
+  for (const Spot& a : spots)
+    for (const Spot& b : taken)
+      squared = std::min(squared, (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+  return std::sqrt(squared);
 }
 
 // Beyond the comfortable distance, nearer is better.
@@ -73,7 +43,7 @@ double quality(double distance) {
 }
 
 PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const Scale& y,
-                  const Clearance& clearance) {
+                  const std::vector<Spot>& taken) {
   const double across = box.width / (x.place(x.high()) - x.place(x.low()));  // pixels a decade
   const double up = box.height / (y.place(y.high()) - y.place(y.low()));
   const double norm = std::hypot(across, guide.slope * up);
@@ -94,7 +64,7 @@ PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const
                    std::max(0.0, -along.y);
       one.to = {one.from.x + along.x, one.from.y + along.y};
       one.label = {one.to.x + margin, one.to.y + kSmall / 3};
-      const double q = quality(clearance_of(spots_of(one, label_width), clearance));
+      const double q = quality(distance(spots_of(one, label_width), taken));
       if (q > best_quality) {
         best_quality = q;
         best = one;
@@ -106,13 +76,12 @@ PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const
 }  // namespace
 
 std::vector<PlacedGuide> place_guides(const std::vector<SlopeGuide>& guides, const Box& box, const Scale& x,
-                                      const Scale& y, const std::vector<Spot>& taken) {
+                                      const Scale& y, std::vector<Spot> taken) {
   std::vector<PlacedGuide> placed;
-  Clearance clearance(box);
-  clearance.take(taken);
   for (const SlopeGuide& guide : guides) {
-    placed.push_back(place(guide, box, x, y, clearance));
-    clearance.take(spots_of(placed.back(), text_width(guide.name, kSmall)));
+    placed.push_back(place(guide, box, x, y, taken));
+    const std::vector<Spot> spots = spots_of(placed.back(), text_width(guide.name, kSmall));
+    taken.insert(taken.end(), spots.begin(), spots.end());
   }
   return placed;
 }

@@ -22,6 +22,6 @@ struct PlacedGuide {
 // One for each guide, all inside the box and away from the points `taken`. The same input gives the same
 // places.
 std::vector<PlacedGuide> place_guides(const std::vector<SlopeGuide>& guides, const Box& box, const Scale& x,
-                                      const Scale& y, const std::vector<Spot>& taken);
+                                      const Scale& y, std::vector<Spot> taken);
 
 }  // namespace hair::plot

@@ -11,7 +11,7 @@ struct ConvertOptions {
   std::filesystem::path in, out;
   double scale = 1;
   long every = 1;
-  int points = 0;      // per strand; 0: unchanged
+  int points = 0;  // per strand; 0: unchanged
 };
 
 struct GrowOptions {

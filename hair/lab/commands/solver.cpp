@@ -28,7 +28,7 @@ int run(const ShellOptions& options, const Course& course) {
                                : studied.normal_equations ? ""
                                                           : "this course has no S2";
   std::vector<solver::study::Compared> all;
-  for (const auto* family : {&study->conditions, &study->clusters, &study->strands})
+  for (const auto* family : {&study->conditions, &study->strands})
     all.insert(all.end(), family->begin(), family->end());
   shell.keep(solver_json(*study, left_out), solver_page(*study, left_out),
              {{"convergence.csv", convergence_rows(all)},

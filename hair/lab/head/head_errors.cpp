@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace hair::head_study {
 namespace {
@@ -29,11 +27,6 @@ void HeadErrorTally::add(std::span<const double> made, std::span<const double> s
                          const Eigen::Matrix3d& turn) {
   const std::size_t numbers = 3 * static_cast<std::size_t>(points_);
   const bool starts = at_start_.empty();
-  if (made.size() != simulated.size() || made.empty() || made.size() % numbers != 0 ||
-      (!starts && made.size() != at_start_.size()))
-    throw std::invalid_argument(
-        "hair of " + std::to_string(made.size()) + " and " + std::to_string(simulated.size()) +
-        " numbers; both must have the same at each moment, " + std::to_string(numbers) + " for each strand");
   if (starts) at_start_.resize(made.size());
   of_strands_.assign(made.size() / numbers, 0);
   motion_of_strands_ = of_strands_;

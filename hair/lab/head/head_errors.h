@@ -30,8 +30,8 @@ class HeadErrorTally {
  public:
   explicit HeadErrorTally(int points) : points_(points) {}
 
-  // Call this at each moment in order, the start first: 3 numbers a point, strand after strand, at least one;
-  // `turn`: the head's rotation since the start. Throws std::invalid_argument for spans of other sizes.
+  // Call this at each moment in order, the start first: 3 numbers a point, strand after strand, at least one,
+  // as many each time. `turn`: the head's rotation since the start.
   void add(std::span<const double> made, std::span<const double> simulated, const Eigen::Matrix3d& turn);
 
   const HeadErrors& errors() const { return errors_; }

@@ -16,10 +16,6 @@ using namespace solver::study;
 // Gives a history its name in a legend.
 using Named = std::string (*)(const History&);
 
-std::string system_name(const History& history) {
-  return history.system;
-}
-
 std::string step_name(const History& history) {
   return step_of(history.system);
 }
@@ -104,29 +100,6 @@ Section conditions_section(const SolverStudy& study) {
        time_verdict(study.conditions)},
       {to_svg(error), to_svg(residual), to_svg(time)},
       tables_of(study.conditions, "Condition numbers")};
-}
-
-Section clusters_section(const SolverStudy& study) {
-  const std::string found = clusters_verdict(study.clusters);
-  Figure error =
-      figure_of(Drawn::conj_grad, study.clusters, system_name, "error-for-clusters",
-                "Error of ConjGrad against iterations: clustered eigenvalues",
-                "Without rounding k different eigenvalues take k iterations; with it, more. " + found,
-                Against::iterations, Measure::error);
-  const History& spread = study.clusters.back().conj_grad;
-  error.series.push_back(bound_of(spread, "bound, all of them", static_cast<int>(study.clusters.size()) - 1));
-  Figure time = figure_of(Drawn::all_solvers, study.clusters, system_name, "error-for-clusters-against-time",
-                          "Error against CPU time: clustered eigenvalues",
-                          "The fewer different eigenvalues, the less time.", Against::time, Measure::error);
-  return {"Clustered eigenvalues",
-          {"The condition number is " + to_text(spread.condition) +
-           " for all of them, and the bound the same. But what counts is how many different eigenvalues "
-           "there are: without rounding, k of them take k iterations. The polynomial that is zero at all of "
-           "them is large between them, though, and makes roundings as much larger: so it takes more "
-           "iterations the more clusters there are. " +
-           found + " (Not each number of iterations is tried.)"},
-          {to_svg(error), to_svg(time)},
-          tables_of(study.clusters, "Clustered eigenvalues")};
 }
 
 Section strands_section(const SolverStudy& study) {

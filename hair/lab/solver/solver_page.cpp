@@ -117,8 +117,7 @@ Page solver_page(const SolverStudy& study, const std::string& left_out) {
                 "Cholesky and QR. Times are CPU time, medians of repeats."},
                {}};
   if (!left_out.empty()) page.paragraphs.push_back("The normal equations are left out: " + left_out + ".");
-  page.sections = {conditions_section(study), clusters_section(study), strands_section(study),
-                   needed_section(study)};
+  page.sections = {conditions_section(study), strands_section(study), needed_section(study)};
   if (!study.digits.empty()) page.sections.push_back(digits_section(study));
   return page;
 }

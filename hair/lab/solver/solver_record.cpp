@@ -86,7 +86,6 @@ OrderedJson solver_json(const SolverStudy& study, const std::string& left_out) {
     for (const Row& row : direct_rows(systems)) direct.push_back(json_of(row));
   };
   add("condition numbers", study.conditions);
-  add("clusters", study.clusters);
   add("strands", study.strands);
   return {{"format", 2},
           {"seconds", study.cpu_seconds},

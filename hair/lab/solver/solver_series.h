@@ -27,7 +27,6 @@ std::string condition_name(const solver::study::History& history);
 
 // A section for each family of systems.
 Section conditions_section(const solver::study::SolverStudy& study);
-Section clusters_section(const solver::study::SolverStudy& study);
 Section strands_section(const solver::study::SolverStudy& study);
 
 }  // namespace hair::solver_lab

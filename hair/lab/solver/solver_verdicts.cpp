@@ -59,16 +59,6 @@ std::string bound_verdict(const std::vector<Compared>& systems) {
              : "ConjGrad's errors are above the bound, where theory has none: " + listed(above) + ".";
 }
 
-std::string clusters_verdict(const std::vector<Compared>& clusters) {
-  std::vector<std::string> taken;
-  for (const Compared& on : clusters) {
-    const Progress* there = good(on.conj_grad);
-    taken.push_back((there ? std::to_string(there->iterations) : "never") + " (" + on.conj_grad.system + ")");
-  }
-  return "ConjGrad's error is first seen below " + to_text(kGood) +
-         " after so many iterations: " + listed(taken) + ".";
-}
-
 std::string time_verdict(const std::vector<Compared>& systems) {
   std::string text;
   for (const Compared* on : {&systems.front(), &systems.back()}) {

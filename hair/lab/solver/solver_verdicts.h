@@ -12,9 +12,6 @@ namespace hair::solver_lab {
 // Compares ConjGrad's errors with the theory's bound, as long as they are well above rounding.
 std::string bound_verdict(const std::vector<solver::study::Compared>& systems);
 
-// The iterations that ConjGrad took for each system.
-std::string clusters_verdict(const std::vector<solver::study::Compared>& clusters);
-
 // The times of ConjGrad, Eigen's conjugate gradients and the direct solver on the first and the last system.
 std::string time_verdict(const std::vector<solver::study::Compared>& systems);
 

@@ -36,14 +36,6 @@ const char* const kWarns =
  "hair": [{"segments": 30, "length": 0.3, "clamped": false, "material": {"stretch_factor": 1e6},
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-// Two guides whose roots move apart: the link at their tips breaks.
-const char* const kLinked = R"({"shows": "links break", "frames": 12, "frames_per_second": 60,
- "steps_per_frame": 4, "method": "implicit_euler",
- "motions": [{"name": "away", "keys": [{"time": 0}, {"time": 0.15, "position": [0.02, 0, 0]}]}],
- "hair": [{"segments": 3, "length": 0.03, "roots": {"list": [{"position": [0, 0, 0]}]}},
-          {"segments": 3, "length": 0.03, "roots": {"list": [{"position": [0.01, 0, 0]}]}, "moves_with": "away"}],
- "links": {"stiffness": 1e-4, "yields": 0.1, "breaks": 0.5, "neighbours": "both"}})";
-
 Json read_run(const fs::path& folder) {
   return Json::parse(bytes_of(folder / "run.json"));
 }
@@ -158,19 +150,6 @@ TEST_F(Hairlab, WritesAllButPicturesWithoutOpenGl) {
   EXPECT_EQ(folder_.names("out"),
             (std::vector<std::string>{"motion.json", "run.json", "states.bin", "states.csv"}));
   EXPECT_TRUE(has(read_run(out_)["no_pictures"], "libosmesa6"));
-}
-
-TEST_F(Hairlab, WritesWhichLinksBrokeWhen) {
-  ASSERT_EQ(play(kLinked, {"--no-render"}).code, 0);
-  const StatesFile states = read_states(out_ / "states.bin");
-  EXPECT_EQ(states.frames.size(), 13U);
-  ASSERT_TRUE(states.links);
-  const Json links = read_run(out_)["links"];
-  EXPECT_EQ(links["links"], states.links->particles.size());
-  EXPECT_GT(states.links->broken.size(), 0U);
-  EXPECT_EQ(links["broken"], states.links->broken.size());
-  EXPECT_EQ(links["first_broken"], states.links->broken.front().step);
-  EXPECT_GT(links["worn_off"], 0);
 }
 
 TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {

@@ -32,9 +32,8 @@ void look_at_solver(const Json& record, const std::string& page) {
   EXPECT_LE(needed["normal_equations"], 10 * needed["condition"].get<double>()) << needed;
   for (const char* figure :
        {"error-against-iterations", "squared-residual-against-iterations", "error-against-time",
-        "error-for-clusters", "error-for-clusters-against-time", "strand-error-against-products",
-        "strand-squared-residual-against-iterations", "strand-error-against-time",
-        "iterations-against-condition", "error-against-condition"})
+        "strand-error-against-products", "strand-squared-residual-against-iterations",
+        "strand-error-against-time", "iterations-against-condition", "error-against-condition"})
     EXPECT_TRUE(has(page, "id=\"" + std::string(figure) + "\"")) << figure;
 }
 
