@@ -3,6 +3,7 @@
 #include <numbers>
 #include <string>
 
+#include "hair/lab/validate/dispersion.h"
 #include "hair/lab/validate/measure_mode.h"
 #include "hair/lab/validate/validations.h"
 
