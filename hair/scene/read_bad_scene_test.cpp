@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"("curly": {"radius": 0.005, "pitch": 0.1})", "",
              "hair[1].shape: has 0 keys; give one of: wavy, curly"},
         Slip{R"("line": {)", R"("groom": {)",
-             "hair[2].roots: unknown key \"groom\"; known here: list, line, disc, cap, bust"},
+             "hair[2].roots: unknown key \"groom\"; known here: list, line, disc, cap"},
         Slip{R"("frames": 2,)", R"("frames": 2, "frames": 3,)",
              "\"frames\" stands twice in the same object; keep one of them"},
         Slip{R"({"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "friction": 0.5})",
