@@ -109,7 +109,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     if (const std::optional<Recorded> earlier = earlier_of(submission); settings.merge && earlier)
       keep_other_exercises(one, *earlier, grading.course());
     one.result.studied = graded.study.has_value();
-    if (graded.study) one.study = {*graded.study, *grading.reference().study};
+    one.study = std::move(graded.study);
     compare_times(submission.name, record.put(one, handed_in), handed_in.time);
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     if (hidden) hide(*hidden, one.result);
@@ -131,7 +131,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     submission.drawn_from = record.drawn_from(submission.name);
     const std::optional<Recorded> earlier = earlier_of(submission);
     if (resume && earlier) {
-      const bool complete = earlier->result.studied || !grading.reference().study;
+      const bool complete = earlier->result.studied || !grading.studies();
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
         const HandedIn handed_in = handed_in_of(submission);

@@ -19,7 +19,7 @@ namespace grader::inline class_folder {
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people) {
   if (one.study)
-    write_study(folder, one.result, one.study->own, one.study->beside_itself, people);
+    write_study(folder, one.result, *one.study, people);
   else
     remove_study(folder, one.result);
   write_submission_reports(folder, one.result, people);
@@ -48,6 +48,7 @@ ShownClass read_class(Record& record, const std::function<void(const Recorded&)>
     if (!one) continue;  // this student has just been forgotten
     each(*one);
     all.facts.late[name] = one->late;
+    if (one->study) all.facts.studies.emplace_back(name, *one->study);
     all.results.push_back(std::move(one->result));
   }
   const std::vector<ClassLine> lines = lines_of(record.class_list(), record.hand_ins());

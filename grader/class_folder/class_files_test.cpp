@@ -44,7 +44,7 @@ TEST_F(ClassFiles, AreThoseOfTheRecordWhateverBecameOfThem) {
   SubmissionResult studied = sample_class(1).front();
   studied.name = "studied";
   studied.studied = true;
-  record_.put({studied, StudyPair{}, cost(1)});
+  record_.put({studied, SubmissionStudy{}, cost(1)});
   write();
   const std::map<std::string, std::string> made = files();
   EXPECT_TRUE(made.contains("studied/study.html"));
@@ -71,7 +71,7 @@ TEST_F(ClassFiles, AreTheSameBeforeAndAfterTheRecord) {
 TEST_F(ClassFiles, OfOneWhoIsGradedAgainWithoutAStudyHaveNone) {
   SubmissionResult alice = sample_class(1).front();
   alice.studied = true;
-  record_.put({alice, StudyPair{}, {}});
+  record_.put({alice, SubmissionStudy{}, {}});
   write();
   alice.studied = false;
   record_.put({alice});

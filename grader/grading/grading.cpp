@@ -165,7 +165,7 @@ void Grading::grade_one(const Submission& submission, const Exercise& exercise, 
 
 // Grades all files together, at the end.
 void Grading::finish(Graded& graded) const {
-  if (reference_.study) {
+  if (studies()) {
     try {
       graded.study =
           jobs_.run_study(study_job(jobs_, graded.job, graded.result), graded.timing[kStudy]).study.value();

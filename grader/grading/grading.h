@@ -50,6 +50,7 @@ class Grading {
   std::string fingerprint(const Submission& submission) const;
 
   const Course& course() const { return settings_.course; }
+  bool studies() const { return settings_.study && !settings_.exercise; }
   Isolation isolation() const { return settings_.isolation; }
   bool looks_for_memory_errors() const { return settings_.memory_errors; }
   const MadeBy& made_by() const { return made_by_; }

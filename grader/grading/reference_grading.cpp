@@ -13,16 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void study_reference(const SuiteJobs& jobs, ReferenceGraded& graded) {
-  SuiteJob suite = jobs.study(jobs.kit().new_job("reference-study"));
-  suite.objects = suite.reference_objects;
-  try {
-    graded.study = jobs.run_study(suite, graded.timing[kStudy]).study.value();
-  } catch (const std::exception& problem) {
-    graded.problems.push_back(std::string("the studies: the reference's failed: ") + problem.what());
-  }
-}
-
 // The worker's output may have the reason: the sanitizers' runtime writes there what it could not do.
 std::string also_said(const fs::path& log) {
   const std::string text = beginning_of(log, 400);
@@ -63,7 +53,6 @@ ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler)
     if (!jobs.selected(exercise)) continue;
     grade_exercise_of_reference(jobs, compiler, exercise, graded.timing[exercise.id]);
   }
-  if (jobs.settings().study && !jobs.settings().exercise) study_reference(jobs, graded);
   return graded;
 }
 

@@ -8,13 +8,11 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/grading/suite_jobs.h"
-#include "grader/result/study.h"
 
 namespace grader::inline grading {
 
 struct ReferenceGraded {
   TimingByExercise timing;               // by exercise, and for kStudy
-  std::optional<SubmissionStudy> study;  // is compared with itself: deviations of its ratios from 1 are noise
   std::vector<std::string> problems;     // concern studies; they don't affect grades
 };
 

@@ -142,14 +142,14 @@ std::string Record::drawn_from(const std::string& name) {
 std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   const SubmissionResult& result = one.result;
   std::map<std::string, std::string> pictures;
-  const std::string text = text_of(result, pictures), study = one.study ? compact(one.study->own) : "",
-                    beside = one.study ? compact(one.study->beside_itself) : "", costs = compact(one.costs);
+  const std::string text = text_of(result, pictures), study = one.study ? compact(*one.study) : "",
+                    costs = compact(one.costs);
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   make_assignment();
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
-                {assignment, id, result.origin, text, study, beside, costs});
+                {assignment, id, result.origin, text, study, "", costs});
   leave_stage(id);
   if (hand_in_.ends_with(kStage))
     database_.run("DELETE FROM log WHERE assignment = ? AND person = ?", {assignment, id});
@@ -232,25 +232,22 @@ std::optional<SubmissionResult> Record::find_without_pictures(const std::string&
 }
 
 std::optional<Recorded> Record::read(const std::string& name, bool with_pictures) {
-  std::string text, study, beside, costs;
+  std::string text, study, costs;
   const std::string where = printable(database_.file().string(), 4096) + ": the result of " + name;
   database_.each(
-      "SELECT result, study, beside_itself, costs FROM results JOIN people ON people.id = person WHERE "
+      "SELECT result, study, costs FROM results JOIN people ON people.id = person WHERE "
       "assignment = ? AND name = ?",
       {assignment(), name}, [&](const DatabaseRow& row) {
         text = row.text(0);
         study = row.text(1);
-        beside = row.text(2);
-        costs = row.text(3);
+        costs = row.text(2);
       });
   if (text.empty()) return {};
   Recorded one{from_json_text<SubmissionResult>(
       text, where,
       {{}, [&](const std::string& digest) { return with_pictures ? picture(digest) : std::string(); }})};
   one.costs = from_json_text<TimingByExercise>(costs, where);
-  if (!study.empty())
-    one.study = {from_json_text<SubmissionStudy>(study, where),
-                 from_json_text<SubmissionStudy>(beside, where)};
+  if (!study.empty()) one.study = from_json_text<SubmissionStudy>(study, where);
   return one;
 }
 

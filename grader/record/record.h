@@ -36,13 +36,9 @@ inline constexpr const char* kRecordFile = "class.sqlite";  // no submission has
 // stage is a hand-in that only its own Record sees. No hand-in of a course file has a line break.
 inline constexpr const char* kStage = "\nstage";
 
-struct StudyPair {
-  SubmissionStudy own, beside_itself;  // the student's, and the reference's in the same run
-};
-
 struct Recorded {
   SubmissionResult result;
-  std::optional<StudyPair> study = {};
+  std::optional<SubmissionStudy> study = {};
   TimingByExercise costs = {};
   Lateness late = {};  // set by find_decided
 };

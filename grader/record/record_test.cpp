@@ -47,7 +47,7 @@ TEST_P(RecordOfAClass, ReplacesAResultAndLogsBoth) {
   record.put({result, {}, {{"S1", {1}}}});
   result.exercises[0].points = 0;
   const SubmissionStudy study{};
-  record.put({result, StudyPair{study, study}, {{"S1", {2}}}});
+  record.put({result, study, {{"S1", {2}}}});
   const Recorded found = record.find("alice").value();
   EXPECT_EQ(found.result, result);
   EXPECT_TRUE(found.study);

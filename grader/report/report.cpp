@@ -61,10 +61,10 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
 }
 
 void write_study(const fs::path& dir, const SubmissionResult& result, const SubmissionStudy& study,
-                 const SubmissionStudy& beside_itself, const NamesForPeople& people) {
+                 const NamesForPeople& people) {
   check_name(result.name);
   put_file(dir / result.name / "study.json", json_text(study, 1));
-  put_file(dir / result.name / "study.html", study_page(result, study, beside_itself, people));
+  put_file(dir / result.name / "study.html", study_page(result, study, people));
 }
 
 void remove_study(const fs::path& dir, const SubmissionResult& result) {

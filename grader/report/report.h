@@ -34,8 +34,7 @@ void write_submission_reports(const std::filesystem::path& dir, const Submission
 // write_study writes the pages of a study, before the reports, which link to them if result.studied.
 // remove_study removes them.
 void write_study(const std::filesystem::path& dir, const SubmissionResult& result,
-                 const SubmissionStudy& study, const SubmissionStudy& beside_itself,
-                 const NamesForPeople& people = {});
+                 const SubmissionStudy& study, const NamesForPeople& people = {});
 void remove_study(const std::filesystem::path& dir, const SubmissionResult& result);
 
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results,

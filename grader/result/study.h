@@ -65,15 +65,18 @@ struct PartStudy {
   int rounds = 0;          // counts complete rounds; 0: times are of first runs
   StudyCurve student, reference;
 
-  std::optional<TimeRatio> ratio;  // nothing if the two have no common error
-  std::string note = {};           // omissions and their reasons
+  std::optional<TimeRatio> ratio;  // nothing if there is no error that both reach while they fall
+  std::optional<TimeRatio> noise =
+      {};                 // is the ratio of a second worker of the reference, in the same rounds
+  std::string note = {};  // omissions and their reasons
 
   bool operator==(const PartStudy&) const = default;
 };
 
 struct SceneStudy {
   std::string name, shows;
-  std::string left_out = {};  // not empty: the reason why there are no parts
+  std::string left_out = {};                // not empty: the reason why there are no parts
+  std::vector<std::string> exercises = {};  // "H4": those that it calls
   std::vector<PartStudy> parts = {};
 
   bool operator==(const SceneStudy&) const = default;

@@ -36,17 +36,27 @@ const Rows<TimeRatio>& Fields<TimeRatio>::rows() {
 const Rows<PartStudy>& Fields<PartStudy>::rows() {
   using T = PartStudy;
   static const Rows<T> all = {
-      field("name", &T::name),       field("duration", &T::duration),  field("own_steps", &T::own_steps),
-      field("order", &T::order),     field("truth", &T::truth),        field("least_error", &T::least_error),
-      field("rounds", &T::rounds),   field("time_ratio", &T::ratio),   field("note", &T::note),
-      field("student", &T::student), field("reference", &T::reference)};
+      field("name", &T::name),
+      field("duration", &T::duration),
+      field("own_steps", &T::own_steps),
+      field("order", &T::order),
+      field("truth", &T::truth),
+      field("least_error", &T::least_error),
+      field("rounds", &T::rounds),
+      field("time_ratio", &T::ratio),
+      field("note", &T::note),
+      field<T>("noise", &T::noise, [](const T& part) { return part.noise.has_value(); }),
+      field("student", &T::student),
+      field("reference", &T::reference)};
   return all;
 }
 
 const Rows<SceneStudy>& Fields<SceneStudy>::rows() {
   using T = SceneStudy;
-  static const Rows<T> all = {field("name", &T::name), field("shows", &T::shows),
-                              field("left_out", &T::left_out), field("parts", &T::parts)};
+  static const Rows<T> all = {
+      field("name", &T::name), field("shows", &T::shows), field("left_out", &T::left_out),
+      field("parts", &T::parts),
+      field<T>("exercises", &T::exercises, [](const T& scene) { return !scene.exercises.empty(); })};
   return all;
 }
 

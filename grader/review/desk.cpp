@@ -221,8 +221,7 @@ hair::WebAnswer Desk::page_of_class(const std::string& path) {
       return {200, report::student_page(one->result, people), hair::kHtmlType};
   } else if (rest.empty() && second == "study.html") {
     if (const auto one = recorded(first); one && one->study)
-      return {200, report::study_page(one->result, one->study->own, one->study->beside_itself, people),
-              hair::kHtmlType};
+      return {200, report::study_page(one->result, *one->study, people), hair::kHtmlType};
   }
   return {404, "the desk has no such page; files are written when it ends\n"};
 }

@@ -32,9 +32,9 @@ std::string why_not_run(const std::vector<std::string>& exercises,
 
 // Studies all scenes, one after the other. Scenes that can't run have a reason in the result; the result
 // lacks scenes that need an exercise that the course leaves out.
-SubmissionStudy study_submission(Student& student, Student& reference, const SuiteJob& job,
+SubmissionStudy study_submission(Student& student, Student& reference, Student& twin, const SuiteJob& job,
                                  const StudySettings& settings) {
-  WorkerRunner their_worker(student), ours(reference);
+  WorkerRunner their_worker(student), ours(reference), ours_again(twin);
   UntilItGivesUp theirs(their_worker, settings.most_wall_seconds);
   SubmissionStudy study;
   for (const SceneText& text : studied_scenes()) {
@@ -43,13 +43,16 @@ SubmissionStudy study_submission(Student& student, Student& reference, const Sui
     if (std::ranges::any_of(exercises, [&](const std::string& id) { return job.left_out.contains(id); }))
       continue;
     SceneStudy& one = study.scenes.emplace_back(SceneStudy{text.name, scene.shows});
+    one.exercises = exercises;
     one.left_out = why_not_run(exercises, job.unavailable);
     if (!one.left_out.empty()) continue;
     for (const StudiedPart& part : parts_of(text))
-      one.parts.push_back(study_part(part, true_motion(part, job.motions), theirs, ours, settings));
+      one.parts.push_back(
+          study_part(part, true_motion(part, job.motions), theirs, ours, ours_again, settings));
   }
   student.finish();
   reference.finish();
+  twin.finish();
   study.student_seconds = student.cpu_seconds();
   study.reference_seconds = reference.cpu_seconds();
   return study;
@@ -68,9 +71,9 @@ SuiteResult run(const SuiteJob& job) {
   of_reference.objects = job.reference_objects;
   of_reference.allowance = std::make_shared<Allowance>(Allowance{limit});
 
-  Student student(worker), reference(of_reference);
+  Student student(worker), reference(of_reference), twin(of_reference);
   SuiteResult result;
-  result.study = study_submission(student, reference, job, settings);
+  result.study = study_submission(student, reference, twin, job, settings);
   add_costs(student, worker, result);
   return result;
 }

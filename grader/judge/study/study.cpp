@@ -2,6 +2,7 @@
 #include "grader/judge/study/study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -64,43 +65,60 @@ StudyPoint judged(const Division& division, const Played& played, const Truth& t
   return point;
 }
 
-std::vector<hair::Sample> samples_of(const StudyCurve& curve, std::size_t round) {
-  std::vector<hair::Sample> samples;
+// True if the error falls from one run to the next as a method's does. Slower than that it stalls. What falls
+// faster than the order allows is chance: a dip in which errors cancel.
+bool falls(const StudyPoint& one, const StudyPoint& next, int order) {
+  constexpr double kLeastOrder = 0.5;
+  const double steps = static_cast<double>(next.steps) / one.steps;
+  const double slope = std::log(one.error / next.error) / std::log(steps);
+  return slope >= kLeastOrder && slope <= order + 1;
+}
+
+// Returns the runs between which the error falls.
+std::vector<hair::Sample> samples_of(const StudyCurve& curve, std::size_t round, int order) {
+  std::vector<const StudyPoint*> finished;
   for (const StudyPoint& point : curve.points)
-    if (point.end == StudyEnd::finished && round < point.seconds.size())
-      samples.push_back({point.seconds[round], point.error});
+    if (point.end == StudyEnd::finished && round < point.seconds.size()) finished.push_back(&point);
+  std::vector<hair::Sample> samples;
+  for (std::size_t i = 0; i < finished.size(); ++i)
+    if ((i > 0 && falls(*finished[i - 1], *finished[i], order)) ||
+        (i + 1 < finished.size() && falls(*finished[i], *finished[i + 1], order)))
+      samples.push_back({finished[i]->seconds[round], finished[i]->error});
   return samples;
 }
 
-std::optional<TimeRatio> ratio_of(const PartStudy& part) {
+std::optional<TimeRatio> ratio_of(const PartStudy& part, const StudyCurve& curve) {
   std::vector<double> ratios;
   for (std::size_t at = 0; at < static_cast<std::size_t>(std::max(part.rounds, 1)); ++at)
-    if (const auto ratio =
-            time_ratio(samples_of(part.student, at), samples_of(part.reference, at), part.least_error))
+    if (const auto ratio = time_ratio(samples_of(curve, at, part.order),
+                                      samples_of(part.reference, at, part.order), part.least_error))
       ratios.push_back(*ratio);
   if (ratios.empty()) return {};
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   return TimeRatio{timing::median(ratios), *least, *most};
 }
 
+using Sides = std::array<Side*, 3>;  // the student's, ours, ours again
+
 class PartStudied {
  public:
   PartStudied(const StudiedPart& part, const Truth& truth, const StudySettings& settings, const Asked& asked)
       : part_(part), truth_(truth), settings_(settings), asked_(asked) {}
 
-  PartStudy study(Runner& student, Runner& reference) {
-    Side theirs{student, true}, ours{reference, false};
+  PartStudy study(Runner& student, Runner& reference, Runner& twin) {
+    Side theirs{student, true}, ours{reference, false}, ours_again{twin, false};
+    const Sides sides = {&theirs, &ours, &ours_again};
     const Division own{part_.scene.frames, part_.scene.steps_per_frame};
-    for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // warms up
+    for (Side* side : sides) ask(*side, own, 1);  // warms up
     for (const Division& division : divisions_of(part_.scene))
-      for (Side* side : {&theirs, &ours}) play_first(*side, division);
+      for (Side* side : sides) play_first(*side, division);
     // A short run is repeated, so that its time exceeds that of a request. The reference decides how often,
     // after as many repetitions as its first time suggests.
     for (Side::Run& run : ours.runs)
       if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
 
     PartStudy result;
-    result.rounds = measure_rounds(theirs, ours);
+    result.rounds = measure_rounds(sides);
     result.name = part_.name;
     result.duration = part_.scene.frames / part_.scene.frames_per_second;
     result.own_steps = own.steps();
@@ -109,7 +127,8 @@ class PartStudied {
     result.least_error = truth_.motion.least_error();
     result.student = curve_of(theirs);
     result.reference = curve_of(ours);
-    result.ratio = ratio_of(result);
+    result.ratio = ratio_of(result, result.student);
+    result.noise = ratio_of(result, curve_of(ours_again, false));
     result.note = note_;
     return result;
   }
@@ -159,10 +178,10 @@ class PartStudied {
 
   // Returns the number of complete rounds. Both sides keep the times of complete rounds only, so that each
   // run has as many; without any they keep the times of the first runs.
-  int measure_rounds(Side& theirs, Side& ours) {
+  int measure_rounds(const Sides& sides) {
     int whole = 0;
-    while (whole < settings_.rounds && !theirs.over && round(theirs, ours, whole)) ++whole;
-    for (Side* side : {&theirs, &ours})
+    while (whole < settings_.rounds && !sides[0]->over && round(sides, whole)) ++whole;
+    for (Side* side : sides)
       for (Side::Run& run : side->runs) {
         StudyPoint& point = run.point;
         if (point.end != StudyEnd::finished) continue;
@@ -172,11 +191,12 @@ class PartStudied {
     return whole;
   }
 
-  bool round(Side& theirs, Side& ours, int number) {
-    for (std::size_t i = 0; i < ours.runs.size(); ++i) {
-      const int times = times_of(ours.runs[i]);
-      for (int turn = 0; turn < 2; ++turn)
-        if (!measure((number + turn) % 2 == 0 ? theirs : ours, i, times)) return false;
+  // Each side is first in every third round.
+  bool round(const Sides& sides, std::size_t number) {
+    for (std::size_t i = 0; i < sides[1]->runs.size(); ++i) {
+      const int times = times_of(sides[1]->runs[i]);
+      for (std::size_t turn = 0; turn < sides.size(); ++turn)
+        if (!measure(*sides[(number + turn) % sides.size()], i, times)) return false;
     }
     return true;
   }
@@ -206,7 +226,7 @@ class PartStudied {
     return static_cast<int>(std::clamp(times, 1.0, static_cast<double>(kMostTimes)));
   }
 
-  StudyCurve curve_of(Side& side) {
+  StudyCurve curve_of(Side& side, bool with_boundary = true) {
     StudyCurve curve;
     // A run that broke off decides nothing.
     const Side::Run *stable = nullptr, *unstable = nullptr;
@@ -217,7 +237,8 @@ class PartStudied {
     if (stable != nullptr) {
       curve.stable_steps = stable->point.steps;
       curve.stable_everywhere = unstable == nullptr;
-      if (unstable != nullptr) curve.stable_steps = boundary(side, unstable->division, curve.stable_steps);
+      if (unstable != nullptr && with_boundary)
+        curve.stable_steps = boundary(side, unstable->division, curve.stable_steps);
     }
     for (Side::Run& run : side.runs) curve.points.push_back(std::move(run.point));
     return curve;
@@ -249,8 +270,8 @@ class PartStudied {
 }  // namespace
 
 PartStudy study_part(const StudiedPart& part, const Truth& truth, Runner& student, Runner& reference,
-                     const StudySettings& settings, const Asked& asked) {
-  return PartStudied(part, truth, settings, asked).study(student, reference);
+                     Runner& twin, const StudySettings& settings, const Asked& asked) {
+  return PartStudied(part, truth, settings, asked).study(student, reference, twin);
 }
 
 }  // namespace grader::judge

@@ -27,7 +27,8 @@ struct StudySettings {
 // Reports each run in its order: true for the student's, and its number of steps.
 using Asked = std::function<void(bool student, int steps)>;
 
+// `twin` is another worker of the reference, whose times show the noise.
 PartStudy study_part(const StudiedPart& part, const Truth& truth, Runner& student, Runner& reference,
-                     const StudySettings& settings, const Asked& asked = {});
+                     Runner& twin, const StudySettings& settings, const Asked& asked = {});
 
 }  // namespace grader::judge

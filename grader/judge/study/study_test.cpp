@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "grader/report/pages/pages.h"
+#include "grader/report/pages/studies_section.h"
 #include "hair/io/plot/test_parsed.h"
 #include "hair/scene/scene_run.h"
 #include "solver/test_refusal.h"
@@ -58,11 +59,14 @@ struct Fake : Runner {
   }
 };
 
+constexpr double kTwin = 1.1;  // times the reference's time
+
 PartStudy study(const std::string& method, Fake& student, const StudySettings& settings = {},
                 const Asked& asked = {}) {
   const StudiedPart part = pendulum(method);
-  Fake reference;
-  return study_part(part, truth_of(part), student, reference, settings, asked);
+  Fake reference, twin;
+  twin.seconds_per_step *= kTwin;
+  return study_part(part, truth_of(part), student, reference, twin, settings, asked);
 }
 
 // Returns the order of a curve's last doubling of steps.
@@ -82,6 +86,7 @@ TEST(Study, OfTheReferenceBesideItselfHasEqualErrorsAndRatioOne) {
   }
   ASSERT_TRUE(part.ratio);
   EXPECT_DOUBLE_EQ(part.ratio->median, 1);
+  EXPECT_NEAR(part.noise.value().median, kTwin, 1e-9);
   EXPECT_EQ(part.student.stable_steps, part.reference.stable_steps);
   EXPECT_EQ(part.note, "");
 }
@@ -94,13 +99,13 @@ TEST(Study, AsksInTurnsAndSwapsThem) {
                                [&](bool is_student, int steps) { asked.emplace_back(is_student, steps); });
   const std::size_t levels = part.student.points.size();
   // These are the warm-up, the errors, the repetitions of the reference, and the rounds.
-  ASSERT_EQ(asked.size(), 2 + 2 * levels + levels + 2 * levels * static_cast<std::size_t>(settings.rounds));
-  for (std::size_t at = 0; at < 2 + 2 * levels; ++at) EXPECT_EQ(asked[at].first, at % 2 == 0) << at;
-  std::size_t at = 2 + 3 * levels;
+  ASSERT_EQ(asked.size(), 3 + 3 * levels + levels + 3 * levels * static_cast<std::size_t>(settings.rounds));
+  for (std::size_t at = 0; at < 3 + 3 * levels; ++at) EXPECT_EQ(asked[at].first, at % 3 == 0) << at;
+  std::size_t at = 3 + 4 * levels;
   for (int round = 0; round < settings.rounds; ++round)
     for (const StudyPoint& point : part.student.points)
-      for (int turn = 0; turn < 2; ++turn, ++at) {
-        EXPECT_EQ(asked[at].first, (round + turn) % 2 == 0) << at;
+      for (int turn = 0; turn < 3; ++turn, ++at) {
+        EXPECT_EQ(asked[at].first, (round + turn) % 3 == 0) << at;
         EXPECT_EQ(asked[at].second, point.steps) << at;
       }
   for (const StudyCurve* curve : {&part.student, &part.reference})
@@ -116,6 +121,50 @@ TEST(Study, TellsHowManyTimesOurTimeAnErrorTakes) {
   EXPECT_NEAR(part.ratio->median, 3, 1e-9);
   for (std::size_t i = 0; i < part.student.points.size(); ++i)
     EXPECT_EQ(part.student.points[i].error, part.reference.points[i].error);
+}
+
+// An error that stalls is no method's, and neither is a dip in which errors cancel.
+TEST(Study, ComparesOnlyWhereBothErrorsFall) {
+  Fake stalls;
+  stalls.poison = [](Played& played, int) {
+    for (particles::State& state : played.frames) state.x.tail<3>().array() += 0.02;
+  };
+  EXPECT_FALSE(study("midpoint", stalls).ratio);
+
+  const Truth truth = truth_of(pendulum("midpoint"));
+  const std::vector<StudyPoint> points = study("midpoint", *std::make_unique<Fake>()).student.points;
+  Fake dips;
+  dips.poison = [&, at = points[2].steps](Played& played, int steps) {
+    const std::size_t stride = (truth.motion.states.size() - 1) / (played.frames.size() - 1);
+    for (std::size_t k = 0; steps == at && k < played.frames.size(); ++k) {
+      const Eigen::VectorXd& there = truth.motion.states[k * stride].x;
+      played.frames[k].x = there + 1e-3 * (played.frames[k].x - there);
+    }
+  };
+  const PartStudy part = study("midpoint", dips);
+  EXPECT_LT(part.student.points[2].error, 0.01 * part.reference.points[2].error);
+  EXPECT_NEAR(part.ratio.value().median, 1, 1e-9) << "the other runs are the reference's";
+}
+
+TEST(Study, SaysWhetherARatioIsMoreThanNoise) {
+  Fake equal, slow;
+  slow.seconds_per_step = 3e-5;
+  const auto shown = [](const PartStudy& part) { return report::in_words(part); };
+  EXPECT_EQ(shown(study("midpoint", equal)), "1, within the noise, 0.909 to 1.1");
+  EXPECT_EQ(shown(study("midpoint", slow)), "3, beyond the noise, 0.909 to 1.1");
+  PartStudy none = study("midpoint", equal);
+  none.ratio.reset();
+  SubmissionResult result;
+  result.name = "somebody";
+  result.exercises.resize(1);
+  result.exercises[0].id = "P1";
+  result.exercises[0].status = Status::partly;
+  const std::string page = study_page(result, {{{"pendulums", "Pendulums", "", {"P1"}, {none}}}});
+  EXPECT_TRUE(says(page, "not compared: P1 is partly"));
+  const std::string all =
+      report::studies_section({{"ann", {{{"pendulums", "", "", {}, {study("midpoint", slow)}}}}}}).text;
+  EXPECT_TRUE(says(all, "ann: 3"));
+  EXPECT_TRUE(says(all, "1 of 1"));
 }
 
 TEST(Study, ShowsALostOrder) {
@@ -195,7 +244,7 @@ TEST(Study, GoesOnWithoutAWorkerThatEnds) {
 std::string page_of(const PartStudy& part) {
   SubmissionResult result;
   result.name = "somebody";
-  const std::string page = study_page(result, {{{"pendulums", "Pendulums", "", {part}}}}, {});
+  const std::string page = study_page(result, {{{"pendulums", "Pendulums", "", {}, {part}}}});
   EXPECT_NO_THROW(hair::plot::parse(page));
   return page;
 }
@@ -304,9 +353,9 @@ TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
 
 TEST(Study, IsNoneWithoutTheReference) {
   const StudiedPart part = pendulum("midpoint");
-  Fake student, reference;
+  Fake student, reference, twin;
   reference.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
-  EXPECT_THROW(study_part(part, truth_of(part), student, reference, {}), std::runtime_error);
+  EXPECT_THROW(study_part(part, truth_of(part), student, reference, twin, {}), std::runtime_error);
 }
 
 }  // namespace

@@ -5,11 +5,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grader/intake/archives/accounted.h"
 #include "grader/result/costs.h"
 #include "grader/result/lateness.h"
+#include "grader/result/study.h"
 #include "grader/roster/class_list.h"
 
 namespace grader::inline report {
@@ -20,6 +22,7 @@ struct ClassFacts {
   std::optional<LastRun> run = {};
   std::string due = {};                       // "": there is no date
   std::map<std::string, Lateness> late = {};  // by the hand-in's name
+  std::vector<std::pair<std::string, SubmissionStudy>> studies = {};  // by the name of the hand-in
   bool is_public = false;  // true: it links to students' reports alone, and shows nothing of the staff
 };
 

@@ -8,6 +8,7 @@
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
+#include "grader/report/pages/studies_section.h"
 #include "solver/timing.h"
 
 namespace grader::inline report {
@@ -192,6 +193,9 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   body += late_section(facts, people);
   body += class_table(results, columns, readers);
   body += pictures;
+  std::vector<Studied> studies;
+  for (const auto& [name, study] : facts.studies) studies.push_back({shown_name(name, people), study});
+  body += studies_section(studies);
   body += exercises_part(results);
   body += distribution_part(results);
   body += sections_part(results, facts.people);

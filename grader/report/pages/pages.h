@@ -27,9 +27,9 @@ std::string run_page(const SubmissionResult& result, const ExerciseResult& exerc
 // `staff` is the folder of its pictures and runs, from the page on.
 Html staff_part(const SubmissionResult& result, const std::string& exercise, const std::string& staff);
 
-// Writes NAME/study.html for both. `beside_itself` is the reference's study of itself: the noise.
+// Writes NAME/study.html for both.
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
-                       const SubmissionStudy& beside_itself, const NamesForPeople& people = {});
+                       const NamesForPeople& people = {});
 
 std::string class_page(const std::vector<SubmissionResult>& results, const ClassFacts& facts = {},
                        const NamesForPeople& people = {});  // writes index.html

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "grader/report/pages/pages.h"
+#include "grader/report/pages/studies_section.h"
 #include "hair/io/plot/figure.h"
 #include "hair/io/plot/page.h"
 #include "solver/timing.h"
@@ -158,8 +159,10 @@ Html part_of(const SceneStudy& scene, const PartStudy& part, const std::string& 
   hair::Section section{part.name, {scene.shows + "."}};
   if (!part.note.empty()) section.paragraphs.push_back(part.note);
   section.paragraphs.push_back(
-      part.ratio ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
-                 : std::string("There is no error that both reach, so their times can't be compared."));
+      part.ratio
+          ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
+          : std::string(
+                "There is no error that both reach while both fall, so their times can't be compared."));
   if (far_less_again(part))
     section.paragraphs.push_back(
         "Asked for the same again, your code took " + rounded(again(part.student, part.reference)) +
@@ -174,40 +177,51 @@ Html part_of(const SceneStudy& scene, const PartStudy& part, const std::string& 
   return hair::html_of(section, "part-" + id);
 }
 
-// Shows how far the reference's ratios to itself are from 1, in single rounds: a ratio within that means
-// nothing. Medians of so few rounds would promise too much for the next batch.
-Html noise_of(const SubmissionStudy& beside_itself) {
-  double least = HUGE_VAL, most = 0;
-  for (const SceneStudy& scene : beside_itself.scenes)
-    for (const PartStudy& part : scene.parts) {
-      if (!part.ratio) continue;
-      least = std::min(least, part.ratio->least);
-      most = std::max(most, part.ratio->most);
-    }
-  if (most == 0) return {};
-  return html(
-      "<p>Our code beside itself, measured like this before the batch, gave {} to {} in single rounds: a "
-      "ratio within that range means nothing.</p>\n",
-      {rounded(least), rounded(most)});
+// Says which of a scene's exercises are not right in this submission; empty if all are.
+std::string not_right(const SceneStudy& scene, const SubmissionResult& result) {
+  std::string all;
+  for (const ExerciseResult& exercise : result.exercises) {
+    const bool is_right = exercise.status == Status::passed || exercise.status == Status::given;
+    if (!is_right && std::ranges::count(scene.exercises, exercise.id) > 0)
+      all += (all.empty() ? "" : ", ") + exercise.id + " is " + to_string(exercise.status);
+  }
+  return all;
 }
 
-Html summary_of(const SubmissionStudy& study) {
-  hair::Table table{
-      "In short", {"Motion", "Your time for the same error, ours is 1", "Your steps are stable", "Ours"}, {}};
+Html overview_of(const SubmissionStudy& study, const SubmissionResult& result) {
+  Html rows;
   for (const SceneStudy& scene : study.scenes) {
-    if (!scene.left_out.empty()) table.rows.push_back({scene.name, "Left out: " + scene.left_out, "", ""});
-    for (const PartStudy& part : scene.parts)
-      table.rows.push_back({part.name,
-                            part.ratio ? ratio_text(*part.ratio) : std::string("no error that both reach"),
-                            stability(part, part.student), stability(part, part.reference)});
+    if (!scene.left_out.empty())
+      rows += html("<tr><th scope=\"row\">{}</th><td colspan=\"4\">left out: {}</td></tr>\n",
+                   {scene.name, scene.left_out});
+    const std::string wrong = not_right(scene, result);
+    for (const PartStudy& part : scene.parts) {
+      std::string words = !part.ratio && !wrong.empty() ? "not compared: " + wrong : in_words(part);
+      if (part.ratio && !wrong.empty()) words += "; " + wrong;
+      std::vector<Dot> dots;
+      if (part.ratio) dots = {{part.ratio->median, words}};
+      rows += html("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                   {is_noise(part) ? html(" class=\"quiet\"") : Html(), part.name, track(dots, part.noise),
+                    words, stability(part, part.student), stability(part, part.reference)});
+    }
   }
-  return hair::html_of({.heading = "All motions", .tables = {table}}, "summary");
+  return html(R"(<section id="summary">
+<h2>All motions</h2>
+<p class="quiet">Your time for the same error; ours is 1. Grey is the noise: a second worker of ours, measured in the same rounds. A ratio within it means nothing.</p>
+<div class="wide"><table>
+<thead><tr><th scope="col">Method</th><th scope="col">{}</th><th scope="col">Your time, ours is 1</th><th scope="col">Your steps are stable</th><th scope="col">Ours</th></tr></thead>
+<tbody>
+{}</tbody>
+</table></div>
+</section>
+)",
+              {scale_of_tracks(), rows});
 }
 
 }  // namespace
 
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
-                       const SubmissionStudy& beside_itself, const NamesForPeople& people) {
+                       const NamesForPeople& people) {
   Html body = stamps(result.isolation, true);
   body += html(R"(<header>
 <h1>Error against run time: {}</h1>
@@ -227,8 +241,7 @@ tables show the time of each first run, too. (The scene&#39;s own steps were run
 works before it is asked pays for this in another run.</p>
 )",
                {shown_name(result.name, people)});
-  body += noise_of(beside_itself);
-  body += summary_of(study);
+  body += overview_of(study, result);
   for (std::size_t i = 0; i < study.scenes.size(); ++i) {
     const SceneStudy& scene = study.scenes[i];
     for (std::size_t k = 0; k < scene.parts.size(); ++k)

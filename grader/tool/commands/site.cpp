@@ -75,9 +75,8 @@ int site(const SiteOptions& options) {
     results.push_back(for_student(one->result));
     pages["class/" + name + "/report.html"] = student_page(one->result);
     if (!one->study) continue;
-    pages["class/" + name + "/study.html"] =
-        study_page(results.back(), one->study->own, one->study->beside_itself);
-    pages["class/" + name + "/study.json"] = json_text(one->study->own, 1);
+    pages["class/" + name + "/study.html"] = study_page(results.back(), *one->study);
+    pages["class/" + name + "/study.json"] = json_text(*one->study, 1);
   }
   pages["class/index.html"] = class_page(results, {.is_public = true});
   for (const fs::path& motion : options.motions) {

@@ -62,7 +62,9 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 .bars .range { padding-top: .25rem; border-top: 1px solid var(--line); }
 .share { display: flex; height: .5rem; min-width: 8rem; overflow: hidden; border-radius: .25rem;
   background: var(--none-soft); margin-top: .45rem; }
-.tenths { display: flex; align-items: flex-end; gap: 1px; height: 1.75rem; width: 8rem; } .tenths span { flex: 1; min-height: 1px; background: var(--link); opacity: .75; }
+.track { position: relative; height: 1.25rem; min-width: 9rem; border-radius: .25rem; background: linear-gradient(var(--line), var(--line)) center / 1px 100% no-repeat var(--none-soft); }
+.track .noise { position: absolute; top: 0; bottom: 0; background: var(--quiet); opacity: .35; } .track .dot { position: absolute; top: .3rem; width: .65rem; height: .65rem; margin-left: -.325rem; border-radius: 1rem; background: var(--link); }
+.ends { display: flex; justify-content: space-between; } .tenths { display: flex; align-items: flex-end; gap: 1px; height: 1.75rem; width: 8rem; } .tenths span { flex: 1; min-height: 1px; background: var(--link); opacity: .75; }
 .share span { background: var(--link); opacity: .75; }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
 .category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }

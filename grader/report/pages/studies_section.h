@@ -1,0 +1,35 @@
+// STAFF ONLY. Ratios of run times for the same error (PartStudy::ratio), as words and on a track from 1/8 to 8.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/result/study.h"
+#include "hair/io/plot/html.h"
+
+namespace grader::inline report {
+
+using hair::Html, hair::html;
+
+struct Dot {
+  double ratio = 1;
+  std::string title;
+};
+
+// Is the study of a submission, with its name for people.
+struct Studied {
+  std::string name;
+  SubmissionStudy study;
+};
+
+bool is_noise(const PartStudy& part);         // the ratio says nothing
+std::string in_words(const PartStudy& part);  // "1.31, beyond the noise, 0.93 to 1.07"
+
+Html track(const std::vector<Dot>& dots, const std::optional<TimeRatio>& noise);
+Html scale_of_tracks();  // heads a column of tracks
+
+// Shows a class: a row a method, a dot a submission. Empty without studies.
+Html studies_section(const std::vector<Studied>& studies);
+
+}  // namespace grader::report
