@@ -74,24 +74,30 @@ bool falls(const StudyPoint& one, const StudyPoint& next, int order) {
   return slope >= kLeastOrder && slope <= order + 1;
 }
 
-// Returns the runs between which the error falls.
-std::vector<hair::Sample> samples_of(const StudyCurve& curve, std::size_t round, int order) {
+// Returns the finest runs, as far as the error falls from each to the next; none if it does not in the end.
+// Before that, the steps are too long for the method's order to show.
+std::vector<hair::Sample> samples_of(const PartStudy& part, const StudyCurve& curve, std::size_t round) {
+  constexpr double kMeans = 10;  // times the least error: below that, rounding stalls
   std::vector<const StudyPoint*> finished;
   for (const StudyPoint& point : curve.points)
-    if (point.end == StudyEnd::finished && round < point.seconds.size()) finished.push_back(&point);
+    if (point.end == StudyEnd::finished && round < point.seconds.size() &&
+        (point.error > kMeans * part.least_error || finished.empty() ||
+         finished.back()->error > kMeans * part.least_error))
+      finished.push_back(&point);
+  std::size_t first = finished.size();
+  while (first > 0 && (first == finished.size() || falls(*finished[first - 1], *finished[first], part.order)))
+    --first;
   std::vector<hair::Sample> samples;
-  for (std::size_t i = 0; i < finished.size(); ++i)
-    if ((i > 0 && falls(*finished[i - 1], *finished[i], order)) ||
-        (i + 1 < finished.size() && falls(*finished[i], *finished[i + 1], order)))
-      samples.push_back({finished[i]->seconds[round], finished[i]->error});
-  return samples;
+  for (std::size_t i = first; i < finished.size(); ++i)
+    samples.push_back({finished[i]->seconds[round], finished[i]->error});
+  return samples.size() < 2 ? std::vector<hair::Sample>() : samples;
 }
 
 std::optional<TimeRatio> ratio_of(const PartStudy& part, const StudyCurve& curve) {
   std::vector<double> ratios;
   for (std::size_t at = 0; at < static_cast<std::size_t>(std::max(part.rounds, 1)); ++at)
-    if (const auto ratio = time_ratio(samples_of(curve, at, part.order),
-                                      samples_of(part.reference, at, part.order), part.least_error))
+    if (const auto ratio =
+            time_ratio(samples_of(part, curve, at), samples_of(part, part.reference, at), part.least_error))
       ratios.push_back(*ratio);
   if (ratios.empty()) return {};
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());

@@ -150,8 +150,8 @@ TEST(Study, SaysWhetherARatioIsMoreThanNoise) {
   Fake equal, slow;
   slow.seconds_per_step = 3e-5;
   const auto shown = [](const PartStudy& part) { return report::in_words(part); };
-  EXPECT_EQ(shown(study("midpoint", equal)), "1, within the noise, 0.909 to 1.1");
-  EXPECT_EQ(shown(study("midpoint", slow)), "3, beyond the noise, 0.909 to 1.1");
+  EXPECT_EQ(shown(study("midpoint", equal)), "1, within the noise, 0.826 to 1.21");
+  EXPECT_EQ(shown(study("midpoint", slow)), "3, beyond the noise, 0.826 to 1.21");
   PartStudy none = study("midpoint", equal);
   none.ratio.reset();
   SubmissionResult result;

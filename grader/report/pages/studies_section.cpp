@@ -15,9 +15,13 @@ double place(double ratio) {
   return 100 * std::clamp((std::log2(ratio) + 3) / 6, 0.0, 1.0);
 }
 
+// The same code, built as a submission is and as ours is, differs by up to 8 % (MEASURED.md).
+constexpr double kOfBuilds = 1.1;
+
 // Returns the noise in both directions: which of two equal workers is the slower one is chance.
 TimeRatio band_of(const TimeRatio& noise) {
-  return {1, std::min(noise.least, 1 / noise.most), std::max(noise.most, 1 / noise.least)};
+  const double most = kOfBuilds * std::max(noise.most, 1 / noise.least);
+  return {1, 1 / most, most};
 }
 
 }  // namespace
@@ -69,10 +73,8 @@ Html studies_section(const std::vector<Studied>& studies) {
         if (part.ratio)
           method.dots.push_back({part.ratio->median, one.name + ": " + hair::to_text(part.ratio->median)});
         if (!part.noise) continue;
-        const TimeRatio band = band_of(*part.noise);
-        if (!method.noise) method.noise = band;
-        method.noise->least = std::min(method.noise->least, band.least);
-        method.noise->most = std::max(method.noise->most, band.most);
+        if (!method.noise || part.noise->most / part.noise->least > method.noise->most / method.noise->least)
+          method.noise = part.noise;
       }
   if (methods.empty()) return {};
   Html rows;
