@@ -1,4 +1,4 @@
-// STAFF ONLY. Ratios of run times for the same error (PartStudy::ratio), as words and on a track from 1/8 to 8.
+// STAFF ONLY. Ratios of run times for the same error (PartStudy::ratio), in words and on a track.
 #pragma once
 
 #include <optional>
