@@ -143,6 +143,7 @@ TEST_F(Hints, NameNumbersThatAreStillThoseOfTheCheck) {
   Numbers actual = expected;
   actual[2] = actual[4] = checks::kFill;
   EXPECT_EQ(told(actual, expected), "wrong where 1000 stands, as before the call: never written?");
+  EXPECT_EQ(told({checks::kFill}, {7}), "wrong where 1000 stands, as before the call: never written?");
   actual[1] += 1;
   EXPECT_EQ(told(actual, expected), "") << "and another one is wrong";
   actual = expected;

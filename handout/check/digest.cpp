@@ -32,7 +32,8 @@ constexpr Ending kEndings[] = {
      "a column or a row outside of a matrix, such as `scratch` or memory of your own: its number, or how "
      "many there are?"},
     {"Assertion `row >= 0",
-     "an entry (row, column) outside of a matrix: a loop's bound, or `i + 1` or `i - 1` at an end?"},
+     "an entry (row, column) outside of a matrix: a loop's bound, `i + 1` or `i - 1` at an end, or a number "
+     "written out?"},
     {"RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
     {"expr.rows()==1 || expr.cols()==1",
      "a matrix where a vector is due: arguments in another order, or all of `scratch` for a column of it?"},

@@ -135,15 +135,15 @@ Hint signs_of(Numbers actual, Numbers expected, double bound) {
   return actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{Looks::a_factor, -1};
 }
 
-// At least two numbers are wrong, and all wrong ones still have their values from before the call.
+// All wrong numbers still have their values from before the call: two or more, or all.
 bool is_filled(Numbers actual, Numbers expected, double bound) {
-  int wrong = 0;
+  std::size_t wrong = 0;
   for (std::size_t i = 0; i < actual.size(); ++i)
     if (!(std::abs(actual[i] - expected[i]) <= bound)) {
       if (actual[i] != kFill) return false;
       ++wrong;
     }
-  return wrong > 1;
+  return wrong > 1 || wrong == actual.size();
 }
 
 // Each block is a square matrix, or its transpose.

@@ -141,7 +141,8 @@ void expect_weights(const Vector3d& root, const Weights& expected, const std::st
           << "), and all lengths times " << unit
           << (unit != 1 ? "\nhint       = other checks ask for this in metres: here only the unit differs"
               : inside && weights[k] == 0
-                  ? "\nhint       = 0 inside of a triangle: was the root taken for one beside it?"
+                  ? "\nhint       = 0 inside of a triangle: was the root taken for one beside it, or the "
+                    "triangle for a thin one?"
                   : "");
   }
 }
