@@ -151,8 +151,9 @@ void current_lengths(Trial& trial) {
   Random& random = trial.random;
   for (auto [a, b] : {std::pair{0.6, 0.6}, {0.5, 3.0}, {2.5, 0.7}}) {
     const Posed one = with_lengths(some_pose(random, 3, {0.4, 1.4}), 1, 1), other = with_lengths(one, a, b);
-    trial.expect_at_most(std::abs(ask_energy(trial, other) - ask_energy(trial, one)),
-                         2 * energy_rounding(one), "the error of the energy with other lengths");
+    const double energy = ask_energy(trial, one);
+    trial.expect_at_most(std::abs(ask_energy(trial, other) - energy), 2 * energy_rounding(one),
+                         "the error of the energy with other lengths");
     // The ends of an answer are judged; the middle, too, if the answer for lengths of 1 m is balanced.
     const auto expect_scaled = [&](const VectorXd& answer, const VectorXd& of_one, double first, double last,
                                    double rounding, const std::string& what) {

@@ -179,16 +179,25 @@ void lengths(Trial& trial) {
   }
 }
 
-// Compares velocities with the impulse from the student's own positions.
+// Compares velocities with the impulse from the student's own positions. A wrong prediction does not show: a
+// hair at rest stays where it is, and one that moves as a whole keeps its lengths.
 void impulse(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 4, 12}) {
-    const Hair hair = force_free(random, n);
+    Hair hair = force_free(random, n);
+    hair.cloud.state.v.setZero();
+    for (double& length : hair.strand.rest_length) length *= random.uniform(0.8, 0.95);
     const Step after = step(trial, hair);
     trial.expect_close({after.v, (after.x - hair.cloud.state.x) / hair.h, 3, hair.cloud.state.v},
                        0x1p-40 * (after.x.norm() / hair.h + after.v.norm()),
                        "the difference of the velocities from the way over h, where no force acts");
   }
+  Hair whole = force_free(random, 4);
+  whole.cloud.state.v = random_vector(random, 3, 0.1).replicate(4, 1);
+  const VectorXd v = whole.cloud.state.v.tail(9);
+  const Step after = step(trial, whole);
+  trial.expect_close({after.v.tail(9), v}, 0x1p-40 * (after.x.norm() / whole.h + v.norm()),
+                     "the error of the velocities of a hair that moves as a whole, which needs no impulse");
 }
 
 // Compares the second solve, from the student's own state before it, which the second evaluation of the force

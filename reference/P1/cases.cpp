@@ -81,8 +81,8 @@ double oscillator_error(Trial& trial, const Method& method, double omega, const 
 // c is at most 1.2 in size at omega t = 2, and 0.25 tells any two orders apart.
 void expect_order(Trial& trial, const Method& method, double omega, State start) {
   start.v *= omega;
-  const double order = std::log2(oscillator_error(trial, method, omega, start, 16) /
-                                 oscillator_error(trial, method, omega, start, 32));
+  const double error = oscillator_error(trial, method, omega, start, 16);
+  const double order = std::log2(error / oscillator_error(trial, method, omega, start, 32));
   trial.expect(std::abs(order - method.order) <= 0.25,
                std::string("the observed order of ") + method.name + " on an oscillator is not its order",
                std::to_string(order));

@@ -77,10 +77,10 @@ struct Own {
   double residual, right_hand_side;  // norms
 };
 Own own_residual(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda) {
-  const VectorXd rhs = -system.curvature() -
-                       own_rates(trial, system, system.inverse_masses().cwiseProduct(system.f)) -
-                       system.constraints.stiffness * values(trial, system, 0) -
-                       system.constraints.damping * rates(trial, system, 0);
+  // One question a statement: a sum may ask in any order.
+  VectorXd rhs = -system.curvature() - system.constraints.stiffness * values(trial, system, 0);
+  rhs -= own_rates(trial, system, system.inverse_masses().cwiseProduct(system.f));
+  rhs -= system.constraints.damping * rates(trial, system, 0);
   const VectorXd product = p2::product(trial, system, lambda, 0);
   const bool something = product.norm() >= kSomething * system.right_hand_side().norm();
   return {something ? (rhs - product).norm() : std::numeric_limits<double>::infinity(), rhs.norm()};

@@ -153,7 +153,8 @@ void sizes(Trial& trial) {
     const std::vector<double> d = trial.random.uniforms(n, 1, 4);
     const LinearSystem diagonal = sparse_system("diagonal", solver::diagonal(d), trial.random.normals(n),
                                                 *std::min_element(d.begin(), d.end()));
-    const double off = (trial.random.integer(0, 1) == 0 ? -1 : 1) * trial.random.uniform(0.4, 0.5);
+    const double sign = trial.random.integer(0, 1) == 0 ? -1 : 1;
+    const double off = sign * trial.random.uniform(0.4, 0.5);
     const LinearSystem tridiagonal = sparse_system("tridiagonal", solver::tridiagonal(n, 2, off),
                                                    trial.random.normals(n), 2 - 2 * std::abs(off));
     for (const LinearSystem* system : {&diagonal, &tridiagonal}) {
