@@ -12,8 +12,8 @@
 namespace grader::inline grading {
 
 struct ReferenceGraded {
-  TimingByExercise timing;               // by exercise, and for kStudy
-  std::vector<std::string> problems;     // concern studies; they don't affect grades
+  TimingByExercise timing;            // by exercise, and for kStudy
+  std::vector<std::string> problems;  // concern studies; they don't affect grades
 };
 
 // Throws std::runtime_error if the reference does not pass: then this machine or the suite is wrong.

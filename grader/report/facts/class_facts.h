@@ -20,8 +20,8 @@ struct ClassFacts {
   std::vector<ClassLine> people = {};  // see grades_csv
   std::vector<Accounted> listed = {};
   std::optional<LastRun> run = {};
-  std::string due = {};                       // "": there is no date
-  std::map<std::string, Lateness> late = {};  // by the hand-in's name
+  std::string due = {};                                               // "": there is no date
+  std::map<std::string, Lateness> late = {};                          // by the hand-in's name
   std::vector<std::pair<std::string, SubmissionStudy>> studies = {};  // by the name of the hand-in
   bool is_public = false;  // true: it links to students' reports alone, and shows nothing of the staff
 };
