@@ -73,7 +73,7 @@ std::vector<SubmissionResult> write_files_of_hand_in(Record& record, const std::
   write_file(folder / kLeftOver, left_over_json(all.facts.listed));
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
-  write_file(folder / "costs.html", costs_page(costs_table(costs), people));
+  write_file(folder / "costs.html", costs_page(costs, people));
   return std::move(all.results);
 }
 

@@ -5,14 +5,14 @@ namespace grader::inline course {
 namespace {
 
 constexpr BudgetField kFields[] = {
-    {"idle_seconds", "idle time", "Idle", &Budget::idle_seconds},
-    {"worker_cpu_seconds", "CPU time", "Own CPU", &Budget::worker_cpu_seconds, 2},
-    {"compiler_cpu_seconds", "the compiler's CPU time", "Compiler CPU", &Budget::compiler_cpu_seconds},
-    {"suite_cpu_seconds", "the suite's CPU time", "Suite CPU", &Budget::suite_cpu_seconds, 2},
-    {"restarts", "restarts", "Restarts", &Budget::restarts},
-    {"messages", "messages", "Messages", &Budget::messages, 5e5},
-    {"megabytes", "bytes of messages", "MB", &Budget::megabytes, 100},
-    {"wall_seconds", "time by the clock", "Clock", &Budget::wall_seconds},
+    {"idle_seconds", "idle time", &Budget::idle_seconds},
+    {"worker_cpu_seconds", "CPU time", &Budget::worker_cpu_seconds, 2},
+    {"compiler_cpu_seconds", "the compiler's CPU time", &Budget::compiler_cpu_seconds},
+    {"suite_cpu_seconds", "the suite's CPU time", &Budget::suite_cpu_seconds, 2},
+    {"restarts", "restarts", &Budget::restarts},
+    {"messages", "messages", &Budget::messages, 5e5},
+    {"megabytes", "bytes of messages", &Budget::megabytes, 100},
+    {"wall_seconds", "time by the clock", &Budget::wall_seconds},
 };
 
 }  // namespace

@@ -26,9 +26,8 @@ struct Budget {
 };
 
 struct BudgetField {
-  const char* key;      // in course files and timing.json
-  const char* name;     // "idle time"
-  const char* heading;  // "Idle"
+  const char* key;   // in course files and timing.json
+  const char* name;  // "idle time"
   double Budget::*value;
   // Bounds a limit by the reference from below, for one exercise. 0: the reference limits nothing here.
   double least = 0;

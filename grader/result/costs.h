@@ -1,4 +1,4 @@
-// STAFF ONLY. The costs of grading: of each exercise, of a class, and as a table for people.
+// STAFF ONLY. The costs of grading: of each exercise, and of a class.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 
 namespace grader::inline result {
 
-// Is the cost of an exercise; the only part of a result that differs from run to run. timing.json and the
-// page need only a row in costs_fields.cpp for a new member.
+// Is the cost of an exercise; the only part of a result that differs from run to run. timing.json
+// needs only a row in costs_fields.cpp for a new member.
 struct ExerciseTiming {
   double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
   double suite_seconds = 0;    // is wall time
@@ -51,24 +51,5 @@ struct ClassCosts {
 
 // Writes timing.json.
 std::string to_json(const ClassCosts& costs);
-
-// The cost of a submission is the sum of its wall_seconds; the other columns are parts of it.
-enum class CostKind { wall_seconds, cpu_seconds, count };
-
-struct CostColumn {
-  std::string heading, explanation;
-  CostKind kind = CostKind::cpu_seconds;
-};
-
-// Has a value for each column, by exercise, or another part.
-using CostsByPart = std::map<std::string, std::vector<double>>;
-
-struct Costs {
-  std::vector<CostColumn> columns;
-  CostsByPart reference;
-  std::map<std::string, CostsByPart> submissions;  // by name
-};
-
-Costs costs_table(const ClassCosts& costs);
 
 }  // namespace grader::result

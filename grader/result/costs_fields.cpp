@@ -1,59 +1,10 @@
 // STAFF ONLY. The fields of costs.
 #include "grader/result/costs.h"
 
-#include <string_view>
-
 #include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
 
 namespace grader::inline result {
-namespace {
-
-// Is a measured quantity: its field in timing.json, and its column on the page.
-struct Measured {
-  Field<ExerciseTiming> field;
-  CostColumn column;
-};
-
-std::vector<Measured> with_budget(std::vector<Measured> all) {
-  for (const BudgetField& spent : budget_fields()) {
-    const bool seconds = std::string_view(spent.key).ends_with("seconds");
-    all.push_back({field(std::string("spent_") + spent.key, &ExerciseTiming::spent, spent.value),
-                   {spent.heading, std::string("of the submission's budget: ") + spent.name,
-                    seconds ? CostKind::cpu_seconds : CostKind::count}});
-  }
-  return all;
-}
-
-const std::vector<Measured>& all_measured() {
-  using enum CostKind;
-  using T = ExerciseTiming;
-  static const std::vector<Measured> all = with_budget({
-      {field("compile_seconds", &T::compile_seconds),
-       {"Compiler", "seconds by the wall clock, linker included; 0 if it was cached", wall_seconds}},
-      {field("suite_seconds", &T::suite_seconds),
-       {"Suite", "seconds by the wall clock, with all that is to its right", wall_seconds}},
-      {field("worker_cpu_seconds", &T::worker_cpu_seconds), {"Worker", "CPU seconds", cpu_seconds}},
-      {field("worker_starts", &T::worker_starts), {"Starts", "of the worker", count}},
-      {field("sanitised_cpu_seconds", &T::sanitised_cpu_seconds),
-       {"Sanitised", "CPU seconds of the worker with sanitizers", cpu_seconds}},
-      {field("run_cpu_seconds", &T::run_cpu_seconds),
-       {"Whole run", "CPU seconds of its worker", cpu_seconds}},
-      {field("picture_cpu_seconds", &T::picture_cpu_seconds),
-       {"Pictures", "CPU seconds to draw and to compare", cpu_seconds}},
-  });
-  return all;
-}
-
-CostsByPart costs_of(const TimingByExercise& timing) {
-  CostsByPart costs;
-  for (const auto& [part, one] : timing)
-    for (const Measured& measured : all_measured())
-      costs[part].push_back(measured.field.write(one, {}).get<double>());
-  return costs;
-}
-
-}  // namespace
 
 const Rows<Budget>& Fields<Budget>::rows() {
   static const Rows<Budget> all = [] {
@@ -65,9 +16,17 @@ const Rows<Budget>& Fields<Budget>::rows() {
 }
 
 const Rows<ExerciseTiming>& Fields<ExerciseTiming>::rows() {
-  static const Rows<ExerciseTiming> all = [] {
-    Rows<ExerciseTiming> rows;
-    for (const Measured& measured : all_measured()) rows.push_back(measured.field);
+  using T = ExerciseTiming;
+  static const Rows<T> all = [] {
+    Rows<T> rows = {field("compile_seconds", &T::compile_seconds),
+                    field("suite_seconds", &T::suite_seconds),
+                    field("worker_cpu_seconds", &T::worker_cpu_seconds),
+                    field("worker_starts", &T::worker_starts),
+                    field("sanitised_cpu_seconds", &T::sanitised_cpu_seconds),
+                    field("run_cpu_seconds", &T::run_cpu_seconds),
+                    field("picture_cpu_seconds", &T::picture_cpu_seconds)};
+    for (const BudgetField& spent : budget_fields())
+      rows.push_back(field(std::string("spent_") + spent.key, &T::spent, spent.value));
     return rows;
   }();
   return all;
@@ -99,17 +58,9 @@ const Rows<ClassCosts>& Fields<ClassCosts>::rows() {
 }
 
 std::string to_json(const ClassCosts& costs) {
-  // Keys are sorted by their alphabet, so that columns on the page may have another order.
+  // Keys are sorted by their alphabet.
   const nlohmann::json sorted = to_json_value(costs, {});
   return sorted.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
-Costs costs_table(const ClassCosts& costs) {
-  Costs table;
-  for (const Measured& measured : all_measured()) table.columns.push_back(measured.column);
-  table.reference = costs_of(costs.reference);
-  for (const auto& [name, timing] : costs.submissions) table.submissions[name] = costs_of(timing);
-  return table;
 }
 
 }  // namespace grader::result

@@ -189,16 +189,6 @@ TEST(DeclaredFields, OfCosts) {
   expect_declared(costs());
 }
 
-TEST(DeclaredFields, AreWrittenInTheirOrder) {
-  EXPECT_EQ(
-      json_text(kCase, -1),
-      "{\"name\":\"Ill-conditioned systems\",\"status\":\"broke the rules\",\"points\":0.3333333333333333,"
-      "\"max_points\":1e+300,\"feedback\":\"the residual is \\\"large\\\"\",\"detail\":\"n = 10\\nx = "
-      "-0x1p-1074 ö\",\"hint\":\"It is right but for signs.\",\"memory_error\":\"reads behind an "
-      "array, in a call of "
-      "f.\",\"cases\":7,\"held\":2147483647}\n");
-}
-
 TEST(DeclaredFields, AreLeftOutWhereTheySayNothing) {
   const auto written = [](StudyEnd end) {
     StudyPoint point;
@@ -296,16 +286,6 @@ TEST(DeclaredFields, OfHostileTextsAreRefusedInOneLine) {
   for (const std::string& text : {""s, "null"s, "[]"s, "{}"s, "\0"s, "\x1b[31m"s, deep, "{\"cases\":" + deep,
                                   whole, "{\"" + std::string(100'000, 'a') + "\":1}"})
     expect_one_line(complaint_about(text, read_as<SuiteResult>), "", text.substr(0, 20));
-}
-
-TEST(CostsTable, HasAColumnForEachFieldInTheRowsOrder) {
-  const Costs table = costs_table(costs());
-  ASSERT_EQ(table.columns.size(), Fields<ExerciseTiming>::rows().size());
-  EXPECT_EQ(table.columns.front().heading, "Compiler");
-  EXPECT_EQ(table.columns.back().heading, "Clock");
-  const std::vector<double> expected{1, 2, 3, 4, 5, 6, 7, 1.1, 2.1, 3.1, 4.1, 5.1, 6.1, 7.1, 8.1};
-  EXPECT_EQ(table.reference.at("S1"), expected);
-  EXPECT_EQ(table.submissions.at("alice").at("runs"), std::vector<double>(expected.size()));
 }
 
 }  // namespace

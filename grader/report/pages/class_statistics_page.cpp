@@ -59,10 +59,6 @@ Html folded(const Html& heading, std::size_t count, const Html& content, std::si
               {count > most_open ? Html() : html(" open=\"\""), heading, count, content});
 }
 
-Html fold(const std::string& label) {
-  return html("<label class=\"fold\"><input type=\"checkbox\"/> Show {}</label>\n", {label});
-}
-
 Html exercises_part(const std::vector<SubmissionResult>& results) {
   Html table = html(R"(<section id="exercises">
 <h2>Exercises</h2>
@@ -124,7 +120,10 @@ Html categories_part(const std::vector<SubmissionResult>& results) {
 <thead><tr><th scope="col" data-sort="text">No.</th><th scope="col" data-sort="text">Category</th><th scope="col" class="number" data-sort="number">Passed</th><th scope="col" class="number" data-sort="number">Points reached</th><th scope="col" class="number" data-sort="number">Strong less weak</th><th scope="col">Share</th></tr></thead>
 <tbody>
 )",
-           {all.size() > kHardest ? fold("all " + std::to_string(all.size()) + " categories") : Html()});
+           {all.size() > kHardest
+                ? html("<label class=\"fold\"><input type=\"checkbox\"/> Show all {} categories</label>\n",
+                       {all.size()})
+                : Html()});
   std::size_t rank = 0;
   for (const CategoryStatistics& category : all) {
     const std::string reached = percent(category.share());

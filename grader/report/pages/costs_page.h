@@ -1,5 +1,5 @@
 // STAFF ONLY. costs.html: the time of grading, the most expensive first, compared with the reference. It has
-// times, so it differs from run to run. It knows no exercise and no kind of cost by name.
+// times, so it differs from run to run. timing.json tells the parts of each cost.
 #pragma once
 
 #include <string>
@@ -9,6 +9,6 @@
 
 namespace grader::inline report {
 
-std::string costs_page(const Costs& costs, const NamesForPeople& people = {});
+std::string costs_page(const ClassCosts& costs, const NamesForPeople& people = {});
 
 }  // namespace grader::report

@@ -64,9 +64,6 @@ Html sections_part(const std::vector<SubmissionResult>& results,
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Shows what has class "more" in the section around it, or the page: it is folded at first. No script runs.
-Html fold(const std::string& label);
-
 // Is a script: it lets readers sort tables by columns with data-sort, "text" or "number".
 std::string sort_script();
 
