@@ -31,10 +31,10 @@ std::string shown_change(const PointsChange& change) {
   return shown(change.before) + " -> " + shown(change.after);
 }
 
-ClassChanges class_changes(Record& record, const std::string& since) {
+ClassChanges class_changes(Record& record) {
   ClassChanges all;
   for (const std::string& name : record.names())
-    if (std::vector<PointsChange> theirs = changes(record.log(name), since); !theirs.empty())
+    if (std::vector<PointsChange> theirs = changes(record.log(name)); !theirs.empty())
       all.emplace_back(name, std::move(theirs));
   return all;
 }

@@ -12,9 +12,9 @@ namespace grader::inline class_folder {
 
 inline constexpr const char* kChangesPage = "changes.html";
 
-// Lists students with changes, by name; for `since` see record/changes.h.
+// Lists students with changes, by name.
 using ClassChanges = std::vector<std::pair<std::string, std::vector<PointsChange>>>;
-ClassChanges class_changes(Record& record, const std::string& since = "");
+ClassChanges class_changes(Record& record);
 
 std::string shown_change(const PointsChange& change);  // "1.5 -> 4"
 

@@ -42,22 +42,9 @@ void remove_half_written(const fs::path& folder) {
   for (const fs::path& file : left) fs::remove(file, ignored);
 }
 
-// Versions without a record kept these files.
-bool has_older_grades(const fs::path& folder) {
-  std::error_code none;
-  if (fs::exists(folder / "made-by.json", none)) return true;
-  for (const auto& entry : fs::directory_iterator(folder, none))
-    if (fs::exists(entry.path() / "results.json", none)) return true;
-  return false;
-}
-
 // The record stores its settings before the first result.
 void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in, bool regrade) {
-  if (!Record::is_in(folder)) {
-    if (has_older_grades(folder))
-      refuse(folder, "it has grades of an older hairgrade, and no " + std::string(kRecordFile), "");
-    return;
-  }
+  if (!Record::is_in(folder)) return;
   Record record(folder, hand_in);
   if (hand_in.empty())
     check_hand_in(hand_in, record.named_hand_ins(), printable(folder.string(), 4096));

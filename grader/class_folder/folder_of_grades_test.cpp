@@ -110,18 +110,6 @@ TEST_F(Folder, WithoutResultsIsForAnybody) {
   EXPECT_EQ(made_by_from_json(memory()), other_);
 }
 
-TEST_F(Folder, OfAnOlderVersionIsNotMixedWith) {
-  const std::string line = grades_.string() +
-                           ": it has grades of an older hairgrade, and no class.sqlite; name another folder "
-                           "with --out, or move this one away to grade all again";
-  write_file(grades_ / "made-by.json", "{}");
-  EXPECT_EQ(refusal(mine_), line);
-  fs::remove(grades_ / "made-by.json");
-  write_file(grades_ / "alice" / "results.json", "{}");
-  EXPECT_EQ(refusal(mine_), line);
-  EXPECT_FALSE(Record::is_in(grades_));
-}
-
 TEST_F(Folder, WithResultsThatDoNotSayHowTheyWereMadeIsRefused) {
   open(mine_);
   add_result("alice");
@@ -206,13 +194,6 @@ TEST_F(Folder, LosesWhatAKilledHairgradeHadHalfWritten) {
   open(mine_);
   for (const fs::path& file : half) EXPECT_FALSE(fs::exists(file)) << file;
   EXPECT_EQ(Record(grades_).names(), std::vector<std::string>{"alice"});
-}
-
-TEST_F(Folder, ThatCanNotBeWrittenIsRefused) {
-  fs::remove(grades_);
-  std::ofstream{grades_} << "a file";
-  EXPECT_THROW(open(mine_), BadInput);
-  EXPECT_EQ(fs::file_size(grades_), 6U);
 }
 
 }  // namespace

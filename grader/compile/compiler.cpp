@@ -85,12 +85,11 @@ std::string undefined_names(const std::string& log) {
 
 }  // namespace
 
-Compiler::Compiler(const StagedKit& kit, fs::path cache, Isolation isolation, std::uintmax_t cache_bytes)
+Compiler::Compiler(const StagedKit& kit, fs::path cache, Isolation isolation)
     : toolchain_(kit, isolation),
       precompiled_(toolchain_, cache, Build::ordinary),
       precompiled_sanitised_(toolchain_, cache, Build::sanitised),
-      cache_(std::move(cache)),
-      cache_bytes_(cache_bytes) {
+      cache_(std::move(cache)) {
   std::error_code error;
   if (fs::create_directories(cache_, error)) fs::permissions(cache_, fs::perms::owner_all);
   if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
@@ -134,7 +133,7 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
     keep_copy(file, kept);
     std::error_code ignored;
     fs::remove(file, ignored);
-    shrink_cache(cache_, cache_bytes_);
+    shrink_cache(cache_, kCacheBytes);
   }
   return compiled;
 }

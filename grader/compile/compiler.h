@@ -6,13 +6,11 @@
 // cache. A file that does not compile is compiled by each thread in turn. Without a sandbox nothing is kept.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <string>
 
-#include "grader/compile/cache.h"
 #include "grader/compile/kit.h"
 #include "grader/compile/precompiled.h"
 #include "grader/compile/toolchain.h"
@@ -33,9 +31,8 @@ struct Compiled {
 class Compiler {
  public:
   // `cache` is a folder for shared objects, made if it is missing; the files that were used last stay,
-  // `cache_bytes` in all. Throws BadInput if there is no compiler or no cache.
-  Compiler(const StagedKit& kit, std::filesystem::path cache, Isolation isolation,
-           std::uintmax_t cache_bytes = kCacheBytes);
+  // kCacheBytes in all. Throws BadInput if there is no compiler or no cache.
+  Compiler(const StagedKit& kit, std::filesystem::path cache, Isolation isolation);
 
   // May be called from any thread. `job` is one of the kit's folders, for this file only; the object is
   // written into it as <id>.so. `cpu_seconds` limits compiler and linker. Throws std::runtime_error if the
@@ -57,7 +54,6 @@ class Compiler {
   Toolchain toolchain_;
   PrecompiledHeader precompiled_, precompiled_sanitised_;
   std::filesystem::path cache_;
-  std::uintmax_t cache_bytes_;
   mutable std::mutex turns_mutex_;                   // guards the map
   mutable std::map<std::string, std::mutex> turns_;  // by the object's key: one thread at a time makes it
 };

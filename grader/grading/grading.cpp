@@ -79,7 +79,7 @@ Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
       made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
-      compiler_(kit_, settings_.cache, settings_.isolation, settings_.cache_bytes),
+      compiler_(kit_, settings_.cache, settings_.isolation),
       jobs_(settings_, kit_),
       base_fingerprint_(jobs_.fingerprint()),
       reference_(grade_reference(jobs_, compiler_)) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "grader/compile/cache.h"
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
 #include "grader/grading/suite_run.h"
@@ -21,7 +20,6 @@ struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grades only this one
   std::filesystem::path kit, suite, study_program, runners, scenes, cache;
-  std::uintmax_t cache_bytes = kCacheBytes;
   std::filesystem::path reference;  // holds its sources
   std::string secret;
   Isolation isolation = Isolation::namespaces;

@@ -119,7 +119,6 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
   if (!package.checks_only) options += " --secret \"$source/secret\"";
   if (package.course) options += " --course \"$source/course.json\"";
   if (!package.hand_in.empty() && !package.checks_only) options += " --hand-in " + quoted(package.hand_in);
-  if (package.leaderboard) options += " --leaderboard";
   std::vector<ArchiveEntry> entries;
   for (const char* script : {"setup.sh", "run_autograder"}) {
     std::string text = bytes_of_source(project / "grader/package/gradescope" / script);

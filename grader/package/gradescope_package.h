@@ -17,7 +17,6 @@ struct GradescopePackage {
   std::optional<std::filesystem::path> course, secret;
   std::string hand_in;  // names one of several in a course
   int minutes = 10;     // are the platform's limit for a hand-in
-  bool leaderboard = false;
   // Packs the public checks alone, for the days before the deadline: no secret, stubs in the reference's
   // place, and no hidden cases.
   bool checks_only = false;

@@ -31,19 +31,16 @@ std::vector<PointsChange> changes(const std::vector<PointsThen>& before,
   return all;
 }
 
-std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::string& since) {
+std::vector<PointsChange> changes(const std::vector<LogEntry>& log) {
   std::vector<const LogEntry*> gradings;
   for (const LogEntry& entry : log)
     if (entry.did == "graded") gradings.push_back(&entry);
-  const LogEntry* earlier = nullptr;
-  for (std::size_t i = 0; i + 1 < gradings.size(); ++i)
-    if (since.empty() || gradings[i]->at <= since) earlier = gradings[i];
-  if (!earlier) return {};
+  if (gradings.size() < 2) return {};
 
   const auto points_of = [](const LogEntry& entry) {
     return points_then(entry.detail, "the log's entry of " + entry.at);
   };
-  return changes(points_of(*earlier), points_of(*gradings.back()));
+  return changes(points_of(*gradings[gradings.size() - 2]), points_of(*gradings.back()));
 }
 
 }  // namespace grader::record

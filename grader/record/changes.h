@@ -19,8 +19,7 @@ struct PointsChange {
 std::vector<PointsChange> changes(const std::vector<PointsThen>& before,
                                   const std::vector<PointsThen>& after);
 
-// Compares the last grading and the one before it; with `since`, the last one up to that time, "2025-03-04
-// 10:15:22". Returns nothing if there are no two gradings.
-std::vector<PointsChange> changes(const std::vector<LogEntry>& log, const std::string& since = "");
+// Compares the last grading and the one before it. Returns nothing if there are no two gradings.
+std::vector<PointsChange> changes(const std::vector<LogEntry>& log);
 
 }  // namespace grader::record

@@ -51,19 +51,13 @@ const Keys kTop = {{"score", is_number},
                    {"visibility", kVisibility},
                    {"stdout_visibility", kVisibility},
                    {"extra_data", is_object},
-                   {"tests", [](const json& value) { return value.is_array(); }},
-                   {"leaderboard", [](const json& value) { return value.is_array(); }}};
+                   {"tests", [](const json& value) { return value.is_array(); }}};
 
 const Keys kTest = {
     {"score", is_number},        {"max_score", is_number},   {"status", one_of({"passed", "failed"})},
     {"name", is_text},           {"name_format", kFormat},   {"number", is_text},
     {"output", is_text},         {"output_format", kFormat}, {"tags", are_texts},
     {"visibility", kVisibility}, {"extra_data", is_object}};
-
-const Keys kLeaderboard = {
-    {"name", is_text},
-    {"value", [](const json& value) { return value.is_number() || value.is_string(); }},
-    {"order", one_of({"asc", "desc"})}};
 
 class Rules {
  public:
@@ -145,12 +139,6 @@ std::vector<std::string> broken_rules(const std::string& text) {
   rules.ask(std::abs(number_or_0(all, "score") - sum) <= 0.5e-4 * (static_cast<double>(count) + 1) ||
                 !all.contains("score"),
             "specs.md: score, which counts, is the tests' sum");
-  if (all.contains("leaderboard") && all["leaderboard"].is_array())
-    for (const json& row : all["leaderboard"]) {
-      rules.ask_keys(row, kLeaderboard, "leaderboard");
-      rules.ask(row.is_object() && row.contains("name") && row.contains("value"),
-                "specs.md: a leaderboard's row has name and value");
-    }
   return rules.broken;
 }
 

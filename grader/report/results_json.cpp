@@ -119,8 +119,6 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
   for (const Adjustment& adjustment : result.adjustments)
     all["extra_data"]["adjustments"].push_back(
         {{"reason", text_of(adjustment.reason)}, {"points", rounded_points(adjustment.points)}});
-  if (options.leaderboard)
-    all["leaderboard"] = Json::array({Json{{"name", "Points"}, {"value", score}, {"order", "desc"}}});
   if (!options.student.empty()) all["extra_data"]["student"] = options.student;
   if (!options.handed_in.empty()) all["extra_data"]["handed_in"] = options.handed_in;
   return all;

@@ -13,8 +13,7 @@
 namespace grader::inline report {
 
 struct ResultsOptions {
-  bool pictures = false;     // inside, small; the texts are complete without them
-  bool leaderboard = false;  // shows the points
+  bool pictures = false;  // inside, small; the texts are complete without them
   // Marks results of the public checks, which hide nothing: students see the whole output.
   bool public_checks = false;
   // Come from the platform; "": unknown.

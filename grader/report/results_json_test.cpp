@@ -1,10 +1,8 @@
-// STAFF ONLY. Tests that results.json keeps Gradescope's rules, whatever is in it, and that our test of the
-// rules finds broken ones.
+// STAFF ONLY. Tests that results.json keeps Gradescope's rules, whatever is in it.
 #include "grader/report/results_json.h"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "grader/report/facts/sample_results.h"
@@ -15,8 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const ResultsOptions kAllOptions{
-    .pictures = true, .leaderboard = true, .student = "4711", .handed_in = "2026-03-04"};
+const ResultsOptions kAllOptions{.pictures = true, .student = "4711", .handed_in = "2026-03-04"};
 
 std::string in_words(const std::vector<std::string>& lines) {
   std::string text;
@@ -31,48 +28,6 @@ TEST(ResultsJson, KeepsThePlatformsRules) {
   for (const SubmissionResult& result : results)
     for (const ResultsOptions& options : {ResultsOptions{}, kAllOptions})
       EXPECT_EQ(in_words(broken_rules(student_json(result, options))), "") << result.name;
-}
-
-TEST(ResultsJson, AnySlipIsSeen) {
-  const std::string right = student_json(sample_class(1).front(), kAllOptions);
-  struct Slip {
-    const char* rule;  // begins the rule
-    std::function<void(Json&)> make;
-  };
-  const Slip slips[] = {
-      {"specs.md: the whole has no points", [](Json& all) { all["points"] = 1; }},
-      {"specs.md: the whole: score is", [](Json& all) { all["score"] = "1"; }},
-      {"specs.md: the whole: output_format", [](Json& all) { all["output_format"] = "markdown"; }},
-      {"specs.md: the whole: stdout_visibility", [](Json& all) { all["stdout_visibility"] = "staff"; }},
-      {"specs.md: score or tests", [](Json& all) { all.erase("score"), all.erase("tests"); }},
-      {"specs.md: score, which counts", [](Json& all) { all["score"] = 1.0 + all["score"].get<double>(); }},
-      {"specs.md: results that are not visible", [](Json& all) { all["visibility"] = "after_due_date"; }},
-      {"ours: students don't see", [](Json& all) { all["stdout_visibility"] = "visible"; }},
-      {"specs.md: tests[0] is an object", [](Json& all) { all["tests"][0] = "S1"; }},
-      {"specs.md: tests[0] has no points", [](Json& all) { all["tests"][0]["points"] = 1; }},
-      {"specs.md: tests[0]: number", [](Json& all) { all["tests"][0]["number"] = 1.1; }},
-      {"specs.md: tests[0]: status", [](Json& all) { all["tests"][0]["status"] = "crashed"; }},
-      {"specs.md: tests[0]: tags", [](Json& all) { all["tests"][0]["tags"] = "S1"; }},
-      {"specs.md: a test that is not visible", [](Json& all) { all["tests"][0]["visibility"] = "hidden"; }},
-      {"ours: tests[0] has between", [](Json& all) { all["tests"][0]["max_score"] = 0; }},
-      {"specs.md: HTML is filtered",
-       [](Json& all) {
-         all["tests"][0]["output_format"] = "html";
-         all["tests"][0]["output"] = "<p><img src=\"https://example.org/x.png\"></p>";
-       }},
-      {"specs.md: leaderboard: order", [](Json& all) { all["leaderboard"][0]["order"] = "down"; }},
-      {"specs.md: a leaderboard's row", [](Json& all) { all["leaderboard"][0].erase("value"); }},
-  };
-  for (const auto& [rule, make] : slips) {
-    Json all = Json::parse(right);
-    make(all);
-    EXPECT_NE(in_words(broken_rules(all.dump(1, ' ', true) + "\n")).find(rule), std::string::npos)
-        << rule << ": " << in_words(broken_rules(all.dump(1, ' ', true)));
-  }
-  EXPECT_NE(in_words(broken_rules(right + "\r\n")).find("ours: it is ASCII"), std::string::npos);
-  EXPECT_NE(in_words(broken_rules(right + "}")).find("specs.md: it is JSON"), std::string::npos);
-  EXPECT_NE(in_words(broken_rules(right + std::string(kMostResultsBytes, ' '))).find("ours: it has a bound"),
-            std::string::npos);
 }
 
 // Each exercise has one picture; a hundred of them don't fit.

@@ -97,7 +97,6 @@ TEST_F(GradescopePackage, HoldsSourcesAndTwoScriptsAndNothingThatWasBuilt) {
   for (const char* script : {"setup.sh", "run_autograder"})
     for (const char* left : {"$PROGRAM", "$OPTIONS", "$PARTS", "$SECONDS"})
       EXPECT_FALSE(says(hair::bytes_of(source / script), left));
-  EXPECT_FALSE(says(hair::bytes_of(source / "run_autograder"), "--leaderboard"));
 }
 
 // Before the deadline the package holds nothing that a student must not see.
@@ -125,7 +124,7 @@ TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
 
 // The platform's folder of a hand-in is one student's, whatever folders it has.
 TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
-  pack({"--leaderboard"});
+  pack({});
   put_sample();
   std::ofstream(place_ / "submission_metadata.json")
       << R"({"created_at": "2026-03-04T10:15:00.0-08:00", "users": [{"id": 12}, {"id": 7}]})";
@@ -142,7 +141,6 @@ TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
   ASSERT_EQ(graded.code, 0) << graded.errors;
   const Json other = Json::parse(hair::bytes_of(folder_.path() / "grades/7/results.json"));
   EXPECT_EQ(results()["score"], other["score"]);
-  EXPECT_EQ(results()["leaderboard"][0]["value"], other["score"]);
   EXPECT_GT(other["score"], 0);
   ASSERT_EQ(results()["tests"].size(), other["tests"].size());
   for (std::size_t i = 0; i < other["tests"].size(); ++i)

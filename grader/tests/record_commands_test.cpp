@@ -217,7 +217,6 @@ TEST_F(RecordCommands, SayWhatIsWrongInOneLine) {
   expect_refused({"set", "alice", "H2", "1"}, "--why");
   expect_refused({"log", "nobody"}, "nobody in ");
   expect_refused({"forget", "../alice"}, "nobody in ");
-  expect_refused({"diff", "--since", "yesterday"}, "2025-03-04 10:15:00");
   EXPECT_EQ(files(), before);
   const ProgramRun elsewhere = run_hairgrade({"export", "--out", (out_ / "staff").string()});
   EXPECT_EQ(elsewhere.code, 2);

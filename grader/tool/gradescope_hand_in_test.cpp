@@ -93,15 +93,13 @@ TEST_F(Gradescope, ResultsAreWholeFromTheBeginningAndNameWhatIsNotGradedYet) {
   EXPECT_EQ(results()["extra_data"]["student"], "4711");
   EXPECT_EQ(results()["extra_data"]["handed_in"], "2026-03-04");
   EXPECT_EQ(results()["extra_data"]["isolation"], "namespaces");
-  EXPECT_FALSE(results().contains("leaderboard"));
 }
 
 TEST_F(Gradescope, WhatCouldNotBeGradedIsNotTheStudentsFault) {
-  const GradescopeResults file(folder_.path(), course_, {.leaderboard = true});
+  const GradescopeResults file(folder_.path(), course_, {});
   file.could_not_grade();
   EXPECT_EQ(results()["score"], 0);
   EXPECT_NE(results()["output"].get<std::string>().find("not your fault"), std::string::npos);
-  EXPECT_EQ(results()["leaderboard"][0]["value"], 0);
 }
 
 }  // namespace

@@ -192,21 +192,6 @@ TEST_F(Decisions, StandInTheLogAndInTheExport) {
   EXPECT_EQ(one.at("log").size(), 4U);
 }
 
-TEST(Changes, AreAgainstTheLastGradingUpToATime) {
-  const auto graded = [](const std::string& at, const std::string& points) {
-    return LogEntry{at, "ada", "graded",
-                    R"([{"place": "S1", "title": "One", "points": )" + points + R"(, "max_points": 5}])"};
-  };
-  const std::vector<LogEntry> log = {graded("2025-03-01 10:00:00", "1"),
-                                     graded("2025-03-02 10:00:00", "2"),
-                                     {"2025-03-02 11:00:00", "ada", "decided", "no JSON"},
-                                     graded("2025-03-03 10:00:00", "3")};
-  EXPECT_EQ(changes(log).at(0).before, 2);
-  EXPECT_EQ(changes(log, "2025-03-01 12:00:00").at(0).before, 1);
-  EXPECT_EQ(changes(log, "2025-03-03 10:00:00").at(0).before, 2) << "never against itself";
-  EXPECT_TRUE(changes(log, "2025-02-01 10:00:00").empty());
-}
-
 TEST_F(Decisions, ChangesOfALaterGradingAreTold) {
   EXPECT_TRUE(changes(record_.log("alice")).empty());
   record_.put({alice(5)});
@@ -217,7 +202,6 @@ TEST_F(Decisions, ChangesOfALaterGradingAreTold) {
   EXPECT_EQ(found[0].after, 5);
   record_.put({alice(5)});
   EXPECT_TRUE(changes(record_.log("alice")).empty()) << "against the one before";
-  EXPECT_TRUE(changes(record_.log("alice"), "2000-01-01 00:00:00").empty()) << "nothing was graded then";
 }
 
 }  // namespace

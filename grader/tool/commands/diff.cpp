@@ -12,7 +12,6 @@ namespace grader::inline tool {
 namespace {
 
 struct Diff : OfARecord {
-  std::string since;
   std::optional<std::filesystem::path> published;
 };
 
@@ -25,7 +24,7 @@ int diff(const Diff& options) {
     return 0;
   }
   const NamesForPeople people = record->names_for_people();
-  const ClassChanges all = class_changes(*record, options.since);
+  const ClassChanges all = class_changes(*record);
   for (const auto& [name, theirs] : all)
     for (const PointsChange& one : theirs)
       std::cout << called(name, people) << "  " << one.place << "  " << shown_change(one) << "  "
@@ -43,16 +42,6 @@ Command add_diff(CLI::App& hairgrade) {
   CLI::App* command = hairgrade.add_subcommand(
       "diff", "Tell what each student's last grading changed, by category, against the one before");
   add_folder(*command, *options);
-  command
-      ->add_option("--since", options->since,
-                   "Compare with the last grading up to this time (UTC), such as \"2025-03-04 10:15:00\"")
-      ->check([](const std::string& text) {
-        const std::string form = "dddd-dd-dd dd:dd:dd";
-        bool right = text.size() == form.size();
-        for (std::size_t i = 0; right && i < form.size(); ++i)
-          right = form[i] == 'd' ? text[i] >= '0' && text[i] <= '9' : text[i] == form[i];
-        return right ? "" : "write a time such as \"2025-03-04 10:15:00\"";
-      });
   command->add_option("--published", options->published,
                       "Write a table of those whose total is another than feedback or gradebook had, with "
                       "e-mail addresses; name a .csv");

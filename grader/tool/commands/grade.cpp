@@ -253,10 +253,6 @@ Command add_grade(CLI::App& hairgrade) {
   command->add_option("--cache", options->settings.cache,
                       "A folder for compiled objects (default: ~/.cache/hairgrade)");
   command
-      ->add_option("--cache-size", options->settings.cache_megabytes,
-                   "How many MB of compiled objects are kept; the oldest ones go (default: 2000)")
-      ->check(CLI::Range(std::uintmax_t{1}, std::uintmax_t{1'000'000}));
-  command
       ->add_option_function<std::string>(
           "--isolation",
           [options](const std::string& word) { options->settings.isolation = isolation_from(word); },

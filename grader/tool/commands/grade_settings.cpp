@@ -63,7 +63,6 @@ GradingSettings settings_of(const GradeSettings& options) {
                        .cpu_seconds = std::max({budget.worker_cpu_seconds, budget.compiler_cpu_seconds,
                                                 budget.suite_cpu_seconds})});
   settings.cache = options.cache ? *options.cache : default_cache();
-  settings.cache_bytes = 1'000'000 * options.cache_megabytes;
   settings.secret = read_secret(options.secret);
   return settings;
 }

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "grader/compile/cache.h"
 #include "grader/course/isolation.h"
 #include "grader/grading/suite_jobs.h"
 
@@ -17,7 +16,6 @@ struct GradeSettings {
   std::optional<std::string> exercise;
   std::vector<std::string> of_hand_in;  // its exercises; empty: all
   bool no_images = false, study = false;
-  std::uintmax_t cache_megabytes = kCacheBytes / 1'000'000;
   std::optional<Isolation> isolation;  // nothing: the best kind on this machine
   int jobs = 1;
 };

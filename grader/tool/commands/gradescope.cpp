@@ -18,7 +18,6 @@ namespace {
 
 struct GradescopeOptions {
   std::filesystem::path folder;
-  bool leaderboard = false;
   std::string hand_in;
   GradeSettings settings;
 };
@@ -30,7 +29,7 @@ int grade_on_gradescope(GradescopeOptions options) {
   const HandInRules rules = read_hand_in(course, options.settings.course, options.hand_in).rules;
   course.of_hand_in = rules.exercises;
   options.settings.of_hand_in = course.of_hand_in;
-  GradescopeResults results(options.folder, course, {.pictures = true, .leaderboard = options.leaderboard});
+  GradescopeResults results(options.folder, course, {.pictures = true});
   try {
     const Metadata metadata = read_metadata(options.folder / "submission_metadata.json");
     results.belong_to(metadata);
@@ -66,7 +65,6 @@ Command add_gradescope(CLI::App& hairgrade) {
   command->add_option("--course", options->settings.course, "The course file");
   command->add_option("--hand-in", options->hand_in, "The course file's hand-in");
   command->add_option("--cache", options->settings.cache, "A folder for compiled objects");
-  command->add_flag("--leaderboard", options->leaderboard, "Show the points on a leaderboard");
   return {command, [options] { return grade_on_gradescope(*options); }};
 }
 

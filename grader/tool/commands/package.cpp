@@ -47,7 +47,6 @@ Command add_package(CLI::App& hairgrade) {
   gradescope->add_flag(
       "--checks-only", options->checks_only,
       "For the days before the deadline: the public checks, without points, secret and reference");
-  gradescope->add_flag("--leaderboard", options->leaderboard, "Show the points on a leaderboard");
   return {command, [options] { return package_for_gradescope(*options); }};
 }
 

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SimilarOptions {
-  std::vector<fs::path> submissions, earlier, given;
+  std::vector<fs::path> submissions, earlier;
   std::optional<fs::path> course, grades;
   fs::path out;
   std::string hand_in;
@@ -89,11 +89,8 @@ int similar(const SimilarOptions& options) {
                                true});
     }
     if (one.files.size() < 2) continue;
-    std::vector<std::string> given{hair::bytes_of(HAIR_SOURCE_DIR / unwritten_file_of(exercise))};
-    for (const fs::path& folder : options.given)
-      if (std::string text = hair::bytes_of(folder / exercise.file); !text.empty())
-        given.push_back(std::move(text));
-    one.shared = shared_code(sim, one.files, given, rules);
+    const std::string stub = hair::bytes_of(HAIR_SOURCE_DIR / unwritten_file_of(exercise));
+    one.shared = shared_code(sim, one.files, {stub}, rules);
     std::cout << exercise.id << ": " << now << " files, ";
     if (!earlier.empty()) std::cout << one.files.size() - now << " earlier ones, ";
     std::cout << one.shared.pairs.size() << " pairs above " << options.per_cent << " %, "
@@ -125,9 +122,6 @@ Command add_similar(CLI::App& hairgrade) {
                       "A folder of grades: names are as staff read them there, or codes");
   command->add_option("--hand-in", options->hand_in,
                       "Of a course with several hand-ins: the exercises of this one alone");
-  command->add_option("--given", options->given,
-                      "A folder with exercise files that students may use, as an earlier year's sample; the "
-                      "handout's stubs are always taken off");
   command
       ->add_option("--earlier", options->earlier,
                    "Hand-ins of an earlier year, as for grade: these are compared with those, and those not "
