@@ -122,27 +122,5 @@ TEST(Includes, PointUpTheListsOfFolders) {
     EXPECT_TRUE(used.contains(i)) << folders[i] << " has no file";
 }
 
-// A header and its source count as one.
-TEST(Includes, OfTheGraderGoInNoCircle) {
-  const auto name_of = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
-  std::map<std::string, std::set<std::string>> needs;
-  for (const auto& [path, included] : read_includes())
-    for (const std::string& other : included)
-      if (path.starts_with("grader/") && !is_for_tests(path) && name_of(other) != name_of(path))
-        needs[name_of(path)].insert(name_of(other));
-  // Files that need none of those left, or that none of those needs, are taken away: circles stay.
-  for (std::size_t before = 0; before != needs.size();) {
-    before = needs.size();
-    std::set<std::string> needed;
-    for (auto& [file, others] : needs) {
-      std::erase_if(others, [&](const std::string& other) { return !needs.contains(other); });
-      needed.insert(others.begin(), others.end());
-    }
-    std::erase_if(needs,
-                  [&](const auto& file) { return file.second.empty() || !needed.contains(file.first); });
-  }
-  for (const auto& [file, others] : needs) ADD_FAILURE() << file << " needs " << *others.begin();
-}
-
 }  // namespace
 }  // namespace grader

@@ -13,7 +13,6 @@
 #include "grader/intake/read_submissions.h"
 #include "grader/record/record.h"
 #include "grader/report/report.h"
-#include "grader/tests/busy_user.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
@@ -232,7 +231,6 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
   auto score = [](const string& folder) {
     return nlohmann::json::parse(hair::bytes_of(fs::path(folder) / "thief" / "results.json")).at("score");
   };
-  const BusyUser user(64);  // more threads than a worker may have in a sandbox
   const string outside = (folder_ / "outside").string();
   ASSERT_EQ(grade({thief, "--out", outside, "--unsafe-no-sandbox"}).code, 0);
   EXPECT_EQ(score(outside), 32);
@@ -332,20 +330,6 @@ TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
   EXPECT_TRUE(says(run.output, ", without pictures"));
   EXPECT_EQ(points_in(blind), points_in(out()));
   EXPECT_EQ(points_in(blind).at("S1 The whole run"), 2);
-}
-
-TEST_F(Hairgrade, KeepsTheReferencesPicturesForTheNextBatch) {
-  const auto kept = [&] {
-    std::map<string, fs::file_time_type> all;
-    for (const auto& entry : fs::recursive_directory_iterator(course_ / "cache" / "pictures"))
-      if (entry.is_regular_file()) all[entry.path().string()] = entry.last_write_time();
-    return all;
-  };
-  earlier_run();
-  const auto first = kept();
-  EXPECT_GE(first.size(), 3U);
-  ASSERT_EQ(grade({sample("other-order"), "--out", out()}).code, 0);
-  EXPECT_EQ(kept(), first);
 }
 
 TEST_F(Hairgrade, WritesTheHandout) {

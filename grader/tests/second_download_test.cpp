@@ -87,26 +87,6 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   EXPECT_FALSE(says(read("grades/solo_4713/report.html"), "Well spoken."));
 }
 
-TEST_F(SecondDownload, ACorrectedTableReplacesTimesAndSaysSo) {
-  download({"roemax_4716_90002_conj_grad.cpp"});
-  const auto grade_with = [&](const string& rows, const Words& more = {}) {
-    Words words{"--times", write("times.csv", "id,time\n" + rows)};
-    words.insert(words.end(), more.begin(), more.end());
-    return grade(words).errors;
-  };
-  const auto time = [&] { return Record(root_ / "grades").handed_in("roemax_4716"); };
-  EXPECT_FALSE(says(grade_with("4716,2025-03-09 10:00\n"), "time of hand-in"));
-  EXPECT_TRUE(
-      says(grade_with("4716,-\n"), ": its time of hand-in was 2025-03-09 10:00 and is unknown now\n"));
-  EXPECT_EQ(time(), "-");
-  EXPECT_TRUE(says(grade_with("4716,2025-03-09 10:00\n", {"--resume"}),
-                   ": its time of hand-in was unknown and is 2025-03-09 10:00 now\n"));
-  EXPECT_FALSE(says(grade_with("4716,2025-03-09 10:00\n", {"--resume"}), "time of hand-in"));
-  for (const char* rows : {"4711,2025-03-04 10:00\n", "4711,2025-03-04 10:00\n4716,soon\n"})
-    EXPECT_TRUE(says(grade_with(rows, {"--resume"}), "times.csv, and keeps 2025-03-09 10:00\n"));
-  EXPECT_EQ(time(), "2025-03-09 10:00");
-}
-
 // In Moodle's own blind download staff know nobody, and the worksheet with names comes later.
 TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
   download({"Teilnehmer_4713_assignsubmission_file/conj_grad.cpp",
