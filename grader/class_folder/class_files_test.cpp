@@ -68,18 +68,6 @@ TEST_F(ClassFiles, AreTheSameBeforeAndAfterTheRecord) {
   for (const auto& [name, bytes] : made) EXPECT_TRUE(files().at(name) == bytes) << name;
 }
 
-TEST_F(ClassFiles, OfOneWhoIsGradedAgainWithoutAStudyHaveNone) {
-  SubmissionResult alice = sample_class(1).front();
-  alice.studied = true;
-  record_.put({alice, SubmissionStudy{}, {}});
-  write();
-  alice.studied = false;
-  record_.put({alice});
-  write();
-  EXPECT_FALSE(files().contains("alice/study.html"));
-  EXPECT_FALSE(files().contains("alice/study.json"));
-}
-
 TEST_F(ClassFiles, TellTheCostsOfEverybodyAndWhoseTheClockEnded) {
   std::vector<SubmissionResult> both = sample_class(2);
   both[1].ended_by_the_clock = {"S2", "runs"};

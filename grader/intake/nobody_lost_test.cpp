@@ -49,16 +49,6 @@ TEST_F(Submissions, ArchivesThatStayShutAreReported) {
   EXPECT_TRUE(has_notice(nested, {"dave.zip: old.zip was not opened"}));
 }
 
-TEST_F(Submissions, AThousandArchivesThatStayShutAreOneLine) {
-  ArchiveBuilder builder(Packing::zip);
-  builder.file("conj_grad.cpp");
-  for (int i = 0; i < 980; ++i) builder.file("old/" + std::to_string(1000 + i) + ".zip", "");
-  const Intake intake = take({write("alice.zip", builder.bytes())});
-  EXPECT_EQ(intake.notices,
-            Names{(dir_ / "alice.zip").string() +
-                  ": old/1000.zip was not opened, since there are exercise files beside it, and 979 more"});
-}
-
 TEST_F(Submissions, ArchivesThatLieTooDeepAreReported) {
   std::string bytes = zip("conj_grad.cpp");
   for (int i = 0; i < 10; ++i) bytes = zip("x.zip", bytes);
