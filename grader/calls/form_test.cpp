@@ -11,7 +11,6 @@
 #include "reference/P1/calls.h"
 #include "reference/P2/calls.h"
 #include "reference/S1/calls.h"
-#include "reference/S2/calls.h"
 #include "solver/test_refusal.h"
 
 namespace grader::inline calls {
@@ -78,12 +77,6 @@ TEST(Form, OfAStrandHoldsAllOfIt) {
   EXPECT_EQ(arrived.skip_rigidity, 6);
   EXPECT_TRUE(arrived.clamped);
   EXPECT_EQ(arrived.root_tangent, strand.root_tangent);
-}
-
-TEST(Form, OfAStrandMayHaveOneParticle) {
-  hair::Strand strand;
-  strand.mass = VectorXd::Constant(1, 7);
-  EXPECT_EQ(sent(strand).segments(), 0);
 }
 
 TEST(Form, OfAStrandRefusesOtherNumbersOfSegments) {
@@ -213,24 +206,6 @@ TEST(Check, OfASystemWantsAsManyNumbersAsUnknowns) {
   EXPECT_NE(refused(1 << 30, 1 << 30, three, three), "");
 }
 
-TEST(Check, OfATableWantsAllEntries) {
-  EXPECT_EQ(refusal_by<s2::Table>(2, 3, VectorXd(6)), "");
-  EXPECT_EQ(refusal_by<s2::Table>(0, 3, VectorXd(0)), "");
-  EXPECT_EQ(refusal_by<s2::Table>(2, 3, VectorXd(5)), "a table of 2 rows and 3 columns with 5 entries");
-  EXPECT_NE(refusal_by<s2::Table>(-2, -3, VectorXd(6)), "");
-  EXPECT_NE(refusal_by<s2::Table>(1 << 16, 1 << 16, VectorXd(0)), "") << "2^32 is no int";
-}
-
-TEST(Check, OfNormalEquationsWantsTheTransposedMatrix) {
-  const Operator A{4, 3, nullptr}, A_transposed{3, 4, nullptr};
-  EXPECT_EQ(refusal_by<s2::Transposed>(A, A_transposed), "");
-  EXPECT_NE(refusal_by<s2::Transposed>(A, A), "");
-  EXPECT_NE(refusal_by<s2::Transposed>(Operator{1 << 30, 1, nullptr}, Operator{1, 1 << 30, nullptr}), "");
-  EXPECT_EQ(refusal_by<s2::NormalSystem>(A, A_transposed, VectorXd(3), VectorXd(4), 0.0, 0), "");
-  EXPECT_NE(refusal_by<s2::NormalSystem>(A, A_transposed, VectorXd(4), VectorXd(4), 0.0, 0), "");
-  EXPECT_NE(refusal_by<s2::NormalSystem>(A, A_transposed, VectorXd(3), VectorXd(3), 0.0, 0), "");
-}
-
 TEST(Check, OfConstraintsWantsParticlesThatAreThere) {
   const VectorXd x = VectorXd::Ones(6);
   const auto rod = [&](int i, int j) {
@@ -242,27 +217,6 @@ TEST(Check, OfConstraintsWantsParticlesThatAreThere) {
   EXPECT_NE(rod(std::numeric_limits<int>::max(), 0), "");
   const Constraints bead{{}, {{2, Vector3d::Zero(), Vector3d::UnitX(), 1}}, 0, 0};
   EXPECT_NE(refusal_by<p2::Values>(bead, x, VectorXd(2)), "");
-}
-
-TEST(Check, OfConstraintsWantsANumberForEachRow) {
-  const Constraints held{{{0, 1, 1.0}}, {{1, Vector3d::Zero(), Vector3d::UnitX(), 1}}, 0, 0};
-  const particles::Particles two{Vector2d(1, 1), {0, 0}};
-  const VectorXd x = VectorXd::Ones(6), rows = VectorXd::Ones(3), other = VectorXd::Ones(4);
-  const particles::State state{x, x}, longer{x, VectorXd::Ones(9)};
-  EXPECT_EQ(refusal_by<p2::Values>(held, x, rows), "");
-  EXPECT_EQ(refusal_by<p2::Values>(held, x, other), "4 numbers for 3 rows of constraints");
-  EXPECT_EQ(refusal_by<p2::Rates>(held, x, x, rows), "");
-  EXPECT_NE(refusal_by<p2::Rates>(held, x, rows, rows), "");
-  EXPECT_NE(refusal_by<p2::Rates>(held, x, x, other), "");
-  EXPECT_EQ(refusal_by<p2::Forces>(held, x, rows, x), "");
-  EXPECT_NE(refusal_by<p2::Forces>(held, x, other, x), "");
-  EXPECT_NE(refusal_by<p2::Forces>(held, x, rows, other), "");
-  EXPECT_EQ(refusal_by<p2::Solves>(held, two, state), "");
-  EXPECT_NE(refusal_by<p2::Solves>(held, two, longer), "");
-  EXPECT_NE(refusal_by<p2::Solves>(held, particles::Particles{Vector3d(1, 1, 1), {0, 0, 0}}, state), "");
-  EXPECT_EQ(refusal_by<p2::Solves>(held, two, state, x, rows), "");
-  EXPECT_NE(refusal_by<p2::Solves>(held, two, state, rows, rows), "");
-  EXPECT_NE(refusal_by<p2::Solves>(held, two, state, x, other), "");
 }
 
 }  // namespace

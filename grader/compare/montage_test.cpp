@@ -24,11 +24,6 @@ TEST(SideBySide, KeepsEveryPixelAndPutsALineBetween) {
   EXPECT_EQ(side_by_side({a}), a);
 }
 
-TEST(SideBySide, NeedsPicturesOfOneHeight) {
-  EXPECT_THROW(side_by_side({}), std::invalid_argument);
-  EXPECT_THROW(side_by_side({noise(5, 4, 1), noise(5, 3, 1)}), std::invalid_argument);
-}
-
 TEST(Shrunk, EachPixelIsTheMeanOfWhatItCovers) {
   Image image{4, 2, {}};
   for (const int value : {0, 100, 10, 20, 40, 60, 30, 40})
@@ -45,12 +40,6 @@ TEST(Shrunk, PixelsAreSharedWhereTheyMust) {
   for (const int value : {30, 60, 90})
     image.pixels.insert(image.pixels.end(), 3, static_cast<std::uint8_t>(value));
   EXPECT_EQ(shrunk(image, 2).pixels, (std::vector<std::uint8_t>{40, 40, 40, 80, 80, 80}));
-}
-
-TEST(Shrunk, EvenStaysEvenAndSmallStaysAsItIs) {
-  EXPECT_EQ(shrunk(even({10, 20, 30}, 100, 37), 33), even({10, 20, 30}, 33, 12));
-  EXPECT_EQ(shrunk(noise(5, 4, 1), 5), noise(5, 4, 1));
-  EXPECT_EQ(shrunk(even({1, 2, 3}, 100, 1), 10), even({1, 2, 3}, 10, 1));
 }
 
 }  // namespace

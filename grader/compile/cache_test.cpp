@@ -1,13 +1,11 @@
-// STAFF ONLY. Tests that the cache has a bound, and that nobody reads half a file in it.
+// STAFF ONLY. Tests that the cache has a bound, and gives back what was kept.
 #include "grader/compile/cache.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <set>
-#include <thread>
 
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
@@ -63,31 +61,6 @@ TEST_F(Cache, GivesBackWhatWasKept) {
     EXPECT_FALSE(read_kept(dir_ / "kept")) << damaged;
   }
   EXPECT_FALSE(read_kept(dir_ / "nobody"));
-}
-
-// One of two graders stores files and makes room; the other reads.
-TEST_F(Cache, IsReadWholeWhileAnotherWrites) {
-  constexpr std::size_t kBytes = 1 << 20;
-  hair::TemporaryFolder elsewhere("elsewhere");
-  const fs::path file = elsewhere.path() / "file";
-  std::ofstream(file, std::ios::binary) << text_of({std::string(kBytes, 'x'), "log"});
-  std::atomic<bool> enough = false;
-  std::jthread writer([&] {
-    while (!enough) {
-      keep_copy(file, dir_ / "kept");
-      shrink_cache(dir_, 0);
-    }
-  });
-  int whole = 0;
-  for (int i = 0; i < 2000; ++i)
-    if (const std::optional<KeptObject> found = read_kept(dir_ / "kept")) {
-      EXPECT_EQ(found->object.size(), kBytes);
-      ++whole;
-    }
-  enough = true;
-  writer.join();
-  keep_copy(file, dir_ / "kept");
-  EXPECT_TRUE(read_kept(dir_ / "kept")) << "and " << whole << " were read meanwhile";
 }
 
 }  // namespace

@@ -277,17 +277,6 @@ TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
   EXPECT_LT(timing.spent.worker_cpu_seconds, share + 1);
 }
 
-TEST_F(MemoryErrorsTest, AreCachedApart) {
-  const std::string source =
-      function("return x[0];") + "// for the cache, " + std::to_string(getpid()) + "\n";
-  const Compiled ordinary = compiler_.compile(s1_, source, kit_.new_job("cache-1"), 200);
-  const Compiled first = sanitised(source, "cache-2"), second = sanitised(source, "cache-3");
-  EXPECT_GT(first.cpu_seconds, 0) << "the ordinary object took its place";
-  EXPECT_EQ(second.cpu_seconds, 0) << "compiled again";
-  EXPECT_EQ(hair::bytes_of(first.object), hair::bytes_of(second.object));
-  EXPECT_NE(hair::bytes_of(first.object), hair::bytes_of(ordinary.object));
-}
-
 // A worker that does not run on this machine must cost no student a point: no submission is graded.
 TEST_F(MemoryErrorsTest, AreLookedForInTheReferenceFirst) {
   const hair::TemporaryFolder folder("kit");

@@ -132,24 +132,6 @@ std::pair<double, double> points_in(const std::string& text) {
   return points;
 }
 
-// "2. P1, H1: your first hair, ..., `hairlab view limp-hair`.": the exercises call the scene, as
-// golden/scenes.md has it.
-TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
-  const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
-  std::istringstream readme(hair::bytes_of(root_ / "handout/README.md"));
-  static const std::regex item("[0-9]+\\. ([A-Z0-9, ]+): .*`hairlab view ([a-z-]+)`.*");
-  int items = 0;
-  std::smatch found;
-  for (std::string line; std::getline(readme, line);) {
-    if (!std::regex_match(line, found, item)) continue;
-    ++items;
-    const std::string row =
-        "| [" + found[2].str() + "](" + found[2].str() + ".json) | " + found[1].str() + " |";
-    EXPECT_TRUE(says(scenes, row)) << line;
-  }
-  EXPECT_GE(items, 5);
-}
-
 // The scene of show-X calls X, and ships. Studies show solver and phase plane.
 TEST_F(RealProject, ShowsEachExerciseByASceneThatCallsIt) {
   const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
@@ -253,25 +235,6 @@ TEST_F(RealProject, FitsAnyCourse) {
   }
 }
 
-// An example's scene gives way to another one; a scene that its paragraph describes does not.
-TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
-  const std::vector<ManifestLine> all = read_manifest(root_, course_);
-  for (Exercise& exercise : course_.exercises)
-    if (exercise.id == "H6") exercise.role = Role::absent;
-  const Files files = handout_files(sources_, course_);
-  expect_scenes_to_play(files, all);
-  const std::string& readme = files.at("README.md");
-  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # runs it, and keeps numbers",
-                           "\nbuild/hairlab run head-of-hair --jobs 2",
-                           "\nbuild/hairlab study long-straight --out study            # error against run "
-                           "time, of each method\n"})
-    EXPECT_TRUE(says(readme, line));
-  EXPECT_TRUE(
-      says(files.at("assignment/work-precision.md"), "\nbuild/hairlab study long-straight --out study\n"));
-  EXPECT_TRUE(
-      says(files.at("exercises/H4/text.md"), "\n\n*(Not in your course: the scene angular-momentum.)*\n\n"));
-}
-
 // Some hand in the whole folder, or the two folders whose names promise their files.
 TEST_F(RealProject, IsAHandInAsAWhole) {
   for (const bool whole : {true, false}) {
@@ -294,15 +257,6 @@ TEST_F(RealProject, IsAHandInAsAWhole) {
     EXPECT_EQ(all[0].files.at("conj_grad.cpp").text, "mine");
     EXPECT_EQ(all[0].files.at("conj_grad.cpp").problem, "");
   }
-}
-
-TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
-  for (Exercise& exercise : course_.exercises)
-    if (exercise.id == "S1" || exercise.id == "S2") exercise.role = Role::given;
-  const std::string readme = handout_files(sources_, course_).at("README.md");
-  EXPECT_TRUE(says(readme,
-                   "begins with P1: read `check-P1` for `check-S1` and `student/explicit_integrators.cpp` "
-                   "for `student/conj_grad.cpp`"));
 }
 
 // The build needs the packages in packages.cmake.
@@ -341,17 +295,6 @@ TEST_F(RealProject, NamesAllPackagesInTheReadme) {
   EXPECT_EQ(packages, 11);
   EXPECT_EQ(apt, (std::set<std::string>{"build-essential", "gdb"}));
   EXPECT_EQ(brew, std::set<std::string>());
-}
-
-// The standard library of macOS is libc++, which has none of these. (There std::from_chars takes whole
-// numbers alone: the nightly's stage libcxx compiles everything.)
-TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
-  for (const auto& [path, text] : handout_files(sources_, course_)) {
-    if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
-    for (const char* word :
-         {"jthread", "stop_token", "atomic_ref", "std::format", "std::execution", "<stacktrace>"})
-      EXPECT_FALSE(says(text, word)) << path << ": ";
-  }
 }
 
 // Lists the project's headers that a text includes, "hair/strand.h".

@@ -60,14 +60,6 @@ std::string complaint_of(const std::string& text, const std::string& reference =
   });
 }
 
-TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
-  const std::string said = complaint_of(
-      "An example:\n\n\tdouble f(double x) {\n\n\n    const double y = 2 * x;\r\nreturn y * y;\n}  \nand so "
-      "on\n");
-  EXPECT_TRUE(says(said, "text.md:3"));
-  EXPECT_TRUE(says(said, "reference/f.cpp:3"));
-}
-
 TEST(ReferenceLinesGate, ClosesForFourLinesInAnyDress) {
   const std::string lines[] = {"double f(double x) {", "const double y = 2 * x;", "return y * y;", "}"};
   const auto dressed = [&](const std::string& before, const std::string& after) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/course/input.h"
+#include "grader/package/course_texts.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "solver/test_refusal.h"
@@ -201,25 +202,12 @@ TEST_F(SmallProject, ClosesForReferenceLinesInAText) {
   EXPECT_TRUE(says(complaint(), "README.md:3: what it says stands in reference/E1/f.cpp:2"));
 }
 
-TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
-  course_.exercises[0].role = Role::given;
-  write("handout/exercises/E2/g.cpp", kSolved.substr(kSolved.find('\n')));
-  EXPECT_TRUE(says(complaint(), "stubs/g.cpp.stub"));
-}
-
 TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {
   make_handout(sources_, course_, out_);
   const std::string before = hair::bytes_of(out_);
   write("handout/README.md", "STAFF ONLY\n");
   EXPECT_THROW(make_handout(sources_, course_, out_), HandoutError);
   EXPECT_EQ(hair::bytes_of(out_), before);
-}
-
-TEST_F(SmallProject, LeavesTheTestsOfAFolderOut) {
-  for (const std::string name : {"a_test.cpp", "test_hair.h", "tests.cmake"})
-    write("solver/lib/" + name, "STAFF ONLY. #include <gtest/gtest.h>\n");
-  EXPECT_EQ(complaint(), "");
-  for (const auto& [path, bytes] : files()) EXPECT_FALSE(says(path, "test"));
 }
 
 TEST_F(SmallProject, ClosesForAFolderThatHoldsATestOfAnotherNameABenchmarkOrAStaffFile) {

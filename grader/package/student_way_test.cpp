@@ -299,24 +299,6 @@ TEST_F(StudentsWay, ConfiguresWithoutAnExerciseThatTheCourseLacks) {
   EXPECT_FALSE(fs::exists(folder_ / "hair-assignment/student" / course_.exercises.back().file));
 }
 
-// The first handouts had no given/: includes name the folder above, or not.
-TEST_F(StudentsWay, CompilesEveryIncludeOfAFlatTree) {
-  unpack();
-  // Two headers of hair/lab/ have the names of others elsewhere.
-  std::string lines[2];
-  for (const auto& [path, text] : handout_files(sources_, course_)) {
-    const std::string header = path.starts_with("given/") ? path.substr(6) : path;
-    if (!header.ends_with(".h") || header.starts_with("check/")) continue;
-    for (const char* above : {"", "../"})
-      lines[header.starts_with("hair/lab/")] += "#include \"" + std::string(above) + header + "\"\n";
-  }
-  does(configure_);
-  const char* names[2] = {"student/stretch_springs.cpp", "student/angular_springs.cpp"};
-  for (int i = 0; i < 2; ++i)
-    std::ofstream(folder_ / "hair-assignment" / names[i]) << lines[i] << "#include \"linearSolver.h\"\n";
-  does("cmake --build build --parallel 2 --target student_H1 student_H2");
-}
-
 TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
   unpack();
   does("cmake --preset debug");

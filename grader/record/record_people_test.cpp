@@ -62,23 +62,6 @@ TEST(PeopleInTheRecord, ComeBackAndMakeTheClass) {
     EXPECT_EQ(hair::bytes_of(file.path()).find("a@u.de"), std::string::npos) << file.path();
 }
 
-TEST(PeopleInTheRecord, ADamagedOneIsNamed) {
-  const hair::TemporaryFolder folder("damaged owner");
-  Record record(folder.path());
-  Recorded graded;
-  graded.result.name = "doe";
-  record.put(graded);
-  record.put_people({{"doe", {.name = "Doe"}, "canvas"}});
-  Database(folder.path() / kRecordFile).run("UPDATE owners SET owner = replace(owner, 'false', '0')");
-  try {
-    record.hand_ins();
-    FAIL() << "nothing was said";
-  } catch (const BadInput& error) {
-    const std::string said = error.what();
-    EXPECT_NE(said.find("class.sqlite: the owner of doe: anonymous: "), std::string::npos) << said;
-  }
-}
-
 TEST(PeopleInTheRecord, AreNotMadeBlindOnceTheyHaveNames) {
   const hair::TemporaryFolder folder("names");
   Record record(folder.path());

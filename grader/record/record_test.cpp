@@ -178,14 +178,6 @@ TEST_P(RecordOfAClass, OfAnOlderVersionIsBroughtOn) {
   }
 }
 
-TEST_P(RecordOfAClass, HasAPictureThatIsDamaged) {
-  SubmissionResult alice = sample_class(1).front();
-  alice.exercises[0].pictures = {{"1 s", 0, 0, "student", "reference", ""}};
-  record().put({alice});
-  Database(file_, GetParam()).run("UPDATE pictures SET png = x'00'");
-  EXPECT_NE(tests::refusal<BadInput>([&] { record().find("alice"); }).find("is damaged"), std::string::npos);
-}
-
 TEST(Journals, AreRollbackJournalsWhereMemoryMayNotBeShared) {
   EXPECT_TRUE(is_local_file_system(EXT4_SUPER_MAGIC));
   EXPECT_TRUE(is_local_file_system(OVERLAYFS_SUPER_MAGIC));

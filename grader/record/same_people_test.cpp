@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <set>
 
 namespace grader::inline record {
@@ -123,47 +122,6 @@ TEST(RowNames, OfCanvasGroupsDontFollowWhoeverHandedIn) {
   now = group("rockets_2", "2", {"1", "2"});
   now.system = "canvas";
   EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"team7_1"});
-}
-
-// Groups of two to four are renamed at random, in any order; in each at most one member leaves and one
-// joins, who is in no other group: of two or more at least one stays, and nobody is in two groups.
-TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {
-  for (unsigned seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    const auto below = [&](unsigned n) { return random() % n; };
-    const unsigned count = 1 + below(12);
-    const bool with_id = below(2) == 0;
-    std::vector<std::vector<std::string>> members(count);
-    unsigned next = 0;
-    for (auto& group : members)
-      for (unsigned i = 0, n = 2 + below(3); i < n; ++i) group.push_back(std::to_string(next++));
-    std::vector<HandIn> hand_ins;
-    for (unsigned i = 0; i < count; ++i)
-      hand_ins.push_back(group("team" + std::to_string(i), "", members[i]));
-    std::vector<Drawn> record = at_first(hand_ins);
-
-    for (int round = 0; round < 5; ++round) {
-      std::vector<unsigned> names(count);
-      for (unsigned i = 0; i < count; ++i) names[i] = i;
-      std::ranges::shuffle(names, random);
-      std::vector<HandIn> now;
-      for (unsigned i = 0; i < count; ++i) {
-        if (below(2) == 0 && members[i].size() > 1) members[i].erase(members[i].begin() + below(2));
-        if (below(2) == 0) members[i].push_back(std::to_string(next++));
-        std::ranges::shuffle(members[i], random);
-        std::string id;  // is like Gradescope's id of a group, from its members'
-        if (with_id)
-          for (const std::string& member : members[i]) id += member + "_";
-        now.push_back(group("team" + std::to_string(names[i]), id, members[i]));
-      }
-      std::vector<std::string> wanted;
-      for (const Drawn& one : record) wanted.push_back(one.from);
-      ASSERT_EQ(drawn_from(record, now), wanted);
-      EXPECT_EQ(std::set<std::string>(wanted.begin(), wanted.end()).size(), count);
-      for (unsigned i = 0; i < count; ++i) record[i].hand_in = now[i];
-    }
-  }
 }
 
 }  // namespace

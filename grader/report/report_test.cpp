@@ -5,13 +5,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "grader/course/input.h"
 #include "grader/report/facts/picture_files.h"
@@ -115,26 +113,6 @@ TEST_F(Reports, StoreAPictureInTheStudentsReportAndOnceForStaff) {
     }
 }
 
-TEST_F(Reports, StaffsPagesLinkToPicturesThatAreThere) {
-  const std::vector<SubmissionResult> results = sample_class(20);
-  write_all(dir_, results);
-  Files files = files_in(dir_);
-  std::size_t links = 0;
-  for (const auto& [name, page] : Files(files)) {
-    if (!name.starts_with("staff/") && name != "index.html") continue;
-    const std::string start = "src=\"", folder = fs::path(name).parent_path().string();
-    for (std::size_t at = page.find(start); at != page.npos; at = page.find(start, at), ++links) {
-      at += start.size();
-      const std::string link = page.substr(at, page.find('"', at) - at);
-      const fs::path file = (fs::path(folder) / link).lexically_normal();
-      EXPECT_EQ(file.parent_path(), "staff/pictures");
-      ASSERT_TRUE(files.contains(file.string())) << name << ": " << link;
-      EXPECT_EQ(picture_name(files.at(file.string())), file.filename());
-    }
-  }
-  EXPECT_GT(links, 100u);
-}
-
 TEST_F(Reports, StudentsPagesLeadToNothingOfTheStaffs) {
   const SubmissionResult result = submission_with_all_pictures("alice");
   write_submission_reports(dir_, result);
@@ -166,34 +144,6 @@ TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
   EXPECT_EQ(expected.erase("staff/pictures/" + picture_name(before.exercises[0].pictures[0].student)), 1u);
   remove_unshown_pictures(dir_);
   EXPECT_EQ(files_in(dir_), expected);
-}
-
-// Submissions are graded in parallel, and share the reference's pictures.
-TEST_F(Reports, PicturesThatSeveralWriteAtATimeAreWhole) {
-  constexpr int kThreads = 8, kRounds = 5;
-  std::vector<SubmissionResult> results;
-  for (int i = 0; i < kThreads; ++i) {
-    results.push_back(submission_with_all_pictures("student-" + std::to_string(i)));
-    for (ExerciseResult& exercise : results.back().exercises)
-      for (PictureResult& picture : exercise.pictures) picture.reference += std::string(100'000, 'r');
-  }
-  for (int round = 0; round < kRounds; ++round) {
-    fs::remove_all(dir_ / "staff");
-    std::atomic<int> failed = 0;
-    {
-      std::vector<std::jthread> threads;
-      for (const SubmissionResult& result : results)
-        threads.emplace_back([&] {
-          try {
-            write_pictures(pictures_folder(dir_), result);
-          } catch (const BadInput& error) {
-            if (failed++ == 0) ADD_FAILURE() << error.what();
-          }
-        });
-    }
-    ASSERT_EQ(failed, 0);
-    for (const auto& [name, bytes] : files_in(dir_ / "staff/pictures")) ASSERT_EQ(picture_name(bytes), name);
-  }
 }
 
 TEST_F(Reports, OfOneAreRemovedAlone) {
@@ -245,13 +195,6 @@ TEST_F(Reports, AFailedWriteLeavesTheEarlierFileAndNothingElse) {
   std::signal(SIGXFSZ, old_handler);
   EXPECT_NE(said.find("x: can't be written (File too large)"), std::string::npos) << said;
   EXPECT_EQ(files_in(dir_), (Files{{"x", "earlier"}}));
-}
-
-TEST_F(Reports, ALinkInPlaceOfAFileIsReplacedAndNotFollowed) {
-  std::ofstream(dir_ / "other") << "kept";
-  fs::create_symlink(dir_ / "other", dir_ / "x");
-  write_file(dir_ / "x", "new");
-  EXPECT_EQ(files_in(dir_), (Files{{"other", "kept"}, {"x", "new"}}));
 }
 
 TEST(Table, IsAlignedAndAscii) {
@@ -318,17 +261,6 @@ dave                  stub    10   stub     10  dave
 mean of 4             18.8  12.5    1.9   33.1
 ! points from before or after a crash or a limit
 )");
-}
-
-// Names from a learning system begin alike, and end with the number.
-TEST(Table, KeepsRowsApart) {
-  std::vector<SubmissionResult> results = class_of_ten_exercises(3);
-  for (std::size_t i = 0; i < 3; ++i)
-    results[i].name = "mueller-luedenscheidt-joerg_471" + std::to_string(i) + "_9000";
-  std::ostringstream out;
-  print_table(out, results);
-  for (const char* name : {"joerg_4710...", "joerg_4711...", "joerg_4712..."})
-    EXPECT_NE(out.str().find(name), std::string::npos) << out.str();
 }
 
 }  // namespace

@@ -70,14 +70,6 @@ TEST_F(Inherited, IsTheSameWhoeverStartsIt) {
   sigprocmask(SIG_SETMASK, &before, nullptr);
 }
 
-TEST_F(Inherited, HasTheUsualPersonality) {
-  if (hair::exit_code_of(hair::start_program({.words = {"/usr/bin/setarch", "-R", "/bin/true"}})) != 0)
-    GTEST_SKIP() << "nobody may change the personality here, as in most containers";
-  const string usual = after("");
-  for (const char* option : {"-R", "-X", "-L", "-Z", "-RXL3"})
-    EXPECT_EQ(after("exec setarch " + string(option) + " \"$0\" \"$@\""), usual) << option;
-}
-
 TEST_F(Inherited, KeepsAFolderForTemporaryFilesIfASandboxCanUseIt) {
   const auto folder_after = [&](const string& script) {
     const string state = after(script);

@@ -177,16 +177,6 @@ TEST_F(Similar, TellsWhatManyShare) {
   EXPECT_EQ(shared.common.front().owners.size(), 6U);
 }
 
-// A padded copy is a copy: the part is that of the shorter text.
-TEST_F(Similar, FindsACopyInALongerFile) {
-  const std::map<std::string, std::vector<SimilarFile>> honest = honest_files();
-  const std::string work = honest.at("conj_grad.cpp").front().text,
-                    padding = honest.at("super_helix.cpp").front().text;
-  const SharedCode shared = shared_code(sim_, {{"a", padding + work}, {"b", work}}, {});
-  ASSERT_EQ(shared.pairs.size(), 1U);
-  EXPECT_EQ(shared.pairs.front().one, 1U);
-}
-
 // sim's time grows with the square of tokens that repeat themselves and of quotes that never end: these would
 // take hours.
 TEST_F(Similar, HostileFilesStopNobodyElse) {

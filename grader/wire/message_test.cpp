@@ -47,13 +47,6 @@ TEST(Message, ThatIsTooShortIsMalformedAtEveryLength) {
   }
 }
 
-TEST(Message, LengthsThatOverflowAreMalformed) {
-  MessageWriter writer;
-  writer.put(std::numeric_limits<std::uint64_t>::max()).put(1.0);
-  EXPECT_THROW(MessageReader(writer.bytes()).get_doubles(), MalformedMessage);
-  EXPECT_THROW(MessageReader(writer.bytes()).get_text(), MalformedMessage);
-}
-
 TEST(Message, WithBytesLeftOverIsMalformed) {
   MessageWriter writer;
   writer.put(1.0);

@@ -118,19 +118,6 @@ std::optional<CaseCount> counted_without_worker(const std::function<void(Trial&)
   return count_of({"Name", "Title", 1, run}, nobody, Random("seed", "count"));
 }
 
-TEST(Count, GoesOnAfterAFailure) {
-  bool last = false;
-  const std::optional<CaseCount> count = counted_without_worker([&](Trial& trial) {
-    trial.expect(false, "the first");
-    trial.expect_at_most(2, 1, "the second");
-    last = true;
-  });
-  EXPECT_TRUE(last);
-  ASSERT_TRUE(count);
-  EXPECT_EQ(count->cases, 1);
-  EXPECT_EQ(count->held, 0) << "a case fails once";
-}
-
 TEST(Count, IsNothingWhereTheCategoryEndsEarly) {
   bool last = false;
   EXPECT_FALSE(counted_without_worker([&](Trial& trial) {
@@ -145,23 +132,6 @@ TEST(Count, IsNothingWhereTheCategoryEndsEarly) {
   EXPECT_FALSE(last);
 }
 
-TEST(Count, IsNothingWhereNothingFails) {
-  EXPECT_FALSE(counted_without_worker([](Trial& trial) { trial.expect(true, "nothing"); }));
-}
-
-TEST(Count, LeavesOutWhatIsAskedAside) {
-  int questions = 0;
-  EXPECT_FALSE(counted_without_worker([&](Trial& trial) {
-    trial.ask_aside([&] {
-      ++questions;
-      trial.expect(false, "what excuses nothing");
-      ++questions;
-    });
-    trial.expect(true, "nothing");
-  }));
-  EXPECT_EQ(questions, 1) << "the first that fails ends them";
-}
-
 TEST(Random, IsTheSameOnEveryMachine) {
   // The standard fixes std::seed_seq and std::mt19937_64 to the bit.
   Random random("seed", "purpose");
@@ -174,29 +144,6 @@ TEST(Random, DependsOnSeedAndPurpose) {
   EXPECT_EQ(Random("seed", "purpose").uniform(), first);
   EXPECT_NE(Random("seed", "another").uniform(), first);
   EXPECT_NE(Random("another", "purpose").uniform(), first);
-}
-
-// Tests means of 10,000 draws, within five standard deviations: a failure by chance has a probability of one
-// in two million, and the seed is fixed.
-TEST(Random, DrawsFromTheDistributionsNamed) {
-  constexpr int kDraws = 10'000;
-  Random random("seed", "distributions");
-  double uniform = 0, normal = 0, squared = 0;
-  bool low = false, high = false;
-  for (int i = 0; i < kDraws; ++i) {
-    const double u = random.uniform(-1, 3), z = random.normal(), l = random.log_uniform(1e-8, 1);
-    const int k = random.integer(-2, 2);
-    EXPECT_TRUE(u >= -1 && u < 3 && l >= 0.999e-8 && l <= 1.001 && k >= -2 && k <= 2);
-    low |= k == -2;
-    high |= k == 2;
-    uniform += u / kDraws;
-    normal += z / kDraws;
-    squared += z * z / kDraws;
-  }
-  EXPECT_NEAR(uniform, 1, 5 * 4 / std::sqrt(12.0 * kDraws));
-  EXPECT_NEAR(normal, 0, 5 / std::sqrt(kDraws));
-  EXPECT_NEAR(squared, 1, 5 * std::sqrt(2.0 / kDraws));  // z^2 has the variance 2
-  EXPECT_TRUE(low && high);
 }
 
 }  // namespace

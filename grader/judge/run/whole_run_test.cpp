@@ -132,15 +132,6 @@ TEST(RunComparison, SeesDenseHair) {
   EXPECT_FALSE(compare_runs(hidden.scene, hidden.pictures, played).finite);
 }
 
-TEST(RunComparison, OfTheReferenceItselfNeedsNoPicturesOfItsOwn) {
-  const HiddenScene hidden = hidden_scene_of("H1");
-  const RunComparison run = compare_runs(hidden.scene, hidden.pictures, play(hidden.scene));
-  EXPECT_TRUE(run.finite);
-  ASSERT_EQ(run.shots.size(), 3U);
-  for (const Shot& shot : run.shots) EXPECT_TRUE(shot.same);
-  for (const Moment& moment : run.moments) EXPECT_EQ(moment.apart, 0);
-}
-
 TEST(RunComparison, SeesWhatAWorkerMayAnswer) {
   const HiddenScene hidden = hidden_scene_of("H1");
   const Played right = play(hidden.scene);

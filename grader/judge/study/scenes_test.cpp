@@ -6,7 +6,6 @@
 #include <set>
 
 #include "grader/judge/study/truth.h"
-#include "hair/io/files/temporary_folder.h"
 #include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
@@ -45,23 +44,6 @@ TEST(Parts, PlayTheSameMotionInOtherSteps) {
       }
       EXPECT_TRUE(own) << part.name;
     }
-}
-
-// CVODE's motion of one strand, and our own of two that meet a ball.
-TEST(Truth, IsKept) {
-  for (const SceneText& text : studied_scenes()) {
-    if (text.name != "stiff-swing" && text.name != "strand-over-sphere") continue;
-    const hair::TemporaryFolder folder("hairgrade-truth");
-    const StudiedPart part = parts_of(text).front();
-    const Truth found = true_motion(part, folder.path()), kept = true_motion(part, folder.path());
-    EXPECT_FALSE(found.motion.from_cache) << text.name;
-    EXPECT_TRUE(kept.motion.from_cache) << text.name;
-    ASSERT_EQ(kept.motion.states.size(), found.motion.states.size());
-    for (std::size_t k = 0; k < found.motion.states.size(); ++k)
-      EXPECT_EQ(kept.motion.states[k].x, found.motion.states[k].x);
-    EXPECT_EQ(kept.motion.method, found.motion.method);
-    EXPECT_EQ(kept.size, found.size);
-  }
 }
 
 }  // namespace

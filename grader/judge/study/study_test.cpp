@@ -249,16 +249,6 @@ std::string page_of(const PartStudy& part) {
   return page;
 }
 
-TEST(Study, DoesNotKnowWhatIsStableInCodeThatOnlyBreaks) {
-  Fake student;
-  student.poison = [](Played&, int steps) {
-    if (steps < 480) throw CaseFailed{Status::crashed, "the program ended in the middle of the call", ""};
-  };
-  const PartStudy part = study("symplectic Euler", student);
-  EXPECT_EQ(part.student.points.size(), 1U);
-  EXPECT_TRUE(says(page_of(part), "<p>Stable: not known (ours: all that were tried"));
-}
-
 // Counts the runs of the student's code before it is measured.
 int first_plays(const StudiedPart& part) {
   return 1 + static_cast<int>(divisions_of(part.scene).size());
@@ -349,13 +339,6 @@ TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
   for (int i = 0; i < 2 * UntilItGivesUp::kMostCrashes; ++i)
     EXPECT_THROW(runner.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
   EXPECT_EQ(crashes.plays, UntilItGivesUp::kMostCrashes);
-}
-
-TEST(Study, IsNoneWithoutTheReference) {
-  const StudiedPart part = pendulum("midpoint");
-  Fake student, reference, twin;
-  reference.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
-  EXPECT_THROW(study_part(part, truth_of(part), student, reference, twin, {}), std::runtime_error);
 }
 
 }  // namespace

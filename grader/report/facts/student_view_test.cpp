@@ -94,16 +94,6 @@ TEST(StudentView, TellsWhatNumbersLookLike) {
   EXPECT_NE(staff_page(result).find("It is right but for signs"), std::string::npos);
 }
 
-TEST(StudentView, TellsWhyItBrokeOff) {
-  SubmissionResult result;
-  result.exercises = {exercise_with({Status::broke_rules, Status::passed})};
-  result.exercises[0].cases[0].hint = "Its calls of given functions lie within each other too deeply.";
-  EXPECT_EQ(
-      for_student(result).exercises[0].cases[0].feedback,
-      "It broke off: no answer, or none of the kind that was asked for. Its calls of given functions lie "
-      "within each other too deeply.");
-}
-
 // Sentences and details of the suite, and the output of compiler, linker and worker, stay with the staff.
 TEST(StudentView, IsWhatStudentsGet) {
   SubmissionResult result = sample_class(1).front();

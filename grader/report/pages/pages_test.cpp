@@ -272,26 +272,6 @@ TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
   EXPECT_EQ(count(class_page(results), "<img"), 3u * 20);
 }
 
-TEST(Pages, TheClassLinksToItsPicturesWhereThereAreSome) {
-  std::vector<SubmissionResult> results = without_pictures(3);
-  EXPECT_EQ(count(class_page(results), "#pictures"), 0u);
-  results[0].exercises[0].pictures = {sample_picture("1.00 s", 40)};
-  const std::string page = class_page(results);
-  EXPECT_EQ(count(page, "href=\"#pictures\""), 1u);
-  EXPECT_EQ(count(page, "id=\"pictures\""), 1u);
-}
-
-TEST(Pages, TheClassShowsEverySubmissionAndStatus) {
-  const std::vector<SubmissionResult> results = sample_class(30);
-  const std::string page = class_page(results);
-  for (const SubmissionResult& result : results) {
-    EXPECT_GE(count(page, "href=\"staff/" + result.name + ".html#S1\""), 1u);
-    EXPECT_EQ(count(page, "href=\"" + result.name + "/report.html\""), 1u);
-  }
-  for (const Status status : all_statuses)
-    EXPECT_GE(count(page, hair::escaped(to_string(status))), 1u) << to_string(status);
-}
-
 // Both hand-ins have the share of a tenth.
 TEST(CourseTotals, HaveExtraCreditUpToTheSharesOfAllHandIns) {
   using Cell = CourseTable::Cell;

@@ -80,13 +80,6 @@ TEST(SubmissionPage, ShowsTheCompilersWordsOnce) {
   EXPECT_EQ(times(student_text(result), "null pointer"), 1U);
 }
 
-TEST(SubmissionPage, CallsNoTimeOutACrash) {
-  const std::string page = student_page(two_exercises());
-  EXPECT_EQ(times(page, ">broke off<"), 1U);
-  EXPECT_EQ(times(page, "crashed"), 0U);
-  EXPECT_EQ(times(staff_page(two_exercises()), ">timed out<"), 1U);
-}
-
 TEST(SubmissionPage, SaysWhyAPictureIsCoarseAndThatThereIsNone) {
   SubmissionResult result = two_exercises();
   result.exercises[1].cases.push_back(category(kRunTitle, Status::crashed));
