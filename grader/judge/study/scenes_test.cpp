@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "grader/judge/study/truth.h"
 #include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
