@@ -214,6 +214,7 @@ Html item_part(const OpenItem& open, const DeskPeople& people) {
   all += button("points", "e", "Points");
   all += button("comment", "c", "Comment");
   all += button("excuse", "", "Excuse");
+  if (item.place == kLate) all += button("late_days", "", "Give a day");
   if (item.kind == ItemKind::conflict) all += button("unset", "", "Unset");
   if (item.is_decided()) all += button("reopen", "", "Not decided");
   all += html("</div>\n<div class=\"what\">\n");

@@ -158,6 +158,20 @@ TEST_F(DeskTest, HasSavedWhenItAnswers) {
   }
 }
 
+TEST_F(DeskTest, GivesADayToWhoIsALittleLate) {
+  Record record(folder_);
+  record.set_rules({.due = "2025-03-04 23:59", .late_per_cent_a_day = 10});
+  Ta ada(folder_, "ada");
+  const std::vector<Item> items = ada.desk.list().items();
+  const auto late = std::ranges::find(items, kLate, &Item::place);
+  ASSERT_NE(late, items.end());
+  const std::string name = late->people.front();
+  record.decide(name, {DecisionKind::late_days, "", 2, 0, "ill"});
+  Item now = *ada.desk.list().find(late->key());
+  EXPECT_EQ(status_of(ada.save(fields_of(now, "late_days"))), 200);
+  EXPECT_EQ(record.decisions(name).back().number, 3) << "one more than before";
+}
+
 TEST_F(DeskTest, AnswersARequestOnce) {
   Record(folder_).ask("p001", "S1", "Please look at <b>line 3</b>");
   Ta ada(folder_, "ada");

@@ -199,7 +199,7 @@ class Making {
     later.grace_minutes += kLittleLate;
     if (late_days(facts_.rules, person.handed_in).value_or(0) > 0 && late_days(later, person.handed_in) == 0)
       add({.kind = ItemKind::near_threshold,
-           .place = "late",
+           .place = kLate,
            .people = {name},
            .why = "Late by less than an hour: handed in " + person.handed_in + ", due " + facts_.rules.due},
           person.handed_in + facts_.rules.due);

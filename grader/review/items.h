@@ -71,6 +71,8 @@ std::vector<Item> items_of(const ItemFacts& facts);
 // Returns the rows that make each person's present result a known one; nothing if the class has had this.
 std::map<RowOfItem, std::string> first_look(const ItemFacts& facts);
 
+inline constexpr const char* kLate = "late";  // is the place of an item about less than an hour
+
 // Returns the place of an item about decisions of a kind, such as "points", at a place.
 std::string place_of_conflict(const std::string& place, const std::string& kind);
 

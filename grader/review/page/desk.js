@@ -171,6 +171,7 @@ const ACTIONS = {
   reopen: () => send({ do: "reopen" }, true),
   undo: () => send({ do: "undo" }, true),
   unset: () => send({ do: "unset" }),
+  late_days: () => send({ do: "late_days" }),
   points: () => open("points"),
   comment: () => open("comment"),
   excuse: () => open("excuse"),
