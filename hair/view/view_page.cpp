@@ -2,6 +2,7 @@
 
 #include "hair/view/page_scripts.h"
 #include "hair/view/run_script.h"
+#include "hair/view/viewer_script.h"
 
 namespace hair {
 
@@ -17,7 +18,7 @@ Html inside_a_page(const std::string& json) {
 
 }  // namespace
 
-std::string view_page(const std::vector<NamedMotion>& motions, const Html& below, const std::string& script) {
+std::string view_page(const std::vector<NamedMotion>& motions, const Html& below) {
   std::string title;
   Html data;
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -46,8 +47,13 @@ std::string view_page(const std::vector<NamedMotion>& motions, const Html& below
 {}</main>
 {})",
                          {title, below, data});
-  return html_page(title, body,
-                   {{"\"use strict\";\n" + kPageScripts + kRunScript + "\n{\n" + script + "}\n"}});
+  Scripts scripts{{"\"use strict\";\n" + kPageScripts + kRunScript}};
+  if (motions.size() > 1) scripts.texts.push_back(viewer_script());
+  return html_page(title, body, scripts);
+}
+
+std::string viewer_script() {
+  return "\"use strict\";\n{\n" + kViewerScript + "}\n";
 }
 
 }  // namespace hair

@@ -14,9 +14,11 @@ struct NamedMotion {
   std::string json;  // motion.json
 };
 
-// One motion, or two to compare. `below` stands below them, and `script` runs last: the page's parts are its
-// window.hairView.
-std::string view_page(const std::vector<NamedMotion>& motions, const Html& below = {},
-                      const std::string& script = {});
+// One motion, or two to compare. `below` stands below them: pictures there can be looked at closer, too.
+std::string view_page(const std::vector<NamedMotion>& motions, const Html& below = {});
+
+// A page's script that looks closer at pairs of pictures: images side by side in elements of class "pictures",
+// and the frames of two motions.
+std::string viewer_script();
 
 }  // namespace hair

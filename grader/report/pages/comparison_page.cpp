@@ -3,6 +3,7 @@
 
 #include "grader/report/pages/pictures.h"
 #include "hair/io/plot/html.h"
+#include "hair/view/view_page.h"
 
 namespace grader::inline report {
 namespace {
@@ -98,7 +99,7 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Show
 )");
   for (const ComparedPair& pair : comparison.pairs) body += row(pair);
   body += html("</tbody>\n</table></div>\n</section>\n</main>\n");
-  return html_page("Pictures compared", body, {{viewer_script()}});
+  return html_page("Pictures compared", body, {{hair::viewer_script()}});
 }
 
 }  // namespace grader::report

@@ -9,7 +9,6 @@
 #include "grader/compare/montage.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/facts/text.h"
-#include "grader/report/viewer_script.h"
 #include "grader/result/base64.h"
 #include "hair/io/image/read_png.h"
 #include "hair/io/plot/page.h"
@@ -171,10 +170,6 @@ Html film(const std::string& png) {
       "aria-label=\"Both runs\" style=\"--moments: {}; background-image: "
       "url(data:image/png;base64,{})\"></div></div>\n",
       {moments, moments, Html{base64(png)}});
-}
-
-std::string viewer_script() {
-  return "\"use strict\";\n{\n" + hair::kViewerScript + "}\n";
 }
 
 Html moments(const ExerciseResult& exercise, const std::string& heading, RunEnding ending,

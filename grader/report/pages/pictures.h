@@ -43,8 +43,6 @@ Html link_to_run(const ExerciseResult& exercise, const std::string& place, const
 // Writes a film (RunMotions::film) with a box that starts it; empty without one.
 Html film(const std::string& png);
 
-std::string viewer_script();  // lets a reader look closer at the pictures of moments
-
 // Writes a section of the class page: submissions sorted by the distance of their pictures from the
 // reference's, worst first, with small pictures of the worst.
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,

@@ -13,7 +13,7 @@ std::string run_page(const SubmissionResult& result, const ExerciseResult& exerc
               whose, {});
   return hair::view_page({{exercise.id + " of " + whose, exercise.motions.student},
                           {"the reference", exercise.motions.reference}},
-                         measured, viewer_script());
+                         measured);
 }
 
 }  // namespace grader::report

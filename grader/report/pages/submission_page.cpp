@@ -8,6 +8,7 @@
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
+#include "hair/view/view_page.h"
 
 namespace grader::inline report {
 namespace {
@@ -239,7 +240,7 @@ std::string student_page(const SubmissionResult& result, const NamesForPeople& p
   if (std::ranges::any_of(shown.exercises, [&](const ExerciseResult& exercise) {
         return std::ranges::any_of(exercise.pictures, differs);
       }))
-    scripts.texts = {viewer_script()};
+    scripts.texts = {hair::viewer_script()};
   return html_page("Report for " + shown_name(result.name, people), body_of(shown, Reader::student, people),
                    scripts);
 }

@@ -60,7 +60,7 @@ std::string start_page(const std::vector<SubmissionResult>& results, const std::
       body += html("<p><a href=\"class/{}/study.html\">Error against run time</a> of {}.</p>\n",
                    {result.name, result.name});
   body += worst_run(results);
-  return html_page("Hair", body += html("</section>\n</main>\n"), {{report::viewer_script()}});
+  return html_page("Hair", body += html("</section>\n</main>\n"), {{hair::viewer_script()}});
 }
 
 int site(const SiteOptions& options) {
