@@ -17,15 +17,15 @@ constexpr int kMostQuestions = 400'000;
 const Ask* asked = nullptr;
 int questions = 0;
 
-class Asked {
+class Questions {
  public:
-  explicit Asked(const Ask& ask) {
+  explicit Questions(const Ask& ask) {
     asked = &ask;
     questions = 0;
   }
-  Asked(const Asked&) = delete;
-  Asked& operator=(const Asked&) = delete;
-  ~Asked() { asked = nullptr; }
+  Questions(const Questions&) = delete;
+  Questions& operator=(const Questions&) = delete;
+  ~Questions() { asked = nullptr; }
 };
 
 }  // namespace
@@ -46,7 +46,7 @@ MessageReader ask_student(const MessageWriter& request) {
 
 extern "C" __attribute__((visibility("default"))) void play(const hair::Scene& scene, const grader::Ask& ask,
                                                             grader::PlayResult& result) {
-  const grader::Asked asked(ask);
+  const grader::Questions asked(ask);
   try {
     grader::play_scene(scene, result.played);
   } catch (const grader::MalformedMessage& error) {
