@@ -41,6 +41,10 @@ struct SuiteJob {
 
   std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
+  // Is the title of a category that is asked alone, to write its first failing case (reproduction.h); "": all
+  // are asked.
+  std::string reproduce = {};
+
   // Only hairstudy reads these, see study/submission_study.h.
   std::set<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};

@@ -9,6 +9,7 @@
 #include "grader/judge/cases/suite_table.h"
 #include "grader/judge/cases/trial.h"
 #include "grader/judge/memory_errors.h"
+#include "grader/judge/reproduction.h"
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_program.h"
 #include "grader/sandbox/inherited.h"
@@ -131,7 +132,11 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
 SuiteResult run(const SuiteJob& job) {
   const grader::WorkerSetup worker = grader::worker_of(job);
   grader::Student student(worker);
-  SuiteResult result = run_categories(job, worker, student);
+  SuiteResult result;
+  if (job.reproduce.empty())
+    result = run_categories(job, worker, student);
+  else
+    result.reproduced = grader::reproduce(job, student);
   add_costs(student, worker, result);
   return result;
 }

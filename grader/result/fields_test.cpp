@@ -262,10 +262,10 @@ constexpr Slip kSlips[] = {
     {R"("starts":4)", R"("starts":4,"weight":1)",
      "a.json: unknown key \"weight\"; known here: cases, pictures, motions, study, memory, "
      "cpu_seconds, "
-     "run_cpu_seconds, picture_cpu_seconds, starts, spent"},
+     "run_cpu_seconds, picture_cpu_seconds, starts, spent, reproduced"},
     {R"("starts":4,)", "",
      "a.json: \"starts\" is missing; an object here has: cases, pictures, motions, study, memory, "
-     "cpu_seconds, run_cpu_seconds, picture_cpu_seconds, starts, spent"},
+     "cpu_seconds, run_cpu_seconds, picture_cpu_seconds, starts, spent, reproduced"},
 };
 
 TEST(DeclaredFields, TellWhatIsWrongAndWhere) {

@@ -126,7 +126,8 @@ const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
                               field("run_cpu_seconds", &T::run_cpu_seconds),
                               field("picture_cpu_seconds", &T::picture_cpu_seconds),
                               field("starts", &T::starts),
-                              field("spent", &T::spent)};
+                              field("spent", &T::spent),
+                              field("reproduced", &T::reproduced)};
   return all;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct MemoryLook {
   bool operator==(const MemoryLook&) const = default;
 };
 
+// Is a key of SuiteResult::reproduced, with a sentence in place of files: why a case can't be written.
+inline constexpr const char* kNotReproduced = "not reproduced";
+
 struct SuiteResult {
   std::vector<CaseResult> cases;         // belong to an exercise; points are weights, not yet its points
   std::vector<PictureResult> pictures;   // show its whole run
@@ -35,6 +39,7 @@ struct SuiteResult {
   double picture_cpu_seconds = 0;        // on our side: drawing and comparing
   int starts = 0;                        // counts the worker's
   Budget spent = nothing_spent();
+  std::map<std::string, std::string> reproduced = {};  // files by name (grader/judge/reproduction.h)
 
   bool operator==(const SuiteResult&) const = default;
 };

@@ -98,6 +98,7 @@ std::string times_the_limit(double error, double limit) {
 MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
   ++cases_;
   case_failed_ = false;
+  if (!aside_) student_.begin_case();
   return ask_on(request, products, stopped);
 }
 
@@ -162,6 +163,7 @@ void Trial::expect_at_most(double error, Bound bound, const std::string& what, c
   const double most = bound.most();
   // A bound that is not finite would accept anything.
   if (error <= most && std::isfinite(most)) return;
+  compared_ = numbers;
   std::ostringstream text;
   text.precision(17);
   text << what << ": " << error << ", bound " << most << (detail.empty() ? "" : "; ") << detail;
@@ -201,6 +203,7 @@ void Trial::fail(Status status, const std::string& feedback, const std::string& 
 
 void Trial::ask_aside(const std::function<void()>& questions) {
   const WhenWrong when_wrong = std::exchange(when_wrong_, WhenWrong::stop);
+  const bool aside = std::exchange(aside_, true);
   const int cases = cases_;
   const bool case_failed = case_failed_;
   const std::map<std::string, double> nearest = nearest_;
@@ -210,6 +213,8 @@ void Trial::ask_aside(const std::function<void()>& questions) {
     // A question without an answer excuses nothing.
   }
   when_wrong_ = when_wrong;
+  aside_ = aside;
+  compared_ = {};
   cases_ = cases;
   case_failed_ = case_failed;
   nearest_ = nearest;

@@ -102,6 +102,9 @@ class Trial {
   // Returns how near errors came to their bounds: the largest (error - promised) / rest of each quantity.
   const std::map<std::string, double>& nearest() const { return nearest_; }
 
+  // Holds the numbers of the check that failed; none if it compares none.
+  const Compared& compared() const { return compared_; }
+
   int cases() const { return cases_; }
   int failed() const { return failed_; }
 
@@ -115,8 +118,9 @@ class Trial {
   WhenWrong when_wrong_;
   std::string description_, call_;
   std::map<std::string, double> nearest_;
+  Compared compared_;
   int cases_ = 0, failed_ = 0;
-  bool case_failed_ = false;
+  bool case_failed_ = false, aside_ = false;
 };
 
 // Is a category as categories.json declares it.

@@ -3,9 +3,15 @@
 //
 // A category keeps at most kMostBytes, and the products of one request kMostProductBytes; the rest is not
 // repeated. Cases have few sizes, and each of them comes early.
+//
+// A recording of the last case alone also keeps the worker's questions, its replies, and its calls of given
+// functions: all that makes the case once more without the suite.
 #pragma once
 
+#include <deque>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grader/judge/student/outcome.h"
@@ -17,31 +23,51 @@ class Recording {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{4} << 20, kMostProductBytes = std::size_t{1} << 20;
 
+  enum class Keeps { all_cases, last_case };
+  explicit Recording(Keeps keeps = Keeps::all_cases) : keeps_(keeps) {}
+
   struct Product {
     int which;
     std::vector<double> result;
     bool go_on;
+    std::vector<double> question = {};
+  };
+  struct GivenCall {
+    MessageReader call;
+    std::vector<std::pair<int, std::vector<double>>> callbacks = {};  // about the worker's own objects
+    std::optional<MessageReader> result = {};
   };
   struct Request {
     std::string category;
     MessageWriter message;
     std::vector<Product> products;
     Outcome outcome = Outcome::crashed;
+    std::optional<MessageReader> reply = {};
+    std::deque<GivenCall> calls = {};
   };
 
   void begin_category(const std::string& name);
 
+  void begin_case();
+
   // A request begins, gets a product, and ends. Only Student calls these functions.
   void begin(const MessageWriter& message);
-  void add_product(int which, const std::vector<double>& result, bool go_on);
-  void end(Outcome outcome);
+  void add_product(int which, const std::vector<double>& question, const std::vector<double>& result,
+                   bool go_on);
+  void end(Outcome outcome, const MessageReader& reply);
+  // Returns null if it is not kept, and else the place for the call's callbacks and result.
+  GivenCall* begin_call(const MessageReader& call);
 
   const std::vector<Request>& requests() const { return requests_; }
+  bool is_cut() const { return cut_; }  // something of the last case was left out
 
  private:
+  bool has_room_for(std::size_t bytes, std::size_t most);
+
+  Keeps keeps_;
   std::string category_;
   std::vector<Request> requests_;
-  bool open_ = false;
+  bool open_ = false, cut_ = false;
   std::size_t bytes_ = 0, product_bytes_ = 0;
 };
 

@@ -6,6 +6,8 @@
 namespace grader::inline judge {
 namespace {
 
+const MessageReader kNoReply({});
+
 MessageWriter numbers(std::size_t bytes) {
   MessageWriter message;
   message.put(std::span<const double>(std::vector<double>(bytes / sizeof(double))));
@@ -16,9 +18,9 @@ TEST(Recording, HoldsRequestsWithTheirProductsAndOutcomes) {
   Recording recording;
   recording.begin_category("a category");
   recording.begin(numbers(16));
-  recording.add_product(1, {1, 2}, true);
-  recording.add_product(0, {}, false);
-  recording.end(Outcome::stopped);
+  recording.add_product(1, {}, {1, 2}, true);
+  recording.add_product(0, {}, {}, false);
+  recording.end(Outcome::stopped, kNoReply);
   ASSERT_EQ(recording.requests().size(), 1u);
   const Recording::Request& request = recording.requests()[0];
   EXPECT_EQ(request.category, "a category");
@@ -37,7 +39,7 @@ TEST(Recording, HoldsSoMuchOfEachCategory) {
     recording.begin_category(category);
     for (int i = 0; i < 8; ++i) {
       recording.begin(numbers(Recording::kMostBytes / 4 - 100));
-      recording.end(Outcome::done);
+      recording.end(Outcome::done, kNoReply);
     }
   }
   ASSERT_EQ(recording.requests().size(), 8u) << "four of each";
@@ -51,8 +53,8 @@ TEST(Recording, HoldsSoManyProductsOfEachRequest) {
   const std::vector<double> product(Recording::kMostProductBytes / sizeof(double) / 2);
   for (int request = 0; request < 2; ++request) {
     recording.begin(numbers(8));
-    for (int i = 0; i < 5; ++i) recording.add_product(0, product, true);
-    recording.end(Outcome::done);
+    for (int i = 0; i < 5; ++i) recording.add_product(0, {}, product, true);
+    recording.end(Outcome::done, kNoReply);
   }
   ASSERT_EQ(recording.requests().size(), 2u);
   for (const Recording::Request& request : recording.requests()) EXPECT_EQ(request.products.size(), 2u);

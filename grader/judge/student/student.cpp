@@ -200,11 +200,15 @@ Answer Student::ask(const MessageWriter& request, const Products& products) {
   recording_->begin(request);
   Answer answer = ask_worker(request, [&](int which, const std::vector<double>& x, std::vector<double>& y) {
     const bool go_on = products(which, x, y);
-    recording_->add_product(which, y, go_on);
+    recording_->add_product(which, x, y, go_on);
     return go_on;
   });
-  recording_->end(answer.outcome);
+  recording_->end(answer.outcome, answer.reply);
   return answer;
+}
+
+void Student::begin_case() {
+  if (recording_ != nullptr) recording_->begin_case();
 }
 
 Answer Student::ask_worker(const MessageWriter& request, const Products& products) {
@@ -323,7 +327,9 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
   const auto send = [&](Kind kind, const MessageWriter& body) {
     if (!tell(kind, conversation.nonce, body.bytes())) throw Over{ended("during a call")};
   };
+  Recording::GivenCall* const recorded = recording_ != nullptr ? recording_->begin_call(call) : nullptr;
   const Products callback = [&](int which, const std::vector<double>& x, std::vector<double>& y) {
+    if (recorded != nullptr) recorded->callbacks.emplace_back(which, x);
     MessageWriter question;
     send(Kind::callback, question.put(which).put(std::span<const double>(x)));
     MessageReader answer = listen(conversation, Kind::callback_result);
@@ -336,6 +342,7 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
     const MessageWriter result =
         provide(setup_.provided, std::move(call), conversation.products, callback, provided_solves_);
     --conversation.depth;
+    if (recorded != nullptr) recorded->result = MessageReader(result.bytes());
     send(Kind::call_result, result);
   } catch (const CallbackThrew&) {
     --conversation.depth;

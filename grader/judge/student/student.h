@@ -53,6 +53,7 @@ class Student {
 
   // Records all later requests there. Null: stops recording.
   void record(Recording* recording) { recording_ = recording; }
+  void begin_case();  // for the recording
 
   // Sends a request and waits for its answer.
   Answer ask(const MessageWriter& request, const Products& products);
