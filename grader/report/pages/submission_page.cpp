@@ -8,6 +8,7 @@
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
+#include "grader/report/pages/source_part.h"
 #include "hair/view/view_page.h"
 
 namespace grader::inline report {
@@ -119,9 +120,11 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader, const Pictu
               run_breaks_off(exercise) ? RunEnding::breaks_off : RunEnding::whole, whose(reader), place);
   if (exercise.pictures.empty() && run_breaks_off(exercise))
     section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
-  if (reader == Reader::staff)
+  if (reader == Reader::staff) {
     section += block("What compiler, linker and worker printed",
                      rest_of(exercise.staff_log, exercise.compiler_messages));
+    section += source_part(exercise);
+  }
   return section += html("</section>\n");
 }
 

@@ -80,6 +80,33 @@ TEST(SubmissionPage, ShowsTheCompilersWordsOnce) {
   EXPECT_EQ(times(student_text(result), "null pointer"), 1U);
 }
 
+TEST(SubmissionPage, ShowsStaffTheSourceWithMessagesAtTheirLines) {
+  SubmissionResult result = two_exercises();
+  ExerciseResult& one = result.exercises[1];
+  one.file = "a.cpp";
+  one.source = "// <first>\ndouble energy(int n) {\n  return helper(n);\n}\n";
+  one.compiler_messages =
+      "a.cpp:3:10: warning: <narrow>\na.cpp:99: beyond the end\nb.cpp:1: of another file\n";
+  one.staff_log =
+      "a.cpp:3:10: warning: <narrow>\na.cpp:(.text+0x9): undefined reference to `x::helper(int)'\n";
+  one.cases[1].memory_error = "The code reads behind an array, in a call of energy.";
+  const std::string page = staff_page(result),
+                    source = page.substr(page.find("a.cpp, 4 lines; messages at 2, 3"));
+  EXPECT_EQ(page.find("<details open=\"\"><summary>a.cpp, 4 lines"), page.find(source) - 26);
+  EXPECT_EQ(times(student_page(result), "double energy"), 0U);
+  const std::pair<const char*, const char*> at[] = {{"    2 double energy", "The code reads behind an array"},
+                                                    {"    3   return", "a.cpp:3:10: warning: &lt;narrow&gt;"},
+                                                    {"    3   return", "undefined reference to"}};
+  for (const auto& [line, message] : at) {
+    EXPECT_LT(source.find(line), source.find(message)) << message;
+    EXPECT_EQ(times(source, message), 1U) << message;
+  }
+  EXPECT_EQ(times(source, "beyond the end") + times(source, "of another file"), 0U);
+  EXPECT_EQ(times(source, "    1 // &lt;first&gt;"), 1U);
+  one.source += std::string(40, '\n');
+  EXPECT_EQ(times(staff_page(result), "<details><summary>a.cpp, 44 lines"), 1U) << "long ones are folded";
+}
+
 TEST(SubmissionPage, SaysWhyAPictureIsCoarseAndThatThereIsNone) {
   SubmissionResult result = two_exercises();
   result.exercises[1].cases.push_back(category(kRunTitle, Status::crashed));
