@@ -106,6 +106,14 @@ Html Desk::part(const std::string& key) {
       if (found->people.size() == 1)
         open.decisions.push_back(decision.who + ", " + decision.at + " UTC: " + decision_text(decision));
   }
+  if (!found->categories.empty()) {
+    const std::string &name = found->people.front(), &place = found->categories.front();
+    const bool is_named = !record_.hand_in().empty();
+    const std::filesystem::path folder = is_named ? record_.pages().parent_path() : record_.pages();
+    open.reproduce = "hairgrade reproduce " + name + " " + place + " --grades " + folder.string() +
+                     (is_named ? " --hand-in \"" + record_.hand_in() + "\"" : "") + " --out " + name + "-" +
+                     place;
+  }
   return item_part(open, people_);
 }
 

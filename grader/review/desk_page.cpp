@@ -203,6 +203,7 @@ Html item_part(const OpenItem& open, const DeskPeople& people) {
     all += names_of(item, people);
   else if (!open.results.empty())
     all += links_of(item.people.front(), open);
+  if (!open.reproduce.empty()) all += html("<p class=\"quiet\"><code>{}</code></p>\n", {open.reproduce});
   if (!open.opened_by.empty())
     all += html("<p class=\"note\">{} has this open, too.</p>\n", {open.opened_by});
   for (const std::string& line : open.decisions) all += html("<p class=\"note\">{}</p>\n", {line});

@@ -27,6 +27,7 @@ struct OpenItem {
   std::vector<std::string> decisions;     // a line each
   std::vector<Comment> comments;          // used before
   std::string opened_by;                  // another TA who has it open, too; "": nobody
+  std::string reproduce = {};             // is the command for its first category
 };
 
 std::string desk_page(const std::string& who, const std::string& where, const Html& rows, std::size_t stamp,
