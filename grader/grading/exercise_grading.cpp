@@ -15,8 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostLog = 16 << 10;     // bounds a worker's output
-constexpr std::size_t kMostSource = 64 << 10;  // bounds the lines that people can comment
+constexpr std::size_t kMostLog = 16 << 10;  // bounds a worker's output
 
 // Returns the place of a memory error as a phrase. A line number would be one of hundreds, and code could
 // choose it by a hidden input.

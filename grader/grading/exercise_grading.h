@@ -14,6 +14,8 @@
 
 namespace grader::inline grading {
 
+inline constexpr std::size_t kMostSource = 64 << 10;  // bounds ExerciseResult::source
+
 // Returns a category's share of an exercise's points for `held` cases, in whole points and exact: of 20
 // points 38/57 for 9 of 12 cases are 10, but doubles make 9.99. All numbers count in thousandths.
 double whole_points(double points, double weight, double weights, int held, int cases);

@@ -42,6 +42,8 @@ Command add_late_days(CLI::App& hairgrade);
 Command add_unset(CLI::App& hairgrade);
 Command add_hold(CLI::App& hairgrade);
 Command add_unhold(CLI::App& hairgrade);
+Command add_reproduce(CLI::App& hairgrade);
+Command add_try(CLI::App& hairgrade);
 Command add_whatif(CLI::App& hairgrade);
 Command add_similar(CLI::App& hairgrade);
 Command add_gradebook(CLI::App& hairgrade);
@@ -50,11 +52,11 @@ Command add_review(CLI::App& hairgrade);
 Command add_site(CLI::App& hairgrade);
 
 inline constexpr AddCommand kCommands[] = {
-    add_grade,   add_compare,   add_handout,   add_package,  add_gradescope, add_secret,
-    add_samples, add_similar,   add_log,       add_diff,     add_export,     add_forget,
-    add_set,     add_excuse,    add_comment,   add_comments, add_request,    add_requests,
-    add_answer,  add_enter,     add_late_days, add_unset,    add_hold,       add_unhold,
-    add_whatif,  add_gradebook, add_feedback,  add_review,   add_site};
+    add_grade,   add_compare,   add_handout, add_package,  add_gradescope, add_secret,   add_samples,
+    add_similar, add_log,       add_diff,    add_export,   add_forget,     add_set,      add_excuse,
+    add_comment, add_comments,  add_request, add_requests, add_answer,     add_enter,    add_late_days,
+    add_unset,   add_hold,      add_unhold,  add_whatif,   add_gradebook,  add_feedback, add_review,
+    add_site,    add_reproduce, add_try};
 
 // After the first call, Ctrl-C, SIGTERM or SIGHUP set this flag (SIGHUP does nothing under nohup).
 const std::atomic<bool>& note_interruptions();
