@@ -152,7 +152,7 @@ int try_file(const Again& options) {
   for (const std::string& problem : graded.problems) throw std::runtime_error(problem);
   const ExerciseResult &before = one.result, &now = graded.result.exercises.front();
   const auto row = [](const std::string& name, const std::string& was, const std::string& is) {
-    std::cout << std::left << std::setw(44) << name << std::setw(20) << was << is << "\n";
+    std::cout << std::left << std::setw(44) << name << std::setw(28) << was << is << "\n";
   };
   row("", "before", "now");
   for (std::size_t i = 0; i < std::max(before.cases.size(), now.cases.size()); ++i) {
