@@ -80,7 +80,7 @@ target_link_libraries(case PRIVATE Eigen3::Eigen ${CMAKE_CURRENT_SOURCE_DIR}/lib
 std::map<std::string, std::string> case_of(const OneRecorded& one, const std::string& category,
                                            const StagedKit& kit) {
   const Exercise& exercise = *one.settings.course.find(one.result.id);
-  const Compiler compiler(kit, one.settings.cache, one.settings.isolation, one.settings.cache_bytes);
+  const Compiler compiler(kit, one.settings.cache, one.settings.isolation);
   SuiteJobs jobs(one.settings, kit);
   jobs.limit_by(one.record->costs().reference);
   const fs::path folder = kit.new_job("reproduced");
