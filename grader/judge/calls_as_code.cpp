@@ -168,8 +168,11 @@ struct WrittenCall {
       std::size_t i = 0;
       const auto look = [&](const auto& view) {
         if constexpr (!kIsObject<std::remove_cvref_t<decltype(view)>>)
-          if (const std::string now = literal(value_of(view)); !literals[i].empty() && now != literals[i])
-            replace += "    " + function.parameters[sizes() + i].name + " = " + now + ";\n";
+          if (const std::string now = literal(value_of(view)); !literals[i].empty() && now != literals[i]) {
+            // A vector stays in its place, which the matrix may know.
+            const char* kept = DenseNumbers<std::remove_cvref_t<decltype(view)>> ? ".array()" : "";
+            replace += "    " + function.parameters[sizes() + i].name + kept + " = " + now + kept + ";\n";
+          }
         ++i;
       };
       std::apply([&](const auto&... views) { (look(views), ...); }, arguments);
