@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostResults = 1;  // an item shows
+constexpr std::size_t kMostResults = 2;  // an item shows: two who wrote the same stand below one another
 constexpr std::size_t kMostText = 4000;
 
 // Takes the text up to the next slash.
