@@ -11,4 +11,8 @@ namespace grader::s1 {
 // the step limit's category is about it: the others subtract it from a count.
 std::optional<int> own_offset(Trial& trial);
 
+// True if the student's first guess is b. Only the first guess's category is about it: where it is another
+// one, the others don't ask what follows from b.
+bool starts_at_b(Trial& trial);
+
 }  // namespace grader::s1
