@@ -39,7 +39,8 @@ struct StrandForce {
   }
 };
 
-// Compare the student's answers with the reference's, up to rounding.
+// Compare the student's answers with the reference's, up to rounding. A force may be off by the factor by
+// which the student's energy is, and a product by that of the student's force: one constant is one mistake.
 void expect_energy(Trial& trial, const StrandForce& force, const Posed& posed);
 void expect_force(Trial& trial, const StrandForce& force, const Posed& posed);
 void expect_product(Trial& trial, const StrandForce& force, const StrandForce::Product& product,
@@ -49,8 +50,8 @@ void expect_product(Trial& trial, const StrandForce& force, const StrandForce::P
 void expect_same_in_other_units(Trial& trial, const StrandForce& force, const Posed& one, const Posed& other,
                                 std::initializer_list<double> metres);
 
-// Each end of a long strand must behave like the same end of a short one. `ends` counts the particles at the
-// tip without a spring of their own.
+// Each end of a long strand must behave like the same end of a short one, in proportion to the energy of a
+// spring. `ends` counts the particles at the tip without a spring of their own.
 void expect_ends_alike(Trial& trial, const StrandForce& force, const Posed& brief, const Posed& lengthy,
                        int ends, double rounding, const VectorXd& push);
 

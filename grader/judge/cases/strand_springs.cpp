@@ -250,6 +250,14 @@ void rest_lengths_of_springs(Trial& trial, const Springs& springs) {
     forces.push_back(springs.force(trial, posed).norm());
     products.push_back(springs.product(trial, posed, dx).norm() * part);
   }
+  // So it is for each of several equal springs; if one alone has no energy, another category reports it.
+  for (const int several : {2, 5}) {
+    Strand equal = springs.metres(random, several + springs.apart);
+    equal.*springs.rigidity = strand.*springs.rigidity;
+    const Posed posed = straight_pose(equal, (1 + strain) * equal.rest_length, direction, "equal springs");
+    const double energy = springs.energy(trial, posed) / several * whole;
+    if (energies.front() != 0) energies.push_back(energy);
+  }
   // strain has an error of about 4 u of a length, or relatively 4 u / strain. Multiplied out, either energy
   // is off by another 4 u k (l + l0)^2, relative to k (l - l0)^2 / 2.
   const double multiplied_out = 16 * kUnit * std::pow((2 + strain) / strain, 2);
@@ -297,40 +305,42 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
   expect_nothing({springs.metres(random, 6), random_vector(random, 3).replicate(6, 1),
                   "a strand with all particles in one place"});
 
-  // One of two springs has no length: the other one must behave as it does alone.
+  // One of two springs loses its length, since its outer end moves, and the other one must behave as before.
+  const auto outer = [&](int spring) { return 3 * spring * (1 + springs.apart); };
+  const auto inner = [&](int spring) { return 3 * (spring == 0 ? springs.apart : 1); };
   for (int which : {0, 1}) {
-    Posed posed = in_state(random, springs.metres(random, 2 + springs.apart), kMixed);
+    const Posed before = in_state(random, springs.metres(random, 2 + springs.apart), kMixed);
+    Posed posed = before;
     posed.name = "two springs, one without a length";
-    posed.x.segment<3>(3 * (which + springs.apart)) = Vector3d(posed.x.segment<3>(3 * which));
-    const Posed alone = part_of(posed, 1 - which, 1 + springs.apart);
-    // Its energy is that of a spring with almost no length: they differ by k l0 times that length, or a few
+    posed.x.segment<3>(outer(which)) = before.x.segment<3>(inner(which));
+    // The energy is that of a spring with almost no length: they differ by k l0 times that length, or a few
     // times that if the factor in front is wrong.
     constexpr double kHardly = 0x1p-30;
-    Posed short_one = part_of(posed, which, 1 + springs.apart);
-    short_one.x.tail<3>() += kHardly * checks::ordinary_direction(random);
-    double left_over = springs.energy(trial, posed);
-    const double other = springs.energy(trial, alone);
-    left_over -= other + springs.energy(trial, short_one);
-    if (other != 0)
-      trial.expect_at_most(std::abs(left_over),
-                           {4 * kHardly * posed.strand.*springs.rigidity, 2 * springs.energy_rounding(posed)},
-                           "the error of the energy of two springs, one without a length,");
+    Posed hardly = posed;
+    hardly.x.segment<3>(outer(which)) += kHardly * checks::ordinary_direction(random);
+    const double energy = springs.energy(trial, posed);
+    trial.expect_at_most(std::abs(energy - springs.energy(trial, hardly)),
+                         {4 * kHardly * posed.strand.*springs.rigidity, 2 * springs.energy_rounding(posed)},
+                         "the error of the energy of two springs, one without a length,");
     const VectorXd dx = random_vector(random, posed.x.size());
+    const int end = outer(1 - which), other_end = inner(1 - which);
     const auto expect = [&](const std::string& what, double rounding, const auto& answer) {
-      const VectorXd of_other = answer(alone, 1 - which);
+      const VectorXd with_both = answer(before);
       // If the last spring is missing or has one end, another category reports it.
-      if (largest(of_other) == 0 || largest(of_other.head<3>() + of_other.tail<3>()) > rounding) return;
       VectorXd expected = VectorXd::Zero(posed.x.size());
-      expected.segment(3 * (1 - which), alone.x.size()) = of_other;
-      expect_vector(trial, answer(posed, 0), expected, 2 * rounding,
+      expected.segment<3>(end) = with_both.segment<3>(end);
+      expected.segment<3>(other_end) = -with_both.segment<3>(end);
+      Vector3d sum = with_both.segment<3>(end) + with_both.segment<3>(other_end);
+      if (springs.apart == 1) sum += with_both.segment<3>(outer(which));
+      if (largest(expected) == 0 || largest(sum) > 4 * rounding) return;
+      expect_vector(trial, answer(posed), expected, 2 * rounding,
                     what + " two springs, one without a length,");
     };
-    expect("the force of", springs.force_rounding(posed),
-           [&](const Posed& part, int) { return springs.force(trial, part); });
+    expect("the force of", springs.force_rounding(before),
+           [&](const Posed& at) { return springs.force(trial, at); });
     for (const StrandForce::Product& product : springs.products)
-      expect("the product of", springs.product_rounding(posed, dx), [&](const Posed& part, int first) {
-        return product.ask_from_zero(trial, part, dx.segment(3 * first, part.x.size()));
-      });
+      expect("the product of", springs.product_rounding(before, dx),
+             [&](const Posed& at) { return product.ask_from_zero(trial, at, dx); });
   }
 }
 
