@@ -15,6 +15,10 @@ using namespace grader;
 
 constexpr std::size_t kMost = 1 << 20;
 
+[[noreturn]] void sleep_on() {
+  for (;;) sleep(1000);
+}
+
 void answer(Channel& channel, const std::string& way, std::uint64_t nonce) {
   const auto product = [&] {
     MessageWriter message;
@@ -45,7 +49,14 @@ void answer(Channel& channel, const std::string& way, std::uint64_t nonce) {
     usleep(150000);
     _exit(3);
   } else if (way == "sleeps") {
-    for (;;) sleep(1000);
+    sleep_on();
+  } else if (way == "half") {
+    if (write(4, "half", 4) == 4) sleep_on();
+  } else if (way == "huge") {
+    const std::uint64_t header[] = {static_cast<std::uint64_t>(Kind::done), nonce, std::uint64_t{1} << 40};
+    if (write(4, header, sizeof header) > 0) sleep_on();
+  } else if (way == "another-nonce") {
+    channel.send(Kind::done, nonce + 1);
   }
 }
 
@@ -55,6 +66,7 @@ int main(int argc, char* argv[]) {
   if (argc < 3) return 2;
   const std::string way = std::filesystem::path(argv[argc - 2]).stem();
   Channel channel(3, 4);
+  if (way == "speaks-first") channel.send(Kind::done, 0);
   channel.send(Kind::hello, 0);
   while (std::optional<Message> request = channel.receive(kMost)) answer(channel, way, request->nonce);
 }

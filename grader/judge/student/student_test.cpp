@@ -142,5 +142,15 @@ TEST_F(StudentTest, PaysForItsSlowEnd) {
   EXPECT_GT(spent_.idle_seconds, 0.3);
 }
 
+TEST_F(StudentTest, KeepsToTheProtocol) {
+  for (const char* way : {"huge", "another-nonce", "speaks-first"}) {
+    Student student = this->student(way);
+    EXPECT_EQ(ask(student).outcome, Outcome::broke_rules) << way;
+  }
+  allowance_->limit.idle_seconds = 1;
+  Student half = student("half");
+  EXPECT_EQ(ask(half).outcome, Outcome::timed_out);
+}
+
 }  // namespace
 }  // namespace grader::judge
