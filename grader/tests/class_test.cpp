@@ -53,12 +53,6 @@ SubmissionResult result_of(const std::string& name) {
   return *result;
 }
 
-const ExerciseResult& exercise_of(const SubmissionResult& result, const std::string& id) {
-  for (const ExerciseResult& exercise : result.exercises)
-    if (exercise.id == id) return exercise;
-  throw std::runtime_error(result.name + " has no result for " + id);
-}
-
 TEST(SampleClass, HasAReportForEverySampleAndNobodyElse) {
   std::set<std::string> expected, reports;
   for (const Sample& sample : samples()) expected.insert(submission_name(sample.name));
