@@ -183,7 +183,7 @@ TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
 
 TEST(Pages, TheSamePictureIsShownOnce) {
   SubmissionResult result = without_pictures(1).front();
-  result.exercises[1].pictures = {{"0.50 s", 0, 0, "both", "both", ""}};
+  result.exercises[1].pictures = {sample_picture("0.50 s", 0)};
   const std::string page = student_page(result);
   EXPECT_EQ(count(page, "<img"), 1u);
   EXPECT_EQ(count(page, "the same, pixel for pixel"), 1u);

@@ -22,6 +22,12 @@ std::string name_of(const PictureResult& picture) {
   return picture.name + (picture.breaks_off ? ", the last moment that can be drawn" : "");
 }
 
+// A picture that is the same needs no close look, and a report stays small.
+std::string half_size(const std::string& png) {
+  constexpr int kWidth = 240;  // pixels
+  return hair::encode_png(shrunk(hair::decode_png(png, "a picture"), kWidth));
+}
+
 // Says "blurred RMSE 0.0033, 6.6 times the limit".
 std::string measured(const char* name, double distance, double limit) {
   return name + (" " + shown_distance(distance)) +
@@ -40,12 +46,12 @@ Html link_closer(const ExerciseResult& exercise, const PictureResult& picture, c
 Html moment(const ExerciseResult& exercise, const PictureResult& picture, const std::string& whose,
             const PicturePlace& place) {
   if (picture.heat.empty()) {
+    const std::string png = place.is_for_student ? half_size(picture.student) : picture.student;
     return html(
         "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>the same, pixel for "
         "pixel</span></div>\n<div class=\"pictures one\">\n{}</div>\n</div>\n",
-        {name_of(picture),
-         figure(image(picture.student, whose + " and the reference's hair at " + picture.name, place),
-                html("{} and the reference&#39;s", {whose}))});
+        {name_of(picture), figure(image(png, whose + " and the reference's hair at " + picture.name, place),
+                                  html("{} and the reference&#39;s", {whose}))});
   }
   const bool is_coarse = picture.far_off && place.is_for_student;
   return html(
