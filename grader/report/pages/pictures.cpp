@@ -7,6 +7,7 @@
 #include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
+#include "grader/course/input.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/facts/text.h"
 #include "grader/result/base64.h"
@@ -22,10 +23,13 @@ std::string name_of(const PictureResult& picture) {
   return picture.name + (picture.breaks_off ? ", the last moment that can be drawn" : "");
 }
 
-// A picture that is the same needs no close look, and a report stays small.
-std::string half_size(const std::string& png) {
+// A picture that is the same needs no close look, and a report stays small. A damaged one stays as it is: the
+// report is written all the same.
+std::string half_size(const std::string& png) try {
   constexpr int kWidth = 240;  // pixels
   return hair::encode_png(shrunk(hair::decode_png(png, "a picture"), kWidth));
+} catch (const BadInput&) {
+  return png;
 }
 
 // Says "blurred RMSE 0.0033, 6.6 times the limit".
