@@ -83,7 +83,7 @@ void for_each_leaf(const std::string& path, const T& value, const Leaf& leaf) {
   if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
     leaf(path, {static_cast<double>(value)});
   } else if constexpr (DenseNumbers<T>) {
-    const typename T::PlainObject numbers = value;
+    const typename T::PlainObject& numbers = value;
     leaf(path, {numbers.data(), numbers.data() + numbers.size()});
   } else if constexpr (Formed<T>) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
