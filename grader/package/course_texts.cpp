@@ -173,6 +173,16 @@ std::string category_rows(const std::string& categories, const Exercise& exercis
   return rows;
 }
 
+std::string mistake_lines(const std::string& categories) {
+  std::string lines;
+  for (const auto& one : nlohmann::json::parse(categories))
+    for (const auto& row : one.value("rows", nlohmann::json::array()))
+      if (row.value("usual", false))
+        lines += "- *" + one["title"].get<std::string>() + ": " + row["see"].get<std::string>() + ".* " +
+                 row["look"].get<std::string>() + "\n";
+  return lines;
+}
+
 std::string index_row(const Exercise& exercise) {
   std::string needs;
   for (const std::string& id : exercise.prerequisites) needs += (needs.empty() ? "" : ", ") + id;
@@ -184,7 +194,7 @@ std::string index_row(const Exercise& exercise) {
 }
 
 std::string exercise_rows(const Course& course) {
-  std::string rows;
+  std::string rows = "| id | text | you write | needs | points |\n|---|---|---|---|---|\n";
   for (const Exercise& exercise : course.exercises)
     if (exercise.role != Role::absent) rows += index_row(exercise);
   return rows;
@@ -290,8 +300,11 @@ std::string course_text(const std::string& text, const ManifestLine& line, const
   const bool scenes = path == "hair/scenes/scenes.md";
   std::istringstream in(text);
   std::string result;
+  bool usual_rows = false;
   for (std::string read; std::getline(in, read);) {
-    if (read == kExerciseRows)
+    if (usual_rows && read.starts_with("|")) continue;
+    usual_rows = read == kExerciseRows;
+    if (usual_rows)
       result += exercise_rows(course);
     else if (read == kHowCounted)
       result += course.partial
@@ -299,6 +312,8 @@ std::string course_text(const std::string& text, const ManifestLine& line, const
                     : "A category gives its points if all of its checks hold.\n";
     else if (read == kCategoryRows && own != nullptr && !categories.empty())
       result += category_rows(categories, *own);
+    else if (read == kMistakes && own != nullptr && !categories.empty())
+      result += mistake_lines(categories);
     else if (!scenes || !is_of_absent_scene(read, course))
       result += read + "\n";
     if (read.starts_with("# ")) result += below_title(path, own, course);

@@ -28,8 +28,9 @@ std::string project_path(const ManifestLine& line);
 
 // Changes a text, Markdown, that ships by this line; `missing` has destinations of other courses alone.
 // `categories` is the categories.json of the text's exercise, or "".
-// - kExerciseRows becomes a row for each exercise, kHowCounted a sentence, kCategoryRows the categories'
-// points.
+// - kExerciseRows and the table below it, the usual course's, become the table of the course's exercises.
+// - kHowCounted becomes a sentence, kCategoryRows the categories' points, and kMistakes the rows of
+// categories that are "usual".
 // - A sentence follows the title of a given exercise, and of a README whose first exercise is given.
 // - A link leads to its shipped file, or becomes its words; absent exercises are named at the end.
 // - Commands run scenes that ship; the table of scenes keeps those of the course's exercises.
@@ -38,6 +39,6 @@ std::string course_text(const std::string& text, const ManifestLine& line, const
 
 inline constexpr const char *kExerciseRows = "<!-- exercises -->",
                             *kHowCounted = "<!-- how a category counts -->",
-                            *kCategoryRows = "<!-- categories -->";
+                            *kCategoryRows = "<!-- categories -->", *kMistakes = "<!-- mistakes -->";
 
 }  // namespace grader::package

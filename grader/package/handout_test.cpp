@@ -37,7 +37,8 @@ class SmallProject : public testing::Test {
     write("handout/exercises.json",
           R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
                                                       {"id": "E2", "file": "g.cpp", "points": 1, "role": "assigned"}]})");
-    write("handout/assignment/README.md", "# Exercises\n" + std::string(kExerciseRows) + "\nGood luck\n");
+    write("handout/assignment/README.md",
+          "# Exercises\n" + std::string(kExerciseRows) + "\n| id |\n| E7 |\nGood luck\n");
     write("hair/scenes/one.json", "{}\n");
     write("hair/scenes/two.json", "{}\n");
     write("build/golden/motions/one.json", "{}\n");
@@ -45,10 +46,12 @@ class SmallProject : public testing::Test {
     write("build/golden/scenes.md", "| [one](one.json) | E1 | x |\n| [two](two.json) | E1, E2 | x |\n");
     for (const std::string id : {"E1", "E2"}) {
       write("handout/exercises/" + id + "/text.md",
-            "# " + id + "\n\n<!-- categories -->\n[contract](../../../hair/scenes/one.json)\n");
+            "# " + id +
+                "\n\n<!-- categories -->\n<!-- mistakes -->\n[contract](../../../hair/scenes/one.json)\n");
       write(
           "handout/exercises/" + id + "/categories.json",
-          R"([{"id": "A", "title": "All", "points": 2, "asks": "it"}, {"id": "B", "title": "Rest", "points": 3, "asks": "$x$"}])");
+          R"([{"id": "A", "title": "All", "points": 2, "asks": "it", "rows": [{"id": "r", "see": "NaN", "look": "Is it 0?", "usual": true},
+              {"id": "s", "see": "no", "look": "no"}]}, {"id": "B", "title": "Rest", "points": 3, "asks": "$x$"}])");
     }
     write("handout/exercises/E1/f.cpp", "int f();\n");
     write("handout/exercises/E2/g.cpp", "int g();\n");
@@ -144,7 +147,8 @@ TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
   EXPECT_EQ(json["exercises"][1]["role"], "optional");
   EXPECT_EQ(
       shipped.at("assignment/README.md"),
-      "# Exercises\n| E1 | [Exercise E1](../exercises/E1/text.md) | `student/f.cpp` | - | 7.5 |\n"
+      "# Exercises\n| id | text | you write | needs | points |\n|---|---|---|---|---|\n"
+      "| E1 | [Exercise E1](../exercises/E1/text.md) | `student/f.cpp` | - | 7.5 |\n"
       "| E2 | [Exercise E2](../exercises/E2/text.md) | `student/g.cpp` | - | 3, extra credit |\nGood luck\n");
   EXPECT_TRUE(shipped.contains("given/hair/scenes/two.json"));
 }
@@ -152,7 +156,8 @@ TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
 TEST_F(SmallProject, FillsInATextsPointsAndLinks) {
   EXPECT_EQ(files().at("exercises/E1/text.md"),
             "# E1\n\n7.5 points, in these categories:\n\n| category | points | asks for |\n|---|---|---|\n"
-            "| All | 3 | it |\n| Rest | 4.5 | $x$ |\n[contract](../../given/hair/scenes/one.json)\n");
+            "| All | 3 | it |\n| Rest | 4.5 | $x$ |\n- *All: NaN.* Is it "
+            "0?\n[contract](../../given/hair/scenes/one.json)\n");
   course_.exercises[0].role = Role::given;
   EXPECT_TRUE(says(files().at("exercises/E1/text.md"), "| All | - | it |"));
   EXPECT_EQ(nlohmann::json::parse(files().at("exercises/E2/categories.json"))[0]["points"], 3);
