@@ -3,7 +3,7 @@
 // With l the length of segment i, l0 its rest length, and u the unit vector from particle i to particle i +
 // 1:
 //
-//   E = sum_i k_i (l - l0)^2 / 2      k_i = EA / l0, N/m: k_i ~ 1/l_i
+//   U = sum_i k_i (l - l0)^2 / 2      k_i = EA / l0, N/m: k_i ~ 1/l_i
 //   f on i = k_i (l - l0) u, and on i + 1 the opposite
 //
 // A segment of length 0 has no direction, so it has neither force nor product (its energy is still k l0^2 /
@@ -20,10 +20,10 @@ namespace hair {
 using particles::Input;
 using particles::Output;
 
-// E, in J.
+// U, in J.
 double stretch_energy(const Strand& strand, Input x);
 
-// f += -dE/dx, N.
+// f += -dU/dx, N.
 void add_stretch_force(const Strand& strand, Input x, Output f);
 
 // df += (df/dx) dx, N: symmetric, and exact with the full geometric term. With the filtered or dropped term,
