@@ -4,7 +4,7 @@
 // Joint i lies between the segments e1 = x_i - x_{i-1} and e2 = x_{i+1} - x_i, whose rest lengths are l1 and
 // l2:
 //
-//   E = sum_i k_i phi_i^2 / 2     phi = atan2(|e1 x e2|, e1 . e2), from 0 (straight) to pi (folded)
+//   U = sum_i k_i phi_i^2 / 2     phi = atan2(|e1 x e2|, e1 . e2), from 0 (straight) to pi (folded)
 //                                 k_i = EI / l, l = (l1 + l2) / 2, N m: k_i ~ 1/l_i
 //
 // A clamped strand also has a joint at the root: e1 is root_tangent, which is fixed, and k = 2 EI / l2,
@@ -31,14 +31,14 @@ namespace hair {
 using particles::Input;
 using particles::Output;
 
-// E, in J.
+// U, in J.
 double bend_energy(const Strand& strand, Input x);
 
-// f += -dE/dx, N.
+// f += -dU/dx, N.
 void add_bend_force(const Strand& strand, Input x, Output f);
 
 // df += (df/dx) dx, N, exact. Indefinite at any bend: moving the joint's two ends out of the bend's plane, to
-// opposite sides, is an eigenvector of d2E, with the eigenvalue -k phi tan(phi/2) / |e|^2 if both segments
+// opposite sides, is an eigenvector of d2U, with the eigenvalue -k phi tan(phi/2) / |e|^2 if both segments
 // have the length |e|. At the fold df += 0.
 void add_bend_product(const Strand& strand, Input x, Input dx, Output df);
 
