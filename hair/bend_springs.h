@@ -4,7 +4,7 @@
 // With d the distance between particles i and i + 2, and d0 = l_i + l_{i+1} the sum of the rest lengths
 // between them:
 //
-//   E = sum_i k_i (d - d0)^2 / 2      k_i = skip_rigidity / d0, N/m
+//   U = sum_i k_i (d - d0)^2 / 2      k_i = skip_rigidity / d0, N/m
 //
 // The rest shape is straight. "Difficulty: Each spring constant affects both bending and stretching": these
 // springs resist stretching in addition to the segments' springs (twice, because they overlap), and do not
@@ -24,10 +24,10 @@ namespace hair {
 using particles::Input;
 using particles::Output;
 
-// E, in J.
+// U, in J.
 double bend_spring_energy(const Strand& strand, Input x);
 
-// f += -dE/dx, N.
+// f += -dU/dx, N.
 void add_bend_spring_force(const Strand& strand, Input x, Output f);
 
 // df += (df/dx) dx, N; see hair/geometric_term.h.
