@@ -42,7 +42,7 @@ std::array<double, 8> stumpff(double x);
 //
 //   axes = 1 + c_1 [p] + c_2 [p]^2,    position = s (e + c_2 p x e + c_3 p x (p x e)),    c_k of x = |p|^2
 //
-// Here [p] v = p x v. Errors: 1e-10, and 1e-10 s, for |p| up to 200.
+// Here [p] v = p x v. Errors, for |p| up to 200: 1e-10 in axes, and s times 1e-10 (a length) in position.
 MaterialFrame frame_at(const MaterialFrame& start, const Vector3d& curvature, double s);
 
 // Sets start and end of all elements from their lengths and curvatures: the first starts at the root, and
@@ -61,7 +61,7 @@ void elastic_force(const HelixStrand& strand, Input q, Output force);
 //
 //   turns_k = integral from 0 to s of n_k(s') ds', moves_k = integral of n_k(s') x (r(s) - r(s')) ds'
 //
-// Errors: 1e-10 s, and 1e-10 s^2.
+// Errors: s times 1e-10 in turns, and s^2 times 1e-10 in moves.
 HelixJacobian jacobian_at(const MaterialFrame& start, const Vector3d& curvature, double s);
 
 // For (5) to (7) the caller has set start, end and at_end of all elements, and position and moves of all
