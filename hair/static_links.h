@@ -77,11 +77,10 @@ struct StripContact {
 // T, T_j: tangents of the point and of the corners, of length 1, or 0. Returns false, with any contents in
 // `contact`, if N is 0, a share is negative, or the point is `thickness` or more away from the plane.
 //
-// The lecture's weight is 1 - Ta.Tb. A hair has no preferred end, so the sign of its tangent must not matter:
-// hairs that lie side by side, parallel or antiparallel, merge (weight 0), and hairs that cross push each
-// other (weight 1). Without the absolute value antiparallel hairs would get 2. Ta is one tangent here. The
-// paper interpolates Tb; here each corner has a term of its own, so the signs of the T_j do not matter
-// either.
+// Chang, Jin and Yu's weight is 1 - Ta.Tb. A hair has no preferred end, so the sign of its tangent must not
+// matter: hairs that lie side by side, parallel or antiparallel, merge (weight 0), and hairs that cross push
+// each other (weight 1). Without the absolute value antiparallel hairs would get 2. Ta is one tangent here.
+// They interpolate Tb; here each corner has a term of its own, so the signs of the T_j do not matter either.
 bool touch_strip(int point, const std::array<int, 3>& corners, double side, double thickness, Input x,
                  Input tangents, StripContact& contact);
 
