@@ -219,6 +219,8 @@ TEST_F(RealProject, FitsAnyCourse) {
         continue;
       }
       const std::string& text = files.at(text_file);
+      static const std::regex mistake("\n- \\*[^\n]*\\.\\* ");
+      EXPECT_EQ(std::distance(std::sregex_iterator(text.begin(), text.end(), mistake), {}), 5);
       const auto [points, sum] = points_in(text);
       const bool given = exercise.role == Role::given;
       EXPECT_EQ(text.find("nothing of it is left to write") != std::string::npos, given);
