@@ -91,16 +91,16 @@ TEST(HairlabLive, PlaysFramesPausesAndStartsAnewWithOtherSettings) {
   EXPECT_TRUE(has(first, R"(data: {"kind":"start")"));
   live.events_until(R"("going":false)", [&] { EXPECT_EQ(live.command("pause", live.client.own()), 204); });
   const std::string other = live.events_until(R"("method":"midpoint")", [&] {
-    EXPECT_EQ(live.command("restart 2 1 midpoint", live.client.own()), 204);
+    EXPECT_EQ(live.command("restart 2 1 0 midpoint", live.client.own()), 204);
   });
-  EXPECT_TRUE(has(other, R"("settings":"2 1 midpoint")"));
+  EXPECT_TRUE(has(other, R"("settings":"2 1 0 midpoint")"));
   EXPECT_EQ(live.end(SIGTERM), 0) << "it ends as it should, with pages that listen or not";
 }
 
 TEST(HairlabLive, SaysWhereItBlewUp) {
   const Live live(HAIRLAB);
   const std::string all = live.events_until(
-      R"("ended":"blow_up")", [&] { live.command("restart 32 1 forward_euler", live.client.own()); });
+      R"("ended":"blow_up")", [&] { live.command("restart 32 1 0 forward_euler", live.client.own()); });
   EXPECT_TRUE(has(all, R"("blow_up":{"text":"strand 0, step )"));
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr auto kLongestSilence = std::chrono::seconds(10);
 constexpr int kTurn = 20;              // ms
 constexpr int kTurnsBetweenLooks = 8;  // at the program's file
-constexpr const char* kUsualSettings = "1 1";
+constexpr const char* kUsualSettings = "1 1 0";
 constexpr std::string_view kRestart = "restart ";
 
 // Commands of pages, from the server's threads to ours.

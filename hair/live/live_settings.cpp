@@ -1,6 +1,7 @@
 #include "hair/live/live_settings.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "hair/io/files/bad_input.h"
@@ -10,6 +11,8 @@
 namespace hair {
 
 namespace {
+
+constexpr double kDragInWind = 2e-4;  // N s/m^2, for a scene without drag
 
 bool moves(const MethodRow& method, const Scene& scene) {
   const auto model_has = [&](const ModelRow& model) { return !model.calls_method || model.moves_by(method); };
@@ -38,17 +41,37 @@ void check(const char* name, double value, double most) {
                    " times as large or as small is possible");
 }
 
+// Gives roots, heads and drawn hair without a motion one that rests, so that a hand can lead them.
+void let_all_ride(Scene& scene) {
+  const Motion rest{{{0, Pose{}}}};
+  std::set<int> strands, heads;
+  for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
+    strands.insert(static_cast<int>(i));
+  for (std::size_t i = 0; i < scene.hair.obstacles.size(); ++i)
+    if (std::holds_alternative<PlacedSolid>(scene.hair.obstacles[i].shape)) heads.insert(static_cast<int>(i));
+  for (const Rider& rider : scene.riders) {
+    for (const int strand : rider.strands) strands.erase(strand);
+    for (const int obstacle : rider.obstacles) heads.erase(obstacle);
+  }
+  if (!strands.empty())
+    scene.riders.push_back({rest, {strands.begin(), strands.end()}, {heads.begin(), heads.end()}});
+  for (StillHair& hair : scene.still) hair.motion = hair.motion.value_or(rest);
+  for (DenseHair& hair : scene.dense) hair.motion = hair.motion.value_or(rest);
+}
+
 }  // namespace
 
 LiveSettings read_settings(const std::string& text) {
   std::istringstream in(text);
   LiveSettings settings;
-  if (!(in >> settings.step >> settings.stiffness))
+  if (!(in >> settings.step >> settings.stiffness >> settings.wind))
     throw BadInput("\"" + printable(text, 100) +
-                   "\" is no step, stiffness and method, such as \"1 0.5 midpoint\"");
+                   "\" is no step, stiffness, wind and method, such as \"1 0.5 0 midpoint\"");
   in >> settings.method;
   check("step", settings.step, kMostTimesStep);
   check("stiffness", settings.stiffness, kMostTimesStiffness);
+  if (!(settings.wind >= 0 && settings.wind <= kMostWind))
+    throw BadInput("the wind is " + std::to_string(settings.wind) + " m/s, which is not between 0 and 20");
   return settings;
 }
 
@@ -97,6 +120,9 @@ void change(Scene& scene, const LiveSettings& settings, const Course& course) {
   }
   for (Toy& toy : scene.toys)
     for (particles::Spring& spring : toy.springs) spring.stiffness *= settings.stiffness;
+  scene.hair.wind += settings.wind * Vector3d::UnitX();
+  if (settings.wind > 0) scene.hair.drag = std::max(scene.hair.drag, kDragInWind);
+  let_all_ride(scene);
   scene.hair.step *= settings.step;
   scene.steps_per_frame = 1;
   scene.frames_per_second = 1 / scene.hair.step;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <sstream>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
@@ -20,6 +21,7 @@
 #include "hair/lab/run/motion_of_run.h"
 #include "hair/lab/run/stub.h"
 #include "hair/live/commands_in.h"
+#include "hair/live/hand.h"
 #include "hair/live/live_settings.h"
 #include "hair/live/whereabouts.h"
 #include "hair/scene/scene_run.h"
@@ -69,6 +71,18 @@ std::vector<MotionSeries> series_of(const FrameMeasures& measures, const Work& s
           {"solver steps", "", {static_cast<double>(since.solver_steps)}}};
 }
 
+// Of all strands; the origin without any.
+Vector3d middle_of_roots(const SceneRun& run) {
+  const particles::State lines = run.centre_lines(run.state());
+  Vector3d sum = Vector3d::Zero();
+  Eigen::Index at = 0;
+  for (const int points : run.strands()) {
+    sum += lines.x.segment<3>(at);
+    at += 3 * points;
+  }
+  return sum / std::max<double>(1, static_cast<double>(run.strands().size()));
+}
+
 class Runner {
  public:
   Runner(Scene scene, const Scene& as_it_is, const Course& course, Lines& lines)
@@ -77,6 +91,7 @@ class Runner {
         whole_(as_it_is.frames * frame_seconds_),
         scene_run_(scene_),
         drawing_(scene_, scene_run_.strands(), cache_folder()),
+        hand_(middle_of_roots(scene_run_)),
         motion_(1, kMostLivePoints),
         lines_(lines) {
     add_drawing();
@@ -97,6 +112,7 @@ class Runner {
                               {"motion", one_line(motion_.json(story))},
                               {"step", json_text(scene_.hair.step)},
                               {"whole", json_text(whole_)},
+                              {"has_roots", has_strands(scene_) ? "true" : "false"},
                               {"method", json_text(method ? method->id : "")},
                               {"methods", "[" + methods + "]"}}));
     say_frame();
@@ -138,8 +154,13 @@ class Runner {
   void start_again() { due_ = Clock::now(); }
 
   void step() {
+    if (hand_.leads()) {
+      const Way hand = hand_.after(scene_.hair.step);
+      scene_run_.lead(hand);
+      drawing_.lead(hand);
+    }
     if (const auto trouble = scene_run_.advance()) trouble_ = *trouble;
-    over_ = blown_up() || scene_run_.time() + scene_.hair.step / 2 > whole_;
+    over_ = blown_up() || (!hand_.leads() && scene_run_.time() + scene_.hair.step / 2 > whole_);
     lines_.heartbeat(scene_run_.steps());
   }
 
@@ -149,6 +170,14 @@ class Runner {
       start_again();
     } else if (line.starts_with("rate ")) {
       rate_ = std::clamp(std::atof(line.c_str() + 5), 0.01, 100.0);
+    } else if (line.starts_with("hand ")) {
+      std::istringstream in(line.substr(5));
+      Vector3d offset = Vector3d::Zero();
+      double turn = 0;
+      if (in >> offset.x() >> offset.y() >> offset.z() >> turn) hand_.go_to(offset, turn);
+      if (!over_ || blown_up()) return;
+      over_ = false;  // it goes on beyond its end
+      start_again();
     } else if (line == "step" && !over_) {
       going_ = false;
       step();
@@ -194,6 +223,7 @@ class Runner {
   double frame_seconds_, whole_;  // s, of the simulation
   SceneRun scene_run_;
   SceneDrawing drawing_;
+  Hand hand_;
   MotionFrames motion_;
   Lines& lines_;
   double rate_ = 1;

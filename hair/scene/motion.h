@@ -32,11 +32,16 @@ struct Motion {
 
 // A pose relative to a motion's first: x -> rotation (x - from) + to, for a position x at the first key.
 struct Way {
-  Eigen::Quaterniond rotation;
-  Vector3d from, to;
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();
 
   Vector3d operator()(const Vector3d& x) const { return rotation * (x - from) + to; }
 };
+
+// x -> after(before(x)).
+inline Way operator*(const Way& after, const Way& before) {
+  return {after.rotation * before.rotation, before.from, after(before.to)};
+}
 
 Way way_at(const Motion& motion, double time);
 bool turns(const Motion& motion);

@@ -88,14 +88,15 @@ Riding::Riding(const Rider& rider, const Description& hair) : motion_(rider.moti
   }
 }
 
-void Riding::lead(Simulation& simulation, double time, double h) const {
-  const Way way = way_at(motion_, time + h);
-  const Vector3d spin =
-      turns_ ? angular_velocity(way_at(motion_, time).rotation, way.rotation, h) : Vector3d(Vector3d::Zero());
+void Riding::lead(Simulation& simulation, double time, double h, const Way& held, const Way& hand) const {
+  const Way way = hand * way_at(motion_, time + h);
+  const bool turns = turns_ || hand.rotation.w() != 1 || held.rotation.w() != 1;
+  const Vector3d spin = turns ? angular_velocity((held * way_at(motion_, time)).rotation, way.rotation, h)
+                              : Vector3d(Vector3d::Zero());
   for (const LedRoot& root : roots_) {
     const Vector3d here = simulation.body(root.strand).root_position(), there = way(root.position);
     Root next{there, root.tangent, root.normal, (there - here) / h, Vector3d::Zero()};
-    if (turns_) {
+    if (turns) {
       next.tangent = (way.rotation * root.tangent).normalized();
       next.normal = (way.rotation * root.normal).normalized();
       next.angular_velocity = spin;
@@ -105,7 +106,7 @@ void Riding::lead(Simulation& simulation, double time, double h) const {
   for (const LedObstacle& led : obstacles_) {
     const Obstacle& obstacle = simulation.obstacles()[led.obstacle];
     simulation.set_obstacle_velocity(led.obstacle, (way(led.place) - place_of(obstacle)) / h);
-    if (const auto* const solid = std::get_if<PlacedSolid>(&obstacle.shape); solid && turns_)
+    if (const auto* const solid = std::get_if<PlacedSolid>(&obstacle.shape); solid && turns)
       simulation.set_obstacle_spin(led.obstacle,
                                    angular_velocity(solid->rotation, way.rotation * led.rotation, h));
   }

@@ -19,8 +19,9 @@ class Riding {
   // for a plane or capsule on a motion that turns: these only translate.
   Riding(const Rider& rider, const Description& hair);
 
-  // Call it before the step from `time` to time + h.
-  void lead(Simulation& simulation, double time, double h) const;
+  // Call it before the step from `time` to time + h. A hand leads the riders, too: beyond their motion, from
+  // `held` at the step's beginning to `hand` at its end.
+  void lead(Simulation& simulation, double time, double h, const Way& held, const Way& hand) const;
 
  private:
   struct LedRoot {

@@ -80,6 +80,8 @@ class SceneRun::Parts {
     if (simulation_) simulation_->leave_out(strands);
   }
 
+  void lead(const Way& hand) { hand_ = hand; }
+
   std::optional<std::string> advance() {
     for (int k = 0; k < steps_per_frame_ && !trouble_; ++k) step();
     if (!trouble_) ++frame_;
@@ -179,6 +181,7 @@ class SceneRun::Parts {
   // Riders start from the scene's roots and obstacles.
   void ride(const Scene& scene) {
     riding_.clear();
+    held_ = hand_ = {};
     for (const Rider& rider : scene.riders) riding_.emplace_back(rider, scene.hair);
   }
 
@@ -194,7 +197,8 @@ class SceneRun::Parts {
 
   void step() {
     const double time = static_cast<double>(steps_++) * h_;
-    for (const Riding& riding : riding_) riding.lead(*simulation_, time, h_);
+    for (const Riding& riding : riding_) riding.lead(*simulation_, time, h_, held_, hand_);
+    held_ = hand_;
     if (simulation_)
       if (const auto blow_up = simulation_->step())
         trouble_ = trouble("strand", blow_up->strand, blow_up->step, blow_up->stage);
@@ -217,6 +221,7 @@ class SceneRun::Parts {
   double frames_per_second_;
   std::optional<Simulation> simulation_;  // none without strands
   std::vector<Riding> riding_;
+  Way held_, hand_;  // of the last step and the next
   std::vector<std::unique_ptr<ToyBody>> toys_;
   Work toys_work_;
   bool watched_;
@@ -242,6 +247,9 @@ void SceneRun::restart(const Scene& scene) {
 }
 void SceneRun::leave_out(std::span<const int> strands) {
   parts_->leave_out(strands);
+}
+void SceneRun::lead(const Way& hand) {
+  parts_->lead(hand);
 }
 std::optional<std::string> SceneRun::advance() {
   return parts_->advance();

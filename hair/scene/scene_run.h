@@ -40,6 +40,10 @@ class SceneRun {
   // As Simulation::leave_out: these strands stay where they are.
   void leave_out(std::span<const int> strands);
 
+  // The next step brings all that rides on motions further: to hand(x) in place of x. It is for a page on
+  // which somebody drags roots. Planes and capsules follow without a turn.
+  void lead(const Way& hand);
+
   // Advances to the next frame. Returns nothing, or the place of a blow-up: "strand 0, step 17: filter".
   // After a blow-up it stays there and returns the same. Passes on exceptions of stubs.
   std::optional<std::string> advance();

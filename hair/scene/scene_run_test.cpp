@@ -180,27 +180,36 @@ TEST(SceneRun, RestartsWithRootsElsewhere) {
   }
 }
 
-TEST(SceneRun, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
+TEST(SceneRun, RidersAreWhereTheirMotionAndTheHandSayAfterEveryFrame) {
   const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
-  SceneRun scene_run(scene);
-  for (int k = 1; k <= scene.frames; ++k) {
-    ASSERT_FALSE(scene_run.advance());
-    const hair::Motion& head = scene.riders[0].motion;
-    const hair::Pose now = head.at(k / 60.0), first = head.keys[0].pose;
-    const auto way = [&](const Vector3d& x) -> Vector3d {
-      return now.rotation * first.rotation.conjugate() * (x - first.position) + now.position;
-    };
-    const particles::State state = scene_run.state();
-    // A step adds to the root's position: the error is always the rounding of one step.
-    EXPECT_NEAR((state.x.segment<3>(0) - way({0.1, 0, 0})).norm(), 0, 1e-15);
-    EXPECT_NEAR((state.x.segment<3>(15) - way({0, 0.1, 0})).norm(), 0, 1e-15);
-    EXPECT_NEAR((std::get<hair::Sphere>(scene_run.obstacles()[0].shape).centre - way({0, 0, 0.3})).norm(), 0,
-                1e-15);
-    EXPECT_NEAR(std::get<hair::Plane>(scene_run.obstacles()[1].shape).point.z(),
-                -5 + scene.riders[1].motion.at(k / 60.0).position.z(), 1e-14);
+  for (const bool led : {false, true}) {
+    SceneRun scene_run(scene);
+    for (int k = 1; k <= scene.frames; ++k) {
+      hair::Way hand;
+      if (led)
+        hand = {
+            Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * k, Vector3d::UnitZ())), {0, 0, 1}, {0.01 * k, 0, 1}};
+      scene_run.lead(hand);
+      ASSERT_FALSE(scene_run.advance());
+      const hair::Motion& head = scene.riders[0].motion;
+      const hair::Pose now = head.at(k / 60.0), first = head.keys[0].pose;
+      const auto way = [&](const Vector3d& x) -> Vector3d {
+        return hand(now.rotation * first.rotation.conjugate() * (x - first.position) + now.position);
+      };
+      const particles::State state = scene_run.state();
+      // A step adds to the root's position: the error is always the rounding of one step.
+      EXPECT_NEAR((state.x.segment<3>(0) - way({0.1, 0, 0})).norm(), 0, 1e-15);
+      EXPECT_NEAR((state.x.segment<3>(15) - way({0, 0.1, 0})).norm(), 0, 1e-15);
+      EXPECT_NEAR((std::get<hair::Sphere>(scene_run.obstacles()[0].shape).centre - way({0, 0, 0.3})).norm(),
+                  0, 1e-15);
+      EXPECT_NEAR(std::get<hair::Plane>(scene_run.obstacles()[1].shape).point.z(),
+                  -5 + scene.riders[1].motion.at(k / 60.0).position.z(), 1e-14);
+    }
+    // The motion has turned the root by 90 degrees.
+    if (!led) {
+      EXPECT_NEAR((scene_run.state().x.head<3>() - Vector3d(0.2, 0.1, 0)).norm(), 0, 1e-15);
+    }
   }
-  EXPECT_NEAR((scene_run.state().x.head<3>() - Vector3d(0.2, 0.1, 0)).norm(), 0,
-              1e-15);  // turned by 90 degrees
 }
 
 // A root that moves with a bust stays at its place on it, and the bust has its motion's pose.

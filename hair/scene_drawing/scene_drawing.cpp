@@ -131,11 +131,13 @@ void SceneDrawing::add_strands(particles::Input x, const std::vector<Obstacle>& 
   }
 }
 
+Way SceneDrawing::way(const std::optional<Motion>& motion, double time) const {
+  return motion ? hand_ * way_at(*motion, time) : Way{};
+}
+
 void SceneDrawing::add_dense(std::size_t group, particles::Input guides, double time,
                              StrandsDrawing& drawing) const {
-  const std::optional<Motion>& motion = scene_.dense[group].motion;
-  const Eigen::Matrix3d turn = motion ? way_at(*motion, time).rotation.toRotationMatrix()
-                                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d turn = way(scene_.dense[group].motion, time).rotation.toRotationMatrix();
   Synthesis& synthesis = *dense_[group];
   std::vector<double> made(3 * static_cast<std::size_t>(synthesis.points()) * synthesis.children());
   const SynthesisCounts counts = synthesis.make({guides.data(), static_cast<std::size_t>(guides.size())},
@@ -155,12 +157,11 @@ void SceneDrawing::add_dense(std::size_t group, particles::Input guides, double 
 
 void SceneDrawing::add_still(const StillHair& hair, const Groom& grown, double time, std::uint32_t& id,
                              StrandsDrawing& drawing) const {
-  const Way way = hair.motion ? way_at(*hair.motion, time)
-                              : Way{Eigen::Quaterniond::Identity(), Vector3d::Zero(), Vector3d::Zero()};
+  const Way there = way(hair.motion, time);
   for (const Eigen::VectorXd& x : grown.strands) {
     drawing.sizes.push_back(static_cast<int>(x.size() / 3));
     if (drawing.fine) drawing.ids.push_back(id++);
-    for (Eigen::Index i = 0; i < x.size(); i += 3) drawing.points.push_back(way(x.segment<3>(i) + hair.at));
+    for (Eigen::Index i = 0; i < x.size(); i += 3) drawing.points.push_back(there(x.segment<3>(i) + hair.at));
   }
 }
 

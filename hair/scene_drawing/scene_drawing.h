@@ -43,11 +43,14 @@ class SceneDrawing {
   Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,
              const MeshRecord* mesh = nullptr) const;
 
+  void lead(const Way& hand) { hand_ = hand; }  // as SceneRun::lead
+
   // Counts for the last drawing's dense hair.
   const SynthesisCounts& synthesised() const { return synthesised_; }
   long moved_out() const { return moved_out_; }  // the strands that were moved out of an obstacle
 
  private:
+  Way way(const std::optional<Motion>& motion, double time) const;  // still hair's and dense hair's
   void add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
                    StrandsDrawing& drawing) const;
   void add_dense(std::size_t group, particles::Input guides, double time, StrandsDrawing& drawing) const;
@@ -66,6 +69,7 @@ class SceneDrawing {
   std::unique_ptr<StrandClearance> clearance_;              // for dense fine hair; null: there is no obstacle
   std::vector<Groom> still_;                                // for each of the scene's still hair, as it grows
   std::vector<Plane> view_;
+  Way hand_;
   mutable SynthesisCounts synthesised_;
   mutable long moved_out_ = 0;
 };

@@ -57,7 +57,7 @@ struct BodyMeasures {
 
 // The meaning of q for masses and springs, and for toys, in files and replies: positions of the centre line's
 // points, m. Other models have numbers of their own (ModelRow::coordinates).
-inline constexpr std::uint32_t kPositions = 0;
+inline constexpr std::uint32_t kPositions = 0, kOfSeveralModels = 3;
 
 class Body {
  public:

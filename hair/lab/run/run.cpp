@@ -1,5 +1,6 @@
 #include "hair/lab/run/run.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "hair/io/files/bad_input.h"
@@ -60,6 +61,13 @@ Scene without_dense_hair(Scene scene) {
   return scene;
 }
 
+// The kind of coordinates of all strands.
+std::uint32_t kind_of(const std::vector<std::uint32_t>& coordinates) {
+  const auto other =
+      std::ranges::find_if(coordinates, [&](auto kind) { return kind != coordinates.front(); });
+  return other == coordinates.end() ? coordinates.front() : kOfSeveralModels;
+}
+
 // Writes the frames of a run.
 class FrameWriter {
  public:
@@ -75,7 +83,7 @@ class FrameWriter {
         laps_(laps),
         dense_(!scene.dense.empty()),
         binary_(folder.now("states.bin"), folder.then("states.bin"), scene_run.sizes(),
-                static_cast<int>(scene_run.state().x.size() / 3), scene_run.coordinates().front()),
+                static_cast<int>(scene_run.state().x.size() / 3), kind_of(scene_run.coordinates())),
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands),
         motion_(record.frames_asked + 1, most_points) {}
 

@@ -4,7 +4,8 @@
 //   u32 s       strands
 //   u32 n       threes of coordinates: first those of strands, then those of toys. A particle has three
 //   u32 f       frames
-//   u32 c       the kind of coordinates of strands (hair/strand/body.h): 0 positions, 1 turns, 2 curvatures
+//   u32 c       the kind of coordinates of strands (hair/strand/body.h): 0 positions, 1 turns, 2 curvatures;
+//               3: each strand has those of its model
 //   u32 x s     threes of each strand; their sum is at most n
 //   zeros       up to a multiple of 8 bytes from the start
 //   f times     f64 time (s), f64 x 3n coordinates, f64 x 3n of their rates (1/s)

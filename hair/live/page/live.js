@@ -1,6 +1,9 @@
 // The live page: it shows the results of a running process (hair/live/runner.h), and controls it.
 
 const WORDS_WAIT = 1000; // ms between words that follow the motion
+const HAND_WAIT = 16; // ms between two commands of the hand
+const AGAIN_WAIT = 1500; // ms until hair that broke in the hand starts anew
+const KEPT_FRAMES = 1800; // of a motion that the hand leads without an end
 const NAMES_OF_ENDS = { finished: "It is over", blow_up: "It blew up" };
 
 // A motion that grows by a frame at a time.
@@ -14,6 +17,8 @@ function makeLiveMotion(told) {
       motion.times.push(frame.time);
       motion.planes = frame.last.planes;
       series.forEach((one, i) => one.values.push(frame.values[i]));
+      const lists = [frames, motion.times, ...series.map((one) => one.values)];
+      if (frames.length > KEPT_FRAMES) for (const list of lists) list.shift();
     },
     clear() {
       for (const list of [frames, motion.times, ...series.map((one) => one.values)]) list.length = 0;
@@ -32,19 +37,31 @@ function watchSimulation() {
   const send = (command) => fetch("command", { method: "POST", body: command })
     .then((answer) => { if (!answer.ok) state("The server refused a command."); }, () => state("hairlab live has ended."));
 
-  const settings = () => `${2 ** Number($("step-size").value)} ${10 ** Number($("stiffness").value)} ${$("method").value}`.trim();
+  const settings = () => `${2 ** Number($("step-size").value)} ${10 ** Number($("stiffness").value)} ${$("wind").value} ${$("method").value}`.trim();
   const restart = () => send(`restart ${settings()}`);
+
+  // The hand: where it leads roots, m and rad from the start.
+  let hand = [0, 0, 0], turn = 0, sends = 0;
+  const sendHand = () => { sends = 0; send(`hand ${[...hand, turn].map((x) => x.toFixed(5)).join(" ")}`); };
+  const drag = (right, up) => {
+    if ($("drag").value === "root") hand = add(hand, orbit.way(right, up));
+    else if ($("drag").value === "turn") turn += 4 * right;
+    else return false;
+    sends ||= setTimeout(sendHand, HAND_WAIT);
+    return true;
+  };
   const toggle = () => (over ? restart() : send(going ? "pause" : "go"));
   const step = () => send("step");
   const say = () => {
     told("step-words", usual > 0 ? `${few(usual * 2 ** Number($("step-size").value) * 1000)} ms` : "");
     told("stiffness-words", `${few(10 ** Number($("stiffness").value))} times`);
+    told("wind-words", `${$("wind").value} m/s`);
   };
   $("play").addEventListener("click", toggle);
   $("step").addEventListener("click", step);
   $("restart").addEventListener("click", restart);
-  for (const id of ["step-size", "stiffness"]) $(id).addEventListener("input", say);
-  for (const id of ["step-size", "stiffness", "method"]) $(id).addEventListener("change", restart);
+  for (const id of ["step-size", "stiffness", "wind"]) $(id).addEventListener("input", say);
+  for (const id of ["step-size", "stiffness", "wind", "method"]) $(id).addEventListener("change", restart);
   $("rate").addEventListener("change", () => send(`rate ${$("rate").value}`));
   const show = (k) => { shown = k >= runs[0].frames - 1 ? -1 : k; again(); };
   $("time").addEventListener("input", () => show(Number($("time").value)));
@@ -53,7 +70,8 @@ function watchSimulation() {
     const { motion: now } = message;
     if (runs.length === 0) {
       runs.push(makeLiveMotion(now));
-      orbit = makeOrbit(now.camera);
+      orbit = Object.assign(makeOrbit(now.camera), { drag });
+      $("drag").disabled = !message.has_roots;
       stage = makeStage(runs, orbit, (text) => told("note", text), again);
       plots = now.series.map((one) => makePlot(one.name, runs, (time) => show(frameAt(runs[0], time).k)));
       $("plots").append(...plots.map((plot) => plot.figure));
@@ -79,6 +97,7 @@ function watchSimulation() {
     Object.assign(runs[0], { blow_up: message.blow_up, ended: message.ended });
     state(message.ended ? `${NAMES_OF_ENDS[message.ended]}${message.blow_up ? `: ${message.blow_up.text}` : ""}.` : going ? "running" : `paused after step ${message.steps}`);
     if (message.ended) writeWords(runs);
+    if (message.ended === "blow_up" && (hand.some(Boolean) || turn)) setTimeout(restart, AGAIN_WAIT);
     again();
   };
 
@@ -88,9 +107,11 @@ function watchSimulation() {
       told("moment", "");
       $("words").replaceChildren();
       state(message.why ? `${message.why} Starting.` : "starting");
-      const [times, stiffness] = message.settings.split(" ").map(Number);
+      const [times, stiffness, wind] = message.settings.split(" ").map(Number);
       $("step-size").value = Math.log2(times);
       $("stiffness").value = Math.log10(stiffness);
+      $("wind").value = wind;
+      [hand, turn] = [[0, 0, 0], 0];
     },
     start: begin,
     frame(message) { runs[0].add(message); again(); },

@@ -81,19 +81,11 @@ StrandSpec with_variation(StrandSpec spec, const RootFrame& frame, const Spread&
   return spec;
 }
 
-// All states in a file have one kind of coordinates.
-void check_one_model(const JsonValue& object, const Description& hair) {
-  const auto differs = [&](const ModelledStrand& strand) {
-    return strand.model != hair.modelled.front().model;
-  };
-  if (hair.modelled.empty()) return;
-  if (!hair.strands.empty() || std::any_of(hair.modelled.begin(), hair.modelled.end(), differs))
-    object.fail("all hair of a scene has the same model; write the same \"model\" in each group");
-}
-
 void add_rooted(const JsonValue& object, Reading& reading) {
   const RootedText text = read<RootedText>(object);
   const ModelRow& model = models()[text.group.model];
+  if (&model == &models().front() && !reading.scene.hair.modelled.empty())
+    object.fail("hair of masses and springs comes before hair of other models; move this group up");
   StrandSpec spec = spec_of(object, text.group);
   spec.elements = text.segments;
   spec.length = text.length;
@@ -177,7 +169,6 @@ void add_hair(const JsonValue& list, Reading& reading) {
       add_groomed(object, reading);
     else
       add_rooted(object, reading);
-    check_one_model(object, hair);
   }
 }
 

@@ -3,6 +3,8 @@ import os
 import signal
 import subprocess
 
+from selenium.webdriver.common.action_chains import ActionChains
+
 from browser import HAIRLAB, PageTest, main
 
 
@@ -40,7 +42,7 @@ class LivePage(PageTest):
         self.check_no_findings_of_axe()
 
     def test_goes_by_keys_alone(self):
-        for name in ("picture", "play", "step", "restart", "time", "step-size", "stiffness", "method"):
+        for name in ("picture", "play", "step", "restart", "time", "step-size", "stiffness", "wind", "method", "drag"):
             self.assertIn(name, self.reached_by_tab())
         self.go_to("picture")
         self.press("r")
@@ -53,6 +55,20 @@ class LivePage(PageTest):
         self.wait_for_state(f"paused after step {step}")
         self.press(" ")
         self.wait_for_state("It is over")
+
+    def test_takes_the_roots_by_mouse_and_goes_on_beyond_the_end(self):
+        self.wait_for_state("It is over")
+        self.run_script("document.getElementById('drag').value = 'root'")
+        root = "const r = hairView.runs[0]; return [...r.places(r.frames - 1, 0).slice(0, 3)]"
+        start = self.run_script(root)
+        picture = self.driver.find_element("id", "picture")
+        for way in ((150, 0), (-300, -60)):
+            ActionChains(self.driver).drag_and_drop_by_offset(picture, *way).perform()
+        self.wait_for_state("running")
+        self.wait_for("const r = hairView.runs[0], x = r.places(r.frames - 1, 0); return x[0] < arguments[0] - 0.05 "
+                      "&& x[2] > arguments[1] + 0.01", start[0], start[2])
+        self.assertGreater(self.run_script("return hairView.runs[0].frames"), 91)
+        self.assertEqual(self.complaints(), [])
 
     def test_says_where_it_blew_up_and_starts_anew(self):
         self.run_script("""const method = document.getElementById("method");

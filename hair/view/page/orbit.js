@@ -1,6 +1,7 @@
 // A camera that goes around a point: by dragging, by two fingers, by the wheel, and by keys.
 
 const TURN = 0.08, STEEPEST = 1.5; // rad
+const DRAG = 0.05; // a key's, in parts of the picture's height
 const WORDS_OF_CAMERA_KEYS = "Arrow keys turn, plus and minus come nearer and go away, 0 goes back";
 
 function makeOrbit(camera) {
@@ -29,12 +30,14 @@ function makeOrbit(camera) {
       const flat = Math.cos(this.pitch);
       return add(this.target, scaled(this.distance, [flat * Math.cos(this.yaw), flat * Math.sin(this.yaw), Math.sin(this.pitch)]));
     },
-    // right, up: parts of the picture's height
-    shift(right, up) {
+    // right, up: parts of the picture's height; the way of a point at the target, m
+    way(right, up) {
       const view = lookAt(this.eye(), this.target, [0, 0, 1]);
       const metres = 2 * this.distance * Math.tan(camera.field_of_view / 2);
-      this.target = add(this.target, scaled(-right * metres, [view[0], view[4], view[8]]));
-      this.target = add(this.target, scaled(-up * metres, [view[1], view[5], view[9]]));
+      return add(scaled(right * metres, [view[0], view[4], view[8]]), scaled(up * metres, [view[1], view[5], view[9]]));
+    },
+    shift(right, up) {
+      this.target = subtract(this.target, this.way(right, up));
       this.touch();
     },
     // rad, of the height: a narrow picture shows as much as a wide one.
@@ -48,6 +51,8 @@ function makeOrbit(camera) {
   };
 }
 
+// `orbit.drag`, if it is there, takes a drag by dx, dy (parts of the picture's height) and returns true if the
+// camera stays.
 function followPointers(canvas, orbit) {
   const down = new Map();
   const spread = () => {
@@ -69,6 +74,8 @@ function followPointers(canvas, orbit) {
     if (down.size === 2) {
       orbit.approach(before / (spread() || 1));
       orbit.shift(dx / 2, -dy / 2);
+    } else if (orbit.drag?.(dx, -dy)) {
+      return;
     } else if (event.shiftKey || event.buttons === 2) {
       orbit.shift(dx, -dy);
     } else {
@@ -84,6 +91,8 @@ function followPointers(canvas, orbit) {
 
 // True if the key was the camera's.
 function turnByKey(key, orbit) {
+  const way = { ArrowLeft: [-DRAG, 0], ArrowRight: [DRAG, 0], ArrowUp: [0, DRAG], ArrowDown: [0, -DRAG] }[key];
+  if (way && orbit.drag?.(...way)) return true;
   const turns = {
     ArrowLeft: () => orbit.turn(-TURN, 0), ArrowRight: () => orbit.turn(TURN, 0),
     ArrowUp: () => orbit.turn(0, TURN), ArrowDown: () => orbit.turn(0, -TURN),
