@@ -56,8 +56,9 @@ function colourPoints(bytes, motion, k, way, run, other) {
       } else if (!colour && apart) {
         colour = sequential(apart[i] / (DISTANCE_SHOWN * scene));
       } else if (!colour) {
+        const tone = 0.8 + 0.4 * ((s * 0.618034) % 1); // neighbours differ
         const along = (i - starts[s]) / Math.max(1, starts[s + 1] - starts[s] - 1);
-        colour = motion.root.map((c, axis) => c + (motion.tip[axis] - c) * along);
+        colour = motion.root.map((c, axis) => tone * (c + (motion.tip[axis] - c) * along));
       }
       for (let axis = 0; axis < 3; ++axis) bytes[4 * i + axis] = 255 * colour[axis];
     }

@@ -97,17 +97,31 @@ function makeDrawing(canvas, strands) {
   const noAttributes = () => { for (let i = 0; i < 2; ++i) gl.disableVertexAttribArray(i); };
   const place = (places, index) => places.subarray(3 * index, 3 * index + 3);
 
+  // Transparent things hide nothing behind them.
+  const beginGlass = () => {
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+  };
+  const endGlass = () => {
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
+  };
+
   const ribbons = (held, scene, places, few) => {
     if (held.count === 0) return;
     const { motion } = held, focal = canvas.height / 2 / Math.tan(scene.fieldOfView / 2);
-    const thin = (motion.strands.length > SMOOTH_STRANDS ? 0.5 : 1) * scene.pixels;
-    held.ribbons.lay(places, scene.camera, (focal * motion.width) / 2, thin, canvas.width / 2, canvas.height / 2, held.colourBytes);
+    const many = motion.strands.length > SMOOTH_STRANDS, eye = held.coloured.startsWith("own") ? normalized(subtract(scene.eye, scene.target)) : null;
+    held.ribbons.lay(places, scene.camera, (focal * motion.width) / 2, (many ? 0.5 : 1) * scene.pixels, canvas.width / 2, canvas.height / 2, held.colourBytes, eye,
+      many ? motion.strands_in_all / motion.strands.length : 0);
     use(programs.ribbons);
+    if (many) beginGlass();
     attribute(0, held.corners, 3, gl.FLOAT, BYTES_OF_CORNER, 0);
     gl.bufferSubData(gl.ARRAY_BUFFER, 0, held.ribbons.bytes);
-    attribute(1, held.corners, 3, gl.UNSIGNED_BYTE, BYTES_OF_CORNER, 12);
+    attribute(1, held.corners, 4, gl.UNSIGNED_BYTE, BYTES_OF_CORNER, 12);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, held.triangles);
     gl.drawElements(gl.TRIANGLES, few ? held.share : held.count, gl.UNSIGNED_INT, 0);
+    if (many) endGlass();
     noAttributes();
   };
 
@@ -154,9 +168,7 @@ function makeDrawing(canvas, strands) {
 
   const planes = (held, scene, k) => {
     const { motion } = held, at = use(programs.planes);
-    gl.enable(gl.BLEND);
-    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    gl.depthMask(false);
+    beginGlass();
     gl.uniformMatrix4fv(at.camera, false, scene.camera);
     attribute(0, corners, 2, gl.FLOAT, 0, 0);
     for (const plane of motion.planes) {
@@ -171,8 +183,7 @@ function makeDrawing(canvas, strands) {
       gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     }
     noAttributes();
-    gl.depthMask(true);
-    gl.disable(gl.BLEND);
+    endGlass();
   };
 
   return {

@@ -4,7 +4,17 @@
 
 const SHARES = 3; // parts of the strands: if all are too many, one is drawn
 const LIGHT = [0.48, -0.6, 0.64]; // light along a hair is invisible
-const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z on the screen, -1 to 1; red, green, blue, unused
+const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z on the screen, -1 to 1; red, green, blue, opacity
+const FAINTEST = 0.2; // the opacity of strands that are far thinner than a pixel
+
+// Highlights of hair, as in the pictures (hair/render/fine/hair_shading.h): white towards the root, and in the
+// hair's colour towards the tip. cosine: between the strand and the direction half way from eye to light.
+const MATT = { white: 0, coloured: 0 };
+function highlights(cosine) {
+  const root = cosine - 0.12, tip = cosine + 0.16, r2 = Math.max(0, 1 - root * root), t2 = Math.max(0, 1 - tip * tip);
+  const t4 = t2 * t2, t8 = t4 * t4, r8 = r2 ** 8;
+  return { white: 56 * r8 ** 6, coloured: 0.5 * t8 * t4 }; // 56: 0.22 of a byte's 255
+}
 
 // Corners 2 i and 2 i + 1 belong to point i. Every third strand comes first.
 function ribbonTriangles(starts) {
@@ -25,7 +35,7 @@ function ribbonTriangles(starts) {
 function makeRibbons(starts) {
   const points = starts[starts.length - 1], bytes = new ArrayBuffer(2 * points * BYTES_OF_CORNER);
   const corners = new Float32Array(bytes), paint = new Uint8Array(bytes);
-  const x = new Float32Array(points), y = new Float32Array(points), z = new Float32Array(points), half = new Float32Array(points);
+  const x = new Float32Array(points), y = new Float32Array(points), z = new Float32Array(points), half = new Float32Array(points), trueHalf = new Float32Array(points);
 
   // Points behind the eye take the place of their strand's next point in front of it: their segments vanish.
   const project = (places, camera, wide, thin, width, height) => {
@@ -39,11 +49,12 @@ function makeRibbons(starts) {
           x[i] = (width * (m[0] * a + m[4] * b + m[8] * c + m[12])) / w;
           y[i] = (height * (m[1] * a + m[5] * b + m[9] * c + m[13])) / w;
           z[i] = (m[2] * a + m[6] * b + m[10] * c + m[14]) / w;
-          half[i] = Math.max(thin, wide / w);
-          if (seen < 0) for (const list of [x, y, z, half]) list.fill(list[i], starts[s], i);
+          trueHalf[i] = wide / w;
+          half[i] = Math.max(thin, trueHalf[i]);
+          if (seen < 0) for (const list of [x, y, z, half, trueHalf]) list.fill(list[i], starts[s], i);
           seen = i;
         } else if (seen >= 0) {
-          for (const list of [x, y, z, half]) list[i] = list[seen];
+          for (const list of [x, y, z, half, trueHalf]) list[i] = list[seen];
         }
       }
       if (seen < 0) z.fill(2, starts[s], starts[s + 1]); // behind all that is drawn
@@ -53,9 +64,12 @@ function makeRibbons(starts) {
   return {
     bytes,
     // places: m; camera: a matrix; halves of a ribbon: `wide` over the distance, at least `thin`, pixels;
-    // width, height: half the picture's, pixels; colours: four bytes a point
-    lay(places, camera, wide, thin, width, height, colours) {
+    // width, height: half the picture's, pixels; colours: four bytes a point; eye: the direction to it, for
+    // highlights, or null for none; each: strands that one stands for; thinner than `thin` together, they become
+    // transparent. 0: they never do
+    lay(places, camera, wide, thin, width, height, colours, eye, each) {
       project(places, camera, wide, thin, width, height);
+      const between = eye && normalized(add(LIGHT, eye));
       for (let s = 0; s + 1 < starts.length; ++s) {
         const first = starts[s], last = starts[s + 1] - 1;
         for (let i = first; i <= last; ++i) {
@@ -70,9 +84,13 @@ function makeRibbons(starts) {
           corners[to + 5] = (y[i] + along) / height;
           const dx = places[3 * b] - places[3 * a], dy = places[3 * b + 1] - places[3 * a + 1], dz = places[3 * b + 2] - places[3 * a + 2];
           const lit = LIGHT[0] * dx + LIGHT[1] * dy + LIGHT[2] * dz, square = dx * dx + dy * dy + dz * dz;
-          const bright = 0.55 + 0.45 * (square > 0 ? Math.sqrt(Math.max(0, 1 - (lit * lit) / square)) : 1);
+          const bright = 0.5 + 0.4 * (square > 0 ? Math.sqrt(Math.max(0, 1 - (lit * lit) / square)) : 1);
+          const { white, coloured } = between && square > 0
+            ? highlights((between[0] * dx + between[1] * dy + between[2] * dz) / Math.sqrt(square)) : MATT;
           const at = 2 * BYTES_OF_CORNER * i + 12;
-          for (let c = 0; c < 3; ++c) paint[at + c] = paint[at + BYTES_OF_CORNER + c] = bright * colours[4 * i + c];
+          for (let c = 0; c < 3; ++c)
+            paint[at + c] = paint[at + BYTES_OF_CORNER + c] = Math.min(255, (bright + coloured) * colours[4 * i + c] + white);
+          paint[at + 3] = paint[at + BYTES_OF_CORNER + 3] = each > 0 ? 255 * Math.max(FAINTEST, Math.min(1, (each * trueHalf[i]) / half[i])) : 255;
         }
       }
     },

@@ -5,16 +5,16 @@ const HEAD = "#version 300 es\nprecision highp float;\n";
 const RIBBONS = {
   vertex: HEAD + `
 layout(location = 0) in vec3 corner;
-layout(location = 1) in vec3 paint;
-out vec3 colour;
+layout(location = 1) in vec4 paint;
+out vec4 colour;
 void main() {
   colour = paint;
   gl_Position = vec4(corner, 1.0);
 }`,
   fragment: HEAD + `
-in vec3 colour;
+in vec4 colour;
 out vec4 pixel;
-void main() { pixel = vec4(colour, 1.0); }`,
+void main() { pixel = colour; }`,
 };
 
 // Balls, rods and capsules: a sphere whose halves are drawn apart.
