@@ -1,12 +1,17 @@
 // STAFF ONLY. `hairgrade site`: writes pages for people who build nothing: a start page, views of scenes, and
 // a class as its students may see it.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 
+#include "grader/compare/compare.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/package/handout.h"
+#include "grader/report/facts/alike.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
@@ -27,20 +32,31 @@ struct SiteOptions {
   std::vector<fs::path> motions;
 };
 
-// Shows the run that is farthest from the reference's, in pictures; empty if all are the same.
-Html worst_run(const std::vector<SubmissionResult>& results) {
-  const ExerciseResult* worst = nullptr;
-  double most = 0;
+constexpr std::size_t kBugs = 5;
+
+// Shows a bug a picture: runs that are far from the reference's, each of another exercise, farthest first.
+Html bugs(const std::vector<SubmissionResult>& results) {
+  struct Far {
+    double flip;
+    const ExerciseResult* exercise;
+  };
+  std::map<std::string, Far> by_exercise;
   for (const SubmissionResult& result : results)
     for (const ExerciseResult& exercise : result.exercises)
       for (const PictureResult& picture : exercise.pictures)
-        if (picture.flip > most) {
-          most = picture.flip;
-          worst = &exercise;
-        }
-  return worst ? moments(*worst, "A wrong program's run beside the reference's", RunEnding::whole, "Theirs",
-                         {.is_for_student = true})
-               : Html();
+        if (Far& far = by_exercise[exercise.id]; picture.flip > far.flip) far = {picture.flip, &exercise};
+  std::vector<Far> all;
+  for (const auto& [id, far] : by_exercise)
+    if (far.flip > kFlip) all.push_back(far);
+  std::ranges::sort(all, std::greater(), &Far::flip);
+  if (all.size() > kBugs) all.resize(kBugs);
+  Html shown;
+  for (const Far& far : all) {
+    std::string what = far.exercise->id + " " + far.exercise->title;
+    for (const LostCategory& lost : lost_categories(*far.exercise)) what += "; lost: " + lost.one->name;
+    shown += moments(*far.exercise, what, RunEnding::whole, "Theirs", {.is_for_student = true});
+  }
+  return shown;
 }
 
 std::string start_page(const std::vector<SubmissionResult>& results, const std::vector<fs::path>& motions) {
@@ -59,7 +75,8 @@ std::string start_page(const std::vector<SubmissionResult>& results, const std::
     if (result.studied)
       body += html("<p><a href=\"class/{}/study.html\">Error against run time</a> of {}.</p>\n",
                    {result.name, result.name});
-  body += worst_run(results);
+  const Html shown = bugs(results);
+  if (!shown.text.empty()) body += html("<h2>A bug a picture</h2>\n{}", {shown});
   return html_page("Hair", body += html("</section>\n</main>\n"), {{hair::viewer_script()}});
 }
 
