@@ -13,6 +13,7 @@
 #include "grader/record/record.h"
 #include "grader/report/facts/student_text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
 
@@ -92,7 +93,8 @@ Command add_feedback(CLI::App& hairgrade) {
       ->add_option("TABLE", options->table,
                    "canvas: the download that was graded. moodle: the grading worksheet")
       ->required();
-  command->add_option("--grades", options->grades, "The folder of hairgrade grade --out")->required();
+  needed_elsewhere(command->add_option("--grades", options->grades, "The folder of hairgrade grade --out"),
+                   options->grades, kGrades);
   add_hand_in(*command, options->hand_in);
   command->add_option("--out", options->out, "The archive, a .zip")->required();
   return {command, [options] { return write_feedback(*options); }};

@@ -29,6 +29,7 @@
 #include "grader/sandbox/processes/own_groups.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/grade_settings.h"
 #include "grader/tool/commands/of_a_record.h"
 
@@ -213,7 +214,10 @@ Command add_grade(CLI::App& hairgrade) {
       ->add_option("SUBMISSION", options->submissions,
                    "An archive (.zip, .tar.gz), a folder, or either of these holding many")
       ->required();
-  command->add_option("--out", options->batch.out, "The folder for reports")->required();
+  needed_elsewhere(command->add_option("--out", options->batch.out, "The folder for reports"),
+                   options->batch.out, kGrades);
+  if_there(options->settings.course, kCourseFile);
+  if_there(options->roster, kRoster);
   command
       ->add_option("-j", options->batch.jobs,
                    "How many at a time (default: as many as processors and memory allow)")

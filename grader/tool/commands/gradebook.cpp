@@ -12,6 +12,7 @@
 #include "grader/gradebook/rows.h"
 #include "grader/report/facts/student_text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
 
 namespace grader::inline tool {
@@ -90,7 +91,8 @@ Command add_gradebook(CLI::App& hairgrade) {
                    "canvas, moodle, brightspace, autolab, gradescope or blackboard")
       ->required()
       ->check(CLI::IsMember({"canvas", "moodle", "brightspace", "autolab", "gradescope", "blackboard"}));
-  command->add_option("--grades", options->grades, "The folder of hairgrade grade --out")->required();
+  needed_elsewhere(command->add_option("--grades", options->grades, "The folder of hairgrade grade --out"),
+                   options->grades, kGrades);
   command->add_option("--fill", options->fill,
                       "The table that the system exports: gradebook, worksheet, or class list");
   command->add_option("--out", options->out, "The new table")->required();

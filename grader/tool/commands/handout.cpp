@@ -8,6 +8,7 @@
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 
 namespace grader::inline tool {
 namespace {
@@ -37,7 +38,9 @@ int handout(const HandoutOptions& options) {
 Command add_handout(CLI::App& hairgrade) {
   const auto options = std::make_shared<HandoutOptions>();
   CLI::App* command = hairgrade.add_subcommand("handout", "Make the archive that students get");
-  command->add_option("--out", options->out, "The archive, a .tar.gz")->required();
+  needed_elsewhere(command->add_option("--out", options->out, "The archive, a .tar.gz"), options->out,
+                   kHandout);
+  if_there(options->course, kCourseFile);
   command->add_option("--course", options->course, "The course file: roles and points of the exercises");
   command->add_flag("--accept", options->accept,
                     "Accept the handout's files as they are now: write handout/packed.txt");

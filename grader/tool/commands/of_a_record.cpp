@@ -13,11 +13,13 @@
 #include "grader/text/letters.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 
 namespace grader::inline tool {
 
 void add_folder(CLI::App& command, OfARecord& options) {
-  command.add_option("--out", options.folder, "The folder of grades")->required();
+  needed_elsewhere(command.add_option("--out", options.folder, "The folder of grades"), options.folder,
+                   kGrades);
   add_hand_in(command, options.hand_in);
 }
 

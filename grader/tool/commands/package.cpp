@@ -10,6 +10,7 @@
 #include "grader/package/handout.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/gradescope_hand_in.h"
 
 namespace grader::inline tool {
@@ -36,6 +37,7 @@ Command add_package(CLI::App& hairgrade) {
   command->require_subcommand(1);
   CLI::App* gradescope = command->add_subcommand("gradescope", "Make Gradescope's autograder.zip");
   gradescope->add_option("--out", options->out, "The archive, a .zip")->required();
+  if_there(options->course, kCourseFile);
   gradescope->add_option("--course", options->course, "The course file: roles and points of the exercises");
   gradescope->add_option("--hand-in", options->hand_in,
                          "The hand-in of the course file's \"hand_ins\" that is graded there");

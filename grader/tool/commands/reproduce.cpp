@@ -13,6 +13,7 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/report/facts/text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/grade_settings.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
@@ -182,7 +183,9 @@ Command add(CLI::App& hairgrade, const char* name, const char* says, int (*run)(
   CLI::App* command = hairgrade.add_subcommand(name, says);
   add_name(*command, *options);
   add_own(*command, *options);
-  command->add_option("--grades", options->folder, "The folder of hairgrade grade --out")->required();
+  needed_elsewhere(command->add_option("--grades", options->folder, "The folder of hairgrade grade --out"),
+                   options->folder, kGrades);
+  if_there(options->settings.course, kCourseFile);
   add_hand_in(*command, options->hand_in);
   command->add_option("--course", options->settings.course, "The course file, as for grade");
   command->add_option("--secret", options->settings.secret, "The secret's file, as for grade");

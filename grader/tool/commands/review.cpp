@@ -8,6 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/review/desk.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
 
 namespace grader::inline tool {
@@ -50,7 +51,8 @@ int review_class(const Review& options) {
 Command add_review(CLI::App& hairgrade) {
   const auto options = std::make_shared<Review>();
   CLI::App* command = hairgrade.add_subcommand("review", "Decide what needs a person, in a browser");
-  command->add_option("GRADES", options->folder, "The folder of grades")->required();
+  needed_elsewhere(command->add_option("GRADES", options->folder, "The folder of grades"), options->folder,
+                   kGrades);
   add_hand_in(*command, options->hand_in);
   command->add_option("--as", options->as, "The name that decisions have (default: yours here)");
   command->add_option("--port", options->port, "The server's port (default: a free one)")

@@ -14,6 +14,7 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/similar/similar_pages.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
 
@@ -117,6 +118,7 @@ Command add_similar(CLI::App& hairgrade) {
       hairgrade.add_subcommand("similar", "Show pairs of hand-ins that share code beyond the handout's");
   command->add_option("SUBMISSION", options->submissions, "As for grade")->required();
   command->add_option("--out", options->out, "A folder for the pages, which are for staff alone")->required();
+  if_there(options->course, kCourseFile);
   command->add_option("--course", options->course, "The course file: which exercises there are");
   command->add_option("--grades", options->grades,
                       "A folder of grades: names are as staff read them there, or codes");

@@ -12,6 +12,7 @@
 #include "grader/course/input.h"
 #include "grader/package/handout.h"
 #include "grader/report/facts/alike.h"
+#include "grader/report/facts/columns.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
@@ -28,11 +29,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SiteOptions {
-  fs::path grades, out;
+  fs::path grades, bugs, out;
   std::vector<fs::path> motions;
 };
 
-constexpr std::size_t kBugs = 5;
+constexpr std::size_t kBugs = 5, kMostLost = 3;  // categories
 
 // Shows a bug a picture: runs that are far from the reference's, each of another exercise, farthest first.
 Html bugs(const std::vector<SubmissionResult>& results) {
@@ -42,9 +43,11 @@ Html bugs(const std::vector<SubmissionResult>& results) {
   };
   std::map<std::string, Far> by_exercise;
   for (const SubmissionResult& result : results)
-    for (const ExerciseResult& exercise : result.exercises)
+    for (const ExerciseResult& exercise : result.exercises) {
+      if (lost_categories(exercise).size() > kMostLost) continue;
       for (const PictureResult& picture : exercise.pictures)
         if (Far& far = by_exercise[exercise.id]; picture.flip > far.flip) far = {picture.flip, &exercise};
+    }
   std::vector<Far> all;
   for (const auto& [id, far] : by_exercise)
     if (far.flip > kFlip) all.push_back(far);
@@ -52,14 +55,26 @@ Html bugs(const std::vector<SubmissionResult>& results) {
   if (all.size() > kBugs) all.resize(kBugs);
   Html shown;
   for (const Far& far : all) {
-    std::string what = far.exercise->id + " " + far.exercise->title;
-    for (const LostCategory& lost : lost_categories(*far.exercise)) what += "; lost: " + lost.one->name;
+    std::vector<std::string> lost;
+    for (const LostCategory& one : lost_categories(*far.exercise)) lost.push_back(one.one->name);
+    const std::string what = far.exercise->id + " " + far.exercise->title + ", lost in " + in_a_row(lost);
     shown += moments(*far.exercise, what, RunEnding::whole, "Theirs", {.is_for_student = true});
   }
   return shown;
 }
 
-std::string start_page(const std::vector<SubmissionResult>& results, const std::vector<fs::path>& motions) {
+// Reads all results of a record as their students may see them.
+std::vector<SubmissionResult> results_in(const fs::path& grades) {
+  const std::unique_ptr<Record> record = open_record(grades, "");
+  std::vector<SubmissionResult> results;
+  for (const std::string& name : record->names())
+    if (const std::optional<Recorded> one = record->find_decided(name))
+      results.push_back(for_student(one->result));
+  return results;
+}
+
+std::string start_page(const std::vector<SubmissionResult>& results, const std::vector<fs::path>& motions,
+                       const Html& shown) {
   Html body = html(
       "<header>\n<h1>Hair: a course assignment, and the machine that grades it</h1>\n<p>Students write the "
       "parts of a hair simulation, from conjugate gradients up to whole strands. Each submission is built in "
@@ -75,7 +90,6 @@ std::string start_page(const std::vector<SubmissionResult>& results, const std::
     if (result.studied)
       body += html("<p><a href=\"class/{}/study.html\">Error against run time</a> of {}.</p>\n",
                    {result.name, result.name});
-  const Html shown = bugs(results);
   if (!shown.text.empty()) body += html("<h2>A bug a picture</h2>\n{}", {shown});
   return html_page("Hair", body += html("</section>\n</main>\n"), {{hair::viewer_script()}});
 }
@@ -100,7 +114,8 @@ int site(const SiteOptions& options) {
     const std::string scene = motion.stem().string();
     pages[scene + ".html"] = hair::view_page({{scene, hair::bytes_of(motion)}});
   }
-  pages["index.html"] = start_page(results, options.motions);
+  pages["index.html"] =
+      start_page(results, options.motions, options.bugs.empty() ? Html() : bugs(results_in(options.bugs)));
   check_pages(pages, {HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, read_course(HAIR_EXERCISES_JSON, {}));
   std::uintmax_t bytes = 0;
   for (const auto& [path, text] : pages) {
@@ -120,6 +135,8 @@ Command add_site(CLI::App& hairgrade) {
   CLI::App* command = hairgrade.add_subcommand(
       "site", "Write pages for everybody: a start page, views, and a class as its students see it");
   command->add_option("GRADES", options->grades, "A folder of grades")->required();
+  command->add_option("--bugs", options->bugs,
+                      "A folder of grades: five of its runs that are far off become pictures");
   command->add_option("--motion", options->motions, "motion.json of a run, to be looked at")
       ->check(CLI::ExistingFile);
   command->add_option("--out", options->out, "A new folder")->required();

@@ -109,12 +109,12 @@ json parse_json(const std::string& text, const std::string& file) {
     return true;
   };
   try {
-    return json::parse(text, no_key_twice);
+    return json::parse(text, no_key_twice, true, true);
   } catch (const json::parse_error& error) {
     throw BadInput(name + ": " + line_and_column(text, error.byte) + ": not JSON: " + reason_of(error));
   } catch (const json::exception& error) {
     PlaceOfError place;
-    json::sax_parse(text, &place);
+    json::sax_parse(text, &place, json::input_format_t::json, true, true);
     throw BadInput(name + ": " + line_and_column(text, place.byte) + ": not JSON: " + reason_of(error));
   }
 }

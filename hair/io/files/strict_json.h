@@ -17,7 +17,7 @@ namespace hair {
 inline constexpr std::size_t kMostJsonBytes = 64 << 20;
 inline constexpr int kMostJsonDepth = 64;
 
-// A file's JSON. Throws BadInput with file, line and column. Errors are also: the same key twice in an
+// A file's JSON, with comments as in C++. Throws BadInput with file, line and column. Errors are also: the same key twice in an
 // object, a byte 0, a file of more than kMostJsonBytes, and a value nested deeper than kMostJsonDepth.
 nlohmann::json read_json(const std::filesystem::path& file);
 

@@ -1,0 +1,95 @@
+// STAFF ONLY. Tests a course's own folder from outside: it is made, each step names the next command, and
+// commands in it need no options.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "grader/record/record.h"
+#include "grader/tests/run_program.h"
+#include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::says;
+
+class CourseFolder : public testing::Test {
+ protected:
+  CourseFolder() {
+    EXPECT_EQ(run_hairgrade({"new-course", folder_.string()}).code, 0);
+    fs::current_path(folder_);
+  }
+  ~CourseFolder() override { fs::current_path(started_in_); }
+  static void write(const fs::path& file, const std::string& text = "x") { std::ofstream(file) << text; }
+  // Expects that `next` prints this command, and that the shell's words of it are what hairgrade takes.
+  static void expect_next(const std::string& command, const std::string& why) {
+    const ProgramRun run = run_hairgrade({"next"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_TRUE(says(run.output, command + "\n  # ")) << run.output;
+    EXPECT_TRUE(says(run.output, why)) << run.output;
+  }
+  static void put(const std::string& hand_in) {
+    fs::create_directories("grades");
+    Record record("grades", hand_in);
+    record.put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, "canvas"}});
+    SubmissionResult result;
+    result.name = "alice";
+    ExerciseResult& exercise = result.exercises.emplace_back();
+    exercise.id = "H2";
+    exercise.points = 2;
+    exercise.max_points = 8;
+    record.put({result});
+    fs::create_directories(record.pages());
+    write(record.pages() / "index.html");
+  }
+
+  hair::TemporaryFolder temporary_{"hairgrade"};
+  fs::path started_in_ = fs::current_path(), folder_ = temporary_.path() / "course";
+};
+
+TEST_F(CourseFolder, NamesTheNextCommand) {
+  expect_next("hairgrade handout", "students need");
+  write("handout.tar.gz");
+  EXPECT_TRUE(says(run_hairgrade({"next"}).output, "Nothing waits")) << "its downloads/ is empty";
+  write("downloads/lab 1.zip");
+  expect_next("hairgrade grade 'downloads/lab 1.zip'", "not graded");
+  put("");
+  fs::last_write_time("downloads/lab 1.zip",
+                      fs::last_write_time("grades/index.html") - std::chrono::hours(1));
+  expect_next("hairgrade gradebook canvas --fill EXPORTED.csv --out filled.csv", "nobody is told");
+  EXPECT_EQ(run_hairgrade({"request", "alice", "H2", "Look again"}).code, 0) << "no --out";
+  expect_next("hairgrade review", "0 conflicts and 1 request");
+  EXPECT_EQ(run_hairgrade({"answer", "1", "I did"}).code, 0);
+  write("exported.csv", "Student,ID,SIS Login ID,Section,Lab (7)\n    Points Possible,,,,8\nAmes,1,aa,A,\n");
+  const ProgramRun filled =
+      run_hairgrade({"gradebook", "canvas", "--fill", "exported.csv", "--out", "f.csv", "--column", "7"});
+  EXPECT_EQ(filled.code, 0) << filled.errors;
+  EXPECT_TRUE(says(run_hairgrade({"next"}).output, "Nothing waits"));
+  EXPECT_EQ(run_hairgrade({"set", "alice", "H2", "8", "--why", "right"}).code, 0);
+  expect_next("hairgrade diff --published changed.csv", "told another total than now: 1 student;");
+  fs::last_write_time("downloads/lab 1.zip", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  expect_next("hairgrade grade 'downloads/lab 1.zip' --resume", "newer");
+}
+
+TEST_F(CourseFolder, KnowsSeveralHandInsByTheirDownloads) {
+  write("course.json", R"({"exercises": {}, "hand_ins": {
+    "week 1": {"exercises": ["S1"], "due": "2027-03-02 23:59"},  // comments may stand here
+    "week 2": {"exercises": ["H1"], "due": "2027-03-09 23:59"}}})");
+  write("handout.tar.gz");
+  write("downloads/week 2.zip");
+  expect_next("hairgrade grade 'downloads/week 2.zip' --hand-in 'week 2'", "not graded");
+}
+
+TEST_F(CourseFolder, IsRefusedElsewhere) {
+  fs::current_path(temporary_.path());
+  EXPECT_EQ(run_hairgrade({"next"}).code, 2);
+  EXPECT_EQ(run_hairgrade({"log", "alice"}).code, 2) << "without --out";
+  EXPECT_EQ(run_hairgrade({"new-course", folder_.string()}).code, 2) << "it is there already";
+}
+
+}  // namespace
+}  // namespace grader

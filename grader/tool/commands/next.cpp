@@ -1,0 +1,139 @@
+// STAFF ONLY. `hairgrade next`: the command that comes next in a course's own folder, and why.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <set>
+
+#include "grader/course/course.h"
+#include "grader/course/input.h"
+#include "grader/gradebook/published_changes.h"
+#include "grader/record/points/hand_ins.h"
+#include "grader/record/published.h"
+#include "grader/record/record.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/commands/course_folder.h"
+
+namespace grader::inline tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Step {
+  std::string command, why;
+};
+
+std::string amount(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string quoted(const std::string& word) {
+  const bool plain = std::ranges::all_of(word, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '/' || c == '.' || c == '-' || c == '_';
+  });
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return plain && !word.empty() ? word : text + "'";
+}
+
+// The newest download of a hand-in: it bears its name, or any one if the course has no other hand-in.
+std::optional<fs::directory_entry> download_of(const std::string& hand_in) {
+  std::optional<fs::directory_entry> newest;
+  if (!fs::is_directory(kDownloads)) return newest;
+  for (const fs::directory_entry& entry : fs::directory_iterator(kDownloads)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_its_own = name == hand_in || name.starts_with(hand_in + ".");
+    if (name.starts_with(".") || !(hand_in.empty() || is_its_own)) continue;
+    if (!newest || entry.last_write_time() > newest->last_write_time()) newest = entry;
+  }
+  return newest;
+}
+
+// Grades, reports or a decision changed them last.
+bool is_newer_than_grades(const fs::directory_entry& download, const Record& record) {
+  std::error_code none;
+  const auto graded = fs::last_write_time(record.pages() / "index.html", none);
+  return none || download.last_write_time() > graded;
+}
+
+Step give_back(Record& record, const std::string& of_hand_in,
+               const std::optional<fs::directory_entry>& download, const std::string& why) {
+  const std::vector<HandIn> hand_ins = record.hand_ins();
+  const std::string system = hand_ins.empty() ? "" : hand_ins.front().system;
+  static const std::set<std::string> kFilled{"canvas", "moodle", "brightspace", "blackboard"};
+  if (kFilled.contains(system))
+    return {"hairgrade gradebook " + system + " --fill EXPORTED.csv --out filled.csv" + of_hand_in,
+            why + (system == "canvas" && download
+                       ? "; then hairgrade feedback canvas " + quoted(download->path().string()) +
+                             " --out feedback.zip" + of_hand_in
+                       : std::string())};
+  return {"hairgrade gradebook gradescope --out grades.csv" + of_hand_in,
+          why + "; each student's page is " + record.pages().string() + "/NAME/report.html"};
+}
+
+std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
+  const std::string of_hand_in = several ? " --hand-in " + quoted(hand_in.name) : "";
+  const std::optional<fs::directory_entry> download = download_of(hand_in.name);
+  const auto grade = [&](const std::string& more, const std::string& why) {
+    return Step{"hairgrade grade " + quoted(download->path().string()) + of_hand_in + more, why};
+  };
+  bool is_recorded = Record::is_in(kGrades);
+  if (is_recorded && several) {
+    const std::vector<std::string> recorded = Record(kGrades).named_hand_ins();
+    is_recorded = std::ranges::count(recorded, hand_in.name) > 0;
+  }
+  if (!is_recorded)
+    return download ? std::optional(grade("", "a download lies here that is not graded")) : std::nullopt;
+  Record record(kGrades, hand_in.name);
+  const std::vector<std::string> names = record.names();
+  const ClassCosts costs = record.costs();
+  if (download && costs.last_run && !costs.last_run->is_whole())
+    return grade(" --resume", "the last run ended before all were graded");
+  if (download && (names.empty() || is_newer_than_grades(*download, record)))
+    return grade(" --resume", "this download is newer than the grades");
+  if (download && !costs.ended_by_the_clock.empty())
+    return grade(" --resume", amount(costs.ended_by_the_clock.size(), "hand-in") + " ended by the clock");
+  std::size_t conflicts = 0, told = 0;
+  for (const std::string& name : names) {
+    conflicts += record.conflicts(name).size();
+    told += record.published(name) ? 1 : 0;
+  }
+  const std::vector<Request> requests = record.requests();
+  const auto open = static_cast<std::size_t>(std::ranges::count_if(requests, &Request::is_open));
+  if (conflicts > 0 || open > 0)
+    return Step{"hairgrade review" + of_hand_in,
+                amount(conflicts, "conflict") + " and " + amount(open, "request") + " wait for a decision"};
+  if (told == 0 && !names.empty())
+    return give_back(record, of_hand_in, download,
+                     amount(names.size(), "hand-in") + ": graded, and nobody is told yet");
+  if (const std::size_t changed = published_changes(record).students; changed > 0)
+    return Step{"hairgrade diff --published changed.csv" + of_hand_in,
+                "told another total than now: " + amount(changed, "student") + "; give back again after that"};
+  return {};
+}
+
+int next() {
+  if (!in_course_folder())
+    throw BadInput(
+        "this is no course's folder: it has no course.json; hairgrade new-course FOLDER makes one");
+  const std::vector<CourseHandIn> hand_ins =
+      read_hand_ins(read_course(HAIR_EXERCISES_JSON, kCourseFile), kCourseFile);
+  const auto say = [](const Step& step) {
+    std::cout << step.command << "\n  # " << step.why << "\n";
+    return 0;
+  };
+  if (!fs::exists(kHandout)) return say({"hairgrade handout", "students need the course's handout"});
+  for (const CourseHandIn& hand_in : hand_ins)
+    if (const std::optional<Step> step = step_of(hand_in, !hand_in.name.empty())) return say(*step);
+  std::cout << "Nothing waits. Put the next download into " << kDownloads << "/"
+            << (fs::exists(kRoster) ? "" : ", and a list of people into roster.csv") << ".\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_next(CLI::App& hairgrade) {
+  return {hairgrade.add_subcommand("next", "Print the command that comes next in a course's folder"), next};
+}
+
+}  // namespace grader::tool
