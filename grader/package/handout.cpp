@@ -145,7 +145,7 @@ void write_archive(const fs::path& path, const Files& files, std::time_t date) {
 }
 
 Files read_archive(const fs::path& path) {
-  Archive archive(path, path.string(), {.unpacked_bytes = most_bytes, .entries = 10000});
+  Archive archive(path, path.string(), {.unpacked_bytes = most_bytes, .entries = 10000, .with_hidden = true});
   const std::vector<Entry> entries = archive.list();
   std::vector<std::size_t> all;
   for (const Entry& entry : entries) {

@@ -85,7 +85,7 @@ class Reading {
       if (result == ARCHIVE_EOF) return nullptr;
       if (result < ARCHIVE_WARN) refuse();
       // Files of the operating system are skipped here, so that they use up no limit.
-      if (is_ignored(entry_at(name_in(entry)).path)) continue;
+      if (!limits_.with_hidden && is_ignored(entry_at(name_in(entry)).path)) continue;
       if (++count_ > limits_.entries) refuse_entries();
       return entry;
     }

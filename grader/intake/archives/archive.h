@@ -17,6 +17,7 @@ namespace grader::inline intake {
 struct ArchiveLimits {
   std::size_t unpacked_bytes;  // counts a tar's whole stream; of a zip, the entries that are read
   std::size_t entries;
+  bool with_hidden = false;  // also files that is_ignored names
 };
 
 inline constexpr std::size_t kLongestPath = 4096;  // bytes of a path in an archive
