@@ -28,8 +28,8 @@ std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& cour
 // The scene's method; null if its toys have several.
 const MethodRow* method_of(const Scene& scene);
 
-// Afterwards each frame of the scene is one step, and the roots of all strands ride on a motion. Throws BadInput for a method that is not one of
-// `methods_for`.
+// Afterwards each frame of the scene is one step, and the roots of all strands ride on a motion. Throws
+// BadInput for a method that is not one of `methods_for`.
 void change(Scene& scene, const LiveSettings& settings, const Course& course);
 
 }  // namespace hair

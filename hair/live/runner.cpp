@@ -71,7 +71,7 @@ std::vector<MotionSeries> series_of(const FrameMeasures& measures, const Work& s
           {"solver steps", "", {static_cast<double>(since.solver_steps)}}};
 }
 
-// Of all strands; the origin without any.
+// Returns the mean of all roots; the origin without any.
 Vector3d middle_of_roots(const SceneRun& run) {
   const particles::State lines = run.centre_lines(run.state());
   Vector3d sum = Vector3d::Zero();

@@ -221,7 +221,7 @@ class SceneRun::Parts {
   double frames_per_second_;
   std::optional<Simulation> simulation_;  // none without strands
   std::vector<Riding> riding_;
-  Way held_, hand_;  // of the last step and the next
+  Way held_, hand_;  // belong to the last step and to the next
   std::vector<std::unique_ptr<ToyBody>> toys_;
   Work toys_work_;
   bool watched_;

@@ -107,8 +107,9 @@ std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
     return give_back(record, of_hand_in, download,
                      amount(names.size(), "hand-in") + ": graded, and nobody is told yet");
   if (const std::size_t changed = published_changes(record).students; changed > 0)
-    return Step{"hairgrade diff --published changed.csv" + of_hand_in,
-                "told another total than now: " + amount(changed, "student") + "; give back again after that"};
+    return Step{
+        "hairgrade diff --published changed.csv" + of_hand_in,
+        "told another total than now: " + amount(changed, "student") + "; give back again after that"};
   return {};
 }
 

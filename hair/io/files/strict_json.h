@@ -17,8 +17,9 @@ namespace hair {
 inline constexpr std::size_t kMostJsonBytes = 64 << 20;
 inline constexpr int kMostJsonDepth = 64;
 
-// A file's JSON, with comments as in C++. Throws BadInput with file, line and column. Errors are also: the same key twice in an
-// object, a byte 0, a file of more than kMostJsonBytes, and a value nested deeper than kMostJsonDepth.
+// A file's JSON, with comments as in C++. Throws BadInput with file, line and column. Errors are also: the
+// same key twice in an object, a byte 0, a file of more than kMostJsonBytes, and a value nested deeper than
+// kMostJsonDepth.
 nlohmann::json read_json(const std::filesystem::path& file);
 
 // The same for a text; errors name it `name`.

@@ -51,8 +51,8 @@ function makeOrbit(camera) {
   };
 }
 
-// `orbit.drag`, if it is there, takes a drag by dx, dy (parts of the picture's height) and returns true if the
-// camera stays.
+// `orbit.drag`, if it is there, takes a drag by parts of the picture's height, and returns true if the camera
+// stays.
 function followPointers(canvas, orbit) {
   const down = new Map();
   const spread = () => {

@@ -7,8 +7,8 @@ const LIGHT = [0.48, -0.6, 0.64]; // light along a hair is invisible
 const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z on the screen, -1 to 1; red, green, blue, opacity
 const FAINTEST = 0.2; // the opacity of strands that are far thinner than a pixel
 
-// Highlights of hair, as in the pictures (hair/render/fine/hair_shading.h): white towards the root, and in the
-// hair's colour towards the tip. cosine: between the strand and the direction half way from eye to light.
+// Highlights of hair, as in the pictures (hair/render/fine/hair_shading.h): white towards the root, and in
+// the hair's colour towards the tip. cosine: between the strand and the direction half way from eye to light.
 const MATT = { white: 0, coloured: 0 };
 function highlights(cosine) {
   const root = cosine - 0.12, tip = cosine + 0.16, r2 = Math.max(0, 1 - root * root), t2 = Math.max(0, 1 - tip * tip);
@@ -65,8 +65,8 @@ function makeRibbons(starts) {
     bytes,
     // places: m; camera: a matrix; halves of a ribbon: `wide` over the distance, at least `thin`, pixels;
     // width, height: half the picture's, pixels; colours: four bytes a point; eye: the direction to it, for
-    // highlights, or null for none; each: strands that one stands for; thinner than `thin` together, they become
-    // transparent. 0: they never do
+    // highlights, or null for none; each: strands that one stands for; together thinner than `thin`, they
+    // become transparent. 0: they never do
     lay(places, camera, wide, thin, width, height, colours, eye, each) {
       project(places, camera, wide, thin, width, height);
       const between = eye && normalized(add(LIGHT, eye));
