@@ -65,8 +65,8 @@ void keys_of(Keys& keys, GroupText& group) {
     for (const ModelRow& row : models()) ids.emplace_back(row.id);
     return ids;
   }();
-  keys.word({.name = "model", .what = "what strands are made of; masses and springs come first"},
-            names, group.model);
+  keys.word({.name = "model", .what = "what strands are made of; masses and springs come first"}, names,
+            group.model);
   keys.part({.name = "material", .otherwise = "human hair"}, group.fibre);
   keys.flag(
       {.name = "clamped",
