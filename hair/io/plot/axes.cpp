@@ -60,7 +60,8 @@ void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, c
                    {"fill", kText}});
   xml.leaf("title", {{"id", id + "-title"}}, title);
   xml.leaf("desc", {{"id", id + "-description"}}, description);
-  xml.empty("rect", {{"width", kFigureWidth}, {"height", height}, {"fill", "#ffffff"}});
+  xml.open("style").as_it_is(dark_style()).close();
+  xml.empty("rect", {{"width", kFigureWidth}, {"height", height}, {"fill", kPaper}});
   write(xml, kLeftMargin, 20, title, {.size = kTitle, .weight = "bold"});
 }
 

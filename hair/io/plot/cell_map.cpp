@@ -26,7 +26,7 @@ struct Hatching {
 
 constexpr double kTile = 10;
 
-constexpr Hatching kNotKnownHatching = {"#ffffff", "M2 5H8", "#9a9a9a"};
+constexpr Hatching kNotKnownHatching = {kPaper, "M2 5H8", kMiddle};
 constexpr std::array<Hatching, 6> kHatchings = {{
     {"#cfe6f3", "", "none"},
     {"#f2e66b", "M4 5H6", "#4d4700"},
@@ -124,7 +124,7 @@ void draw_cells(XmlWriter& xml, const CellMap& map, const Scale& x, const Scale&
 
 Stroke stroke_of(const CellMap& map, std::size_t limit) {
   const bool dashed = limit > 0 || map.limits[limit].dashed;
-  return {"#000000", dashed ? dashes(static_cast<int>(limit)) : nullptr, "#ffffff"};
+  return {kText, dashed ? dashes(static_cast<int>(limit)) : nullptr, kPaper};
 }
 
 Legend legend_of(const CellMap& map) {
@@ -180,7 +180,7 @@ std::string to_svg(const CellMap& map) {
   xml.close();
   for (std::size_t i = 0; i < map.limits.size(); ++i)
     if (map.limits[i].marked)
-      draw_markers(xml, map.limits[i], static_cast<int>(i), "#000000", place, map.x.title, map.y.title);
+      draw_markers(xml, map.limits[i], static_cast<int>(i), kText, place, map.x.title, map.y.title);
   draw_axes(xml, box, x, y, map.x.title, map.y.title);
   legend.draw(xml, box.right() + kGap, box.top);
   return xml.close().take();

@@ -41,14 +41,16 @@ struct Look {
 
 std::vector<Look> looks_of(const Figure& figure) {
   std::vector<Look> looks;
-  int dashed = 0;
+  int dashed = 0, plain = 0;
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const Series& series = figure.series[i];
     const int look = series.look.value_or(static_cast<int>(i));
     if (look < 0)
       throw std::invalid_argument("figure \"" + figure.id + "\": the series \"" + series.name +
                                   "\" looks like number " + std::to_string(look) + "; it must be >= 0");
-    looks.push_back({look, {colour(look), series.dashed ? dashes(dashed++) : nullptr}});
+    // Curves without markers differ in their dashes.
+    const bool dash = series.dashed || (series.joined && !series.marked && plain++ > 0);
+    looks.push_back({look, {colour(look), dash ? dashes(dashed++) : nullptr}});
   }
   return looks;
 }
@@ -56,11 +58,9 @@ std::vector<Look> looks_of(const Figure& figure) {
 // The runs that failed, a row for each method, above the plot.
 void draw_failed(XmlWriter& xml, const Figure& figure, const std::vector<Look>& looks, const Box& band,
                  const Scale& x) {
-  xml.empty("rect", {{"x", band.left},
-                     {"y", band.top},
-                     {"width", band.width},
-                     {"height", band.height},
-                     {"fill", "#f3f3f3"}});
+  xml.empty(
+      "rect",
+      {{"x", band.left}, {"y", band.top}, {"width", band.width}, {"height", band.height}, {"fill", kSoft}});
   write(xml, band.left - 9, band.top + kFailedRow / 2 + 4, "failed", {.anchor = "end"});
   double y = band.top + kFailedRow / 2;
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
@@ -149,7 +149,7 @@ void draw_guides(XmlWriter& xml, const Figure& figure, const Box& box, const Sca
   for (const PlacedGuide& guide : placed)
     xml.empty("line", {{"x1", guide.from.x}, {"y1", guide.from.y}, {"x2", guide.to.x}, {"y2", guide.to.y}});
   xml.close();
-  xml.open("g", {{"fill", "#555555"}, {"font-style", "italic"}});
+  xml.open("g", {{"fill", kQuiet}, {"font-style", "italic"}});
   for (std::size_t i = 0; i < placed.size(); ++i)
     write(xml, placed[i].label.x, placed[i].label.y, figure.guides[i].name, {.size = kSmall});
   xml.close();

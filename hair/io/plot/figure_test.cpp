@@ -211,7 +211,7 @@ TEST(FigureTest, HostileTextsStayTexts) {
   }
 }
 
-TEST(FigureTest, TheFirst84SeriesHaveEachAColourAndMarkerOfTheirOwn) {
+TEST(FigureTest, TheFirst88SeriesHaveEachAColourAndMarkerOfTheirOwn) {
   std::set<std::pair<std::string, std::string>> looks;
   std::set<std::string> shapes;
   for (int i = 0; i < kColours * kMarkers; ++i) {

@@ -82,9 +82,8 @@ th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descen
 .pictures.one { grid-template-columns: minmax(0, 30rem); }
 figure { margin: 0; } figcaption { color: var(--quiet); font-size: .875rem; }
 figure img { display: block; width: 100%; height: auto; border-radius: .25rem; background: #000; }
-svg { display: block; margin: 1rem 0 1.5rem; max-width: 100%; height: auto; background: #fff; border-radius: .375rem; }
+svg { display: block; margin: 1rem 0 1.5rem; max-width: 100%; height: auto; border-radius: .375rem; }
 figure:has(> svg) { overflow-x: auto; } figure > svg { min-width: 36rem; }
-@media screen and (prefers-color-scheme: dark) { svg { filter: invert(.91) hue-rotate(180deg); } } /* the hues stay */
 nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
 .film div { width: min(100%, 30rem); aspect-ratio: 104 / 27; background-size: 100% calc(100% * var(--moments)); image-rendering: pixelated; }

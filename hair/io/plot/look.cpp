@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "hair/io/plot/xml.h"
@@ -10,6 +11,17 @@
 namespace hair::plot {
 
 namespace {
+
+struct Themes {
+  const char *light, *dark;
+};
+
+// The series' colours come first.
+constexpr Themes kThemes[] = {{"#108aff", "#5d97ff"}, {"#ec6c19", "#f67b30"}, {"#0d8060", "#20e2a3"},
+                              {"#b782a4", "#d5a4c1"}, {"#000000", "#fafeff"}, {"#745400", "#ffed4b"},
+                              {"#4f5a6a", "#717b86"}, {"#712fc2", "#7d47d0"}, {kPaper, "#15181d"},
+                              {kText, "#e4e7eb"},     {kFaint, "#333a45"},    {kSoft, "#1d2128"},
+                              {kMiddle, "#8a93a0"},   {kQuiet, "#a0a9b6"}};
 
 struct Corner {
   double x, y;
@@ -53,9 +65,21 @@ std::string circle(double radius) {
 }  // namespace
 
 const char* colour(int series) {
-  constexpr std::array<const char*, kColours> kOkabeIto = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                           "#000000", "#E69F00", "#56B4E9"};
-  return kOkabeIto[series % kColours];
+  return kThemes[series % kColours].light;
+}
+
+std::string in_the_dark(const std::string& light) {
+  for (const Themes& themes : kThemes)
+    if (light == themes.light) return themes.dark;
+  throw std::invalid_argument(light + " is no colour of the themes");
+}
+
+std::string dark_style() {
+  std::string rules;
+  for (const auto& [light, dark] : kThemes)
+    for (const std::string property : {"fill", "stroke"})
+      rules += "[" + property + "=\"" + light + "\"]{" + property + ":" + dark + "}";
+  return "@media screen and (prefers-color-scheme:dark){" + rules + "}";
 }
 
 std::string marker_path(int series, double radius) {
@@ -81,15 +105,14 @@ std::string marker_path(int series, double radius) {
       return star(3, 1.3, 1.3, pi / 2, radius);
     case 9:
       return star(6, 1.15, 1.15, pi / 6, radius);
-    case 10:
-      return star(3, 1.3, 1.3, -pi / 2, radius);
     default:
       return outline({{-1.2, -0.55}, {1.2, -0.55}, {1.2, 0.55}, {-1.2, 0.55}}, radius);
   }
 }
 
 const char* dashes(int dashed_curve) {
-  constexpr std::array<const char*, 4> kDashes = {"7 4", "2 3", "9 3 2 3", "12 5"};
+  constexpr std::array<const char*, kColours> kDashes = {"7 4", "2 3", "9 3 2 3",      "12 5",
+                                                         "4 2", "1 5", "12 3 2 3 2 3", "5 7"};
   return kDashes[dashed_curve % kDashes.size()];
 }
 

@@ -45,8 +45,8 @@ void draw_marker(XmlWriter& xml, double x, double y, int shape, const char* colo
   xml.open("path", {{"class", "point"},
                     {"transform", "translate(" + pixels(x) + " " + pixels(y) + ")"},
                     {"d", marker_path(shape, full ? kMarkerRadius : kMarkerRadius - 0.5)},
-                    {"fill", full ? colour : "#ffffff"},
-                    {"stroke", full ? "#ffffff" : colour},
+                    {"fill", full ? colour : kPaper},
+                    {"stroke", full ? kPaper : colour},
                     {"stroke-width", full ? "0.8" : "1.4"}});
   xml.leaf("title", {}, hover).close();
 }
