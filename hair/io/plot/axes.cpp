@@ -18,13 +18,6 @@ void line(XmlWriter& xml, double x1, double y1, double x2, double y2) {
   xml.empty("line", {{"x1", x1}, {"y1", y1}, {"x2", x2}, {"y2", y2}});
 }
 
-// The typographic minus is as long as a plus.
-std::string with_minus(std::string text) {
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at))
-    text.replace(at, 1, "\u2212");
-  return text;
-}
-
 void write_label(XmlWriter& xml, double x, double y, const char* anchor, const Tick& tick) {
   xml.open("text", {{"x", x}, {"y", y}, {"text-anchor", anchor}}).text(with_minus(tick.label));
   if (!tick.exponent.empty())
@@ -45,15 +38,21 @@ void check_id(const std::string& id) {
                               "and begin with a letter");
 }
 
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at))
+    text.replace(at, 1, "\u2212");
+  return text;
+}
+
 void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, const std::string& description,
-              double height) {
-  const std::string size = pixels(kFigureWidth) + " " + pixels(height);
+              double width, double height) {
+  const std::string size = pixels(width) + " " + pixels(height);
   xml.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
                    {"id", id},
                    {"role", "img"},
                    {"aria-labelledby", id + "-title " + id + "-description"},
                    {"viewBox", "0 0 " + size},
-                   {"width", kFigureWidth},
+                   {"width", width},
                    {"height", height},
                    {"font-family", "system-ui, sans-serif"},
                    {"font-size", kSmall},
@@ -61,7 +60,12 @@ void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, c
   xml.leaf("title", {{"id", id + "-title"}}, title);
   xml.leaf("desc", {{"id", id + "-description"}}, description);
   xml.open("style").as_it_is(dark_style()).close();
-  xml.empty("rect", {{"width", kFigureWidth}, {"height", height}, {"fill", kPaper}});
+  xml.empty("rect", {{"width", width}, {"height", height}, {"fill", kPaper}});
+}
+
+void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, const std::string& description,
+              double height) {
+  open_svg(xml, id, title, description, kFigureWidth, height);
   write(xml, kLeftMargin, 20, title, {.size = kTitle, .weight = "bold"});
 }
 

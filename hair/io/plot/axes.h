@@ -28,9 +28,15 @@ inline constexpr double kTitleHeight = 36;
 // Throws std::invalid_argument unless the id is a letter followed by letters, digits and hyphens.
 void check_id(const std::string& id);
 
-// Opens <svg> with title and description, and writes the title at the top.
+// Opens <svg> with title and description, for light and dark pages.
+void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, const std::string& description,
+              double width, double height);
+// The same as wide as all figures, with the title at the top.
 void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, const std::string& description,
               double height);
+
+// "-" as a typographic minus, which is as long as a plus.
+std::string with_minus(std::string text);
 
 void draw_grid(XmlWriter& xml, const Box& box, const Scale& x, const Scale& y);
 void draw_axes(XmlWriter& xml, const Box& box, const Scale& x, const Scale& y, const std::string& x_title,

@@ -1,6 +1,6 @@
-// The palettes: contrast (WCAG 2), differences between colours (CIEDE2000: G. Sharma, W. Wu and E. Dalal, "The
-// CIEDE2000 Color-Difference Formula", 2005) for four kinds of sight (G. Machado, M. Oliveira and L. Fernandes,
-// "A Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, severity 1).
+// The palettes: contrast (WCAG 2), and differences between colours (CIEDE2000: G. Sharma, W. Wu and E. Dalal,
+// "The CIEDE2000 Color-Difference Formula", 2005) for four kinds of sight (G. Machado, M. Oliveira and L.
+// Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, severity 1).
 #include "hair/io/plot/look.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ double ciede2000(const Array3d& one, const Array3d& other) {
 
 struct Sight {
   const char* name;
-  Matrix3d seen;  // of linear colours
+  Matrix3d seen;  // multiplies linear colours
 };
 const Sight kSights[] = {{"normal", Matrix3d::Identity()},
                          {"protan", rows({0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216},
