@@ -8,10 +8,7 @@
 #include "reference/figures/drawing.h"
 
 namespace figures {
-
 namespace {
-
-using Eigen::Vector3d;
 
 // The colours of the three guides, mixed; with large letters, for it is the same in dark pages.
 std::string mixed(const std::array<int, 3>& eighths) {
@@ -79,15 +76,11 @@ void draw_tuft(Drawing& drawing, const Spot& at, double middle, std::span<const 
 }  // namespace
 
 std::string draw_H10() {
-  Drawing drawing(
-      "H10", "Which guides make a hair, and what becomes of their curls?",
-      "Above: an obtuse triangle of guides; each place has the colours of the guides that weigh there, "
-      "and arrows lead from roots outside to the nearest point of the triangle. Below: tufts of the guides, "
-      "interpolated hair with weak curls, extrapolated hair in wisps, and a blend.",
-      490);
+  Drawing drawing("H10", 490, "Which guides make a hair, and what becomes of their curls?",
+                  "Weights of three guides in and around an obtuse triangle; tufts of guides and of hair.");
   draw_weights(drawing);
   const hair::Scene scene = hair::read_scene(std::filesystem::path(HAIR_SCENES_DIR) / "guides-to-hair.json");
-  const Eigen::VectorXd x = hair::SceneRun(scene).state().x;
+  const VectorXd x = hair::SceneRun(scene).state().x;
   const std::size_t group = static_cast<std::size_t>(x.size()) / 4;
   const char* const names[] = {"guides", "interpolated", "extrapolated", "a blend"};
   for (std::size_t i = 0; i < 4; ++i) {

@@ -7,17 +7,17 @@
 #include "reference/figures/drawing.h"
 
 namespace figures {
-
 namespace {
 
-using Eigen::Vector3d, Eigen::VectorXd;
+Vector3d on_circle(double angle) {
+  return {std::cos(angle), std::sin(angle), 0};
+}
 
-// Particles 1 apart on an arc in the plane of x and y, each joint bent by the angle.
+// Particles 1 apart on an arc, each joint bent by the angle.
 VectorXd arc(int segments, double angle) {
   VectorXd x = VectorXd::Zero(3 * segments + 3);
   for (int i = 1; i <= segments; ++i)
-    x.segment<3>(3 * i) =
-        x.segment<3>(3 * i - 3) + Vector3d(std::cos((i - 0.5) * angle), std::sin((i - 0.5) * angle), 0);
+    x.segment<3>(3 * i) = x.segment<3>(3 * i - 3) + on_circle((i - 0.5) * angle);
   return x;
 }
 
@@ -54,58 +54,46 @@ double breaks_at(int segments, double h) {
 }
 
 void draw_joint(Drawing& drawing) {
-  const hair::Strand strand = hair::uniform_strand({}, 2, 2);
   const VectorXd x = arc(2, 1.0);
   VectorXd f = VectorXd::Zero(9);
-  hair::add_bend_force(strand, x, f);
-  f /= f.segment<3>(3).norm();
-  const View view = {
-      {60, 290}, 150, {0, 0, 0}, {std::cos(0.3), std::sin(0.3), 0}, {-std::sin(0.3), std::cos(0.3), 0}};
-  const auto at = [&](int i) { return Vector3d(x.segment<3>(3 * i)); };
-  const Vector3d e1 = at(1) - at(0), e2 = at(2) - at(1);
-  drawing.line({view(at(1)), view(at(1) + 0.75 * e1)}, {kMiddle, 1.2, "5 4"});
-  Spots bend;
-  for (int i = 0; i <= 20; ++i)
-    bend.push_back(view(at(1) + 0.5 * Vector3d(std::cos(0.5 + i / 20.0), std::sin(0.5 + i / 20.0), 0)));
-  drawing.line(bend, {kText, 1.5});
-  drawing.words(view(at(1) + 0.68 * Vector3d(std::cos(0.95), std::sin(0.95), 0)) + Spot(0, 5), "*φ*",
-                {kText, "middle", 18});
-  drawing.arrow(view(at(0)), view(at(1)), {kText, 4});
-  drawing.arrow(view(at(1)), view(at(2)), {kText, 4});
-  for (int i = 0; i < 3; ++i) {
-    drawing.arrow(view(at(i)), view(at(i) + 0.55 * f.segment<3>(3 * i)), {colour(1), 4});
-    drawing.dot(view(at(i)), kText, 6);
+  hair::add_bend_force(hair::uniform_strand({}, 2, 2), x, f);
+  f *= 0.55 / f.segment<3>(3).norm();
+  const View view = {{60, 290}, 150, {0, 0, 0}, on_circle(0.3), on_circle(0.3 + M_PI / 2)};
+  const Vector3d root = x.head<3>(), joint = x.segment<3>(3), tip = x.tail<3>();
+  drawing.line({view(joint), view(joint + 0.75 * (joint - root))}, {kMiddle, 1.2, "5 4"});
+  drawing.line(sampled(0.5, 1.5, 20, [&](double angle) { return view(joint + 0.5 * on_circle(angle)); }),
+               {kText, 1.5});
+  drawing.words(view(joint + 0.7 * on_circle(0.95)), "*φ*", {kText, "middle", 18});
+  drawing.arrow(view(root), view(joint), {kText, 4}, "*e*_1", {-74, 36});
+  drawing.arrow(view(joint), view(tip), {kText, 4}, "*e*_2", {-40, 36});
+  for (int i = 0; i < 9; i += 3) {
+    const Vector3d from = x.segment<3>(i), force = f.segment<3>(i);
+    drawing.arrow(view(from), view(from + force), {colour(1), 4});
+    drawing.dot(view(from), kText, 6);
   }
-  drawing.words(view(at(0) + 0.5 * e1) + Spot(-4, 30), "*e*_1", {kText, "middle", 18});
-  drawing.words(view(at(1) + 0.75 * e2) + Spot(-28, -4), "*e*_2", {kText, "middle", 18});
-  drawing.ring(view(at(1)) + Spot(34, 30), 9, {colour(7), 2});
-  drawing.dot(view(at(1)) + Spot(34, 30), colour(7), 3);
-  drawing.words(view(at(1)) + Spot(50, 36), "*b*, out of the page", {colour(7), "start"});
+  drawing.ring(view(joint) + Spot(34, 30), 9, {colour(7), 2});
+  drawing.dot(view(joint) + Spot(34, 30), colour(7), 3);
+  drawing.words(view(joint) + Spot(50, 36), "*b*, out of the page", {colour(7), "start"});
   drawing.words({30, 40}, "The forces: three, of sum 0.", {colour(1), "start"});
 }
 
 }  // namespace
 
 std::string draw_H2() {
-  Drawing drawing(
-      "H2", "Which forces unbend a joint, and when is an implicit step in danger?",
-      "Left: two segments e1 and e2 with the angle between them, the axis b out of the page, and three "
-      "forces, one a particle, that unbend the joint and cancel. Right: phi times tan of phi / 2 "
-      "against the angle; hair of three segments has an indefinite matrix from 20 degrees on, of "
-      "thirty from 26.",
-      400);
+  Drawing drawing("H2", 400, "Which forces unbend a joint, and when is an implicit step in danger?",
+                  "A joint with three forces; its stiffness out of the plane, below 0, against the angle.");
   draw_joint(drawing);
   const Plot plot = drawing.plot({420, 60, 270, 280}, {"angle *φ* of each joint, degrees", false, 0, 90},
                                  {"stiffness out of the plane, × *l*^3/*EI*", false, -1.6, 0.2}, 5, 5);
-  Spots values;
-  for (double angle = 0.01; angle < M_PI / 2; angle += 0.02)
-    values.emplace_back(angle * 180 / M_PI, stiffness_out_of_plane(angle));
-  drawing.curve(plot, values, {colour(0), 3});
-  drawing.words(plot(26, -1.05) + Spot(6, 0), "indefinite, hair of", {colour(1), "start", 14});
-  for (const int segments : {3, 30}) {
-    const double angle = breaks_at(segments, 1.0 / 60) * 180 / M_PI;
+  constexpr double kDegree = M_PI / 180;
+  drawing.line(
+      sampled(1, 90, 60, [&](double angle) { return plot(angle, stiffness_out_of_plane(angle * kDegree)); }),
+      {colour(0), 3});
+  drawing.words(plot(27, -1.22), "indefinite, hair of", {colour(1), "start", 14});
+  for (const auto& [segments, label] : {std::pair(3, -1.37), {30, -1.52}}) {
+    const double angle = breaks_at(segments, 1.0 / 60) / kDegree;
     drawing.line({plot(angle, 0.2), plot(angle, -1.6)}, {colour(1), 2, "6 4"});
-    drawing.words(plot(26, segments == 3 ? -1.2 : -1.35) + Spot(6, 0),
+    drawing.words(plot(27, label),
                   std::to_string(segments) + " segments: from " + fixed(std::ceil(angle), 0) + "°",
                   {colour(1), "start", 14});
   }

@@ -4,53 +4,46 @@
 #include "reference/figures/drawing.h"
 
 namespace figures {
-
 namespace {
 
-Eigen::VectorXd bent(double angle) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(9);
-  x.head<3>() << -std::cos(angle / 2), -std::sin(angle / 2), 0;
-  x.tail<3>() << std::cos(angle / 2), -std::sin(angle / 2), 0;
+// A joint of two segments of 1 m, bent by this angle in degrees.
+VectorXd bent(double angle) {
+  const double half = angle * M_PI / 360;
+  VectorXd x = VectorXd::Zero(9);
+  x.head<2>() << -std::cos(half), -std::sin(half);
+  x.tail<3>() << std::cos(half), -std::sin(half), 0;
   return x;
-}
-
-// The joint as it looks, with the spring that skips it.
-void draw_bent(Drawing& drawing, const Spot& middle, double angle) {
-  const View view = {middle, 42};
-  const Eigen::VectorXd x = bent(angle);
-  const Spots spots = {view(x.head<3>()), view(x.segment<3>(3)), view(x.tail<3>())};
-  drawing.line({spots[0], spots[2]}, {colour(1), 2, "3 3"});
-  drawing.line(spots, {kText, 3});
-  for (const Spot& spot : spots) drawing.dot(spot, kText, 4);
 }
 
 }  // namespace
 
 std::string draw_H3() {
   Drawing drawing(
-      "H3", "Can a spring that skips a particle resist a small bend?",
-      "Energy of a joint against its angle, both logarithmic. The angular spring has slope 2; the "
-      "spring that skips the joint has slope 4 and at one degree a hundred-thousandth of the energy.",
-      420);
-  const Plot plot =
-      drawing.plot({80, 100, 600, 260}, {"angle *φ*, degrees", true, 1, 100}, {"", true, 1e-9, 10}, 4, 6);
-  drawing.words({60, 88}, "energy, J", {kText, "start"});
-  hair::Strand strand;
-  strand.mass = Eigen::Vector3d::Ones();
-  strand.rest_length = Eigen::Vector2d::Ones();
+      "H3", 420, "Can a spring that skips a particle resist a small bend?",
+      "Energy of a joint against its angle: slope 2 for an angular spring, 4 for one that skips it.");
+  const Plot plot = drawing.plot({80, 100, 600, 260}, {"angle *φ*, degrees", true, 1, 100},
+                                 {"energy, J", true, 1e-9, 10}, 4, 6);
+  hair::Strand strand{Eigen::Vector3d::Ones(), Eigen::Vector2d::Ones()};
   strand.bend_rigidity = strand.skip_rigidity = 1;
-  Spots skipping, angular;
-  for (double angle = 1; angle < 91; angle *= 1.1) {
-    const Eigen::VectorXd x = bent(angle * M_PI / 180);
-    skipping.emplace_back(angle, hair::bend_spring_energy(strand, x));
-    angular.emplace_back(angle, hair::bend_energy(strand, x));
-  }
-  drawing.curve(plot, angular, {colour(0), 3});
-  drawing.curve(plot, skipping, {colour(1), 3});
+  const auto draw = [&](double (*energy)(const hair::Strand&, particles::Input), int look) {
+    const auto at = [&](double power) {
+      const double angle = std::pow(10, power);
+      return plot(angle, energy(strand, bent(angle)));
+    };
+    drawing.line(sampled(0, std::log10(90), 20, at), {colour(look), 3});
+  };
+  draw(hair::bend_energy, 0);
+  draw(hair::bend_spring_energy, 1);
   drawing.words(plot(10, 3e-1), "angular spring: *E* ∝ *φ*^2", {colour(0), "end"});
   drawing.words(plot(14, 3e-6), "spring that skips the joint: *E* ∝ *φ*^4", {colour(1), "start"});
-  for (const double angle : {2.0, 10.0, 50.0})
-    draw_bent(drawing, plot(angle, 1) + Spot(0, -72), angle * M_PI / 180);
+  for (const double angle : {3.0, 10.0, 50.0}) {
+    const View view = {plot(angle, 1) + Spot(0, -72), 42};
+    const VectorXd x = bent(angle);
+    const Spots spots = {view(x.head<3>()), view(x.segment<3>(3)), view(x.tail<3>())};
+    drawing.line({spots[0], spots[2]}, {colour(1), 2, "3 3"});
+    drawing.line(spots, {kText, 3});
+    for (const Spot& spot : spots) drawing.dot(spot);
+  }
   return drawing.svg();
 }
 

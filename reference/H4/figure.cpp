@@ -8,71 +8,34 @@
 #include "reference/figures/drawing.h"
 
 namespace figures {
-
 namespace {
 
-using Eigen::Vector3d;
-using hair::GeometricTerm;
-using particles::kSolveTolerance;
+using hair::GeometricTerm, particles::kSolveTolerance;
 
 constexpr double kLength = 0.3, kStep = 1.0 / 60, kTurn = 2 * std::numbers::pi;
 
-hair::Strand stiff_spring() {
-  hair::Strand strand;
-  strand.mass = Eigen::Vector2d::Ones();
-  strand.rest_length = Eigen::VectorXd::Constant(1, kLength);
-  strand.stretch_rigidity = 1e8 * kLength;
-  return strand;
-}
-
-using Step = std::function<void(const hair::Strand&, const particles::Particles&, particles::State&)>;
-
-Step implicit_step(GeometricTerm term) {
-  return [term](const hair::Strand& strand, const particles::Particles& particles, particles::State& state) {
-    Eigen::MatrixXd scratch(6, particles::kImplicitScratch);
-    particles::implicit_euler(hair::StretchForce(strand, term), particles, kStep, kSolveTolerance, state,
-                              scratch);
-  };
-}
-
-void corrected_step(const hair::Strand& strand, const particles::Particles& particles,
-                    particles::State& state) {
-  Eigen::MatrixXd scratch(6, hair::kPredictorCorrectorScratch);
-  hair::predictor_corrector(hair::StretchForce(strand, GeometricTerm::filtered), particles, strand, kStep,
-                            kSolveTolerance, state, scratch);
-}
-
-// Backward Euler by Newton's method: x - x_n - h v_n = h^2 f(x) / m.
-void converged_step(const hair::Strand& strand, const particles::Particles&, particles::State& state) {
-  const hair::StretchForce force(strand, GeometricTerm::full);
-  const Eigen::VectorXd before = state.x, free = state.x + kStep * state.v;
+// Backward Euler by Newton's method: x - x_n - h v_n = h^2 f(x) for a mass of 1.
+void converged_step(const particles::Force& force, particles::State& state) {
+  const VectorXd before = state.x, free = state.x + kStep * state.v;
   for (int i = 0; i < 50; ++i) {
-    Eigen::VectorXd wrong = (free - state.x) / (kStep * kStep);
-    Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(6, 6);
+    VectorXd wrong = (free - state.x) / (kStep * kStep);
     force.add_force(state.x, state.v, wrong);
-    for (int k = 0; k < 6; ++k) {
-      Eigen::VectorXd change = Eigen::VectorXd::Zero(6);
-      force.add_dfdx(state.x, state.v, Eigen::VectorXd::Unit(6, k), change);
-      slope.col(k) -= kStep * kStep * change;
-    }
-    state.x.tail<3>() +=
-        kStep * kStep * slope.bottomRightCorner<3, 3>().partialPivLu().solve(wrong.tail<3>());
+    Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(6, 6);
+    for (int k = 0; k < 6; ++k) force.add_dfdx(state.x, state.v, VectorXd::Unit(6, k), slope.col(k));
+    slope = Eigen::MatrixXd::Identity(6, 6) / (kStep * kStep) - slope;
+    state.x.tail<3>() += slope.bottomRightCorner<3, 3>().partialPivLu().solve(wrong.tail<3>());
   }
   state.v = (state.x - before) / kStep;
 }
 
 void draw_revolution(Drawing& drawing, double middle, const char* first, const char* second, int look,
-                     const Step& step) {
-  const hair::Strand strand = stiff_spring();
-  const particles::Particles particles{strand.mass, {1, 0}};
-  particles::State state{Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6)};
-  state.x[3] = kLength;
-  state.v[4] = kTurn * kLength;
+                     const std::function<void(particles::State&)>& step) {
+  particles::State state{kLength * VectorXd::Unit(6, 3), kTurn * kLength * VectorXd::Unit(6, 4)};
   const View view = {{middle, 120}, 190};
   drawing.ring(view.middle, view.unit * kLength, {kFaint, 6});
   Spots way = {view(state.x.tail<3>())};
   for (int i = 0; i < 60; ++i) {
-    step(strand, particles, state);
+    step(state);
     way.push_back(view(state.x.tail<3>()));
   }
   for (const Spot& spot : way) drawing.dot(spot, colour(look), 2.2);
@@ -80,11 +43,11 @@ void draw_revolution(Drawing& drawing, double middle, const char* first, const c
   drawing.dot(view.middle, kText, 3);
   drawing.ring(way.front(), 6, {kText, 1.5});
   drawing.dot(way.back(), kText, 6);
-  const Vector3d v = state.v.tail<3>();
-  drawing.arrow(way.back(), view(Vector3d(state.x.tail<3>()) + 0.1 * v), {colour(look), 3});
+  const Vector3d x = state.x.tail<3>(), v = state.v.tail<3>();
+  drawing.arrow(way.back(), view(x + 0.1 * v), {colour(look), 3});
   drawing.words({middle, 222}, first, {colour(look)});
   drawing.words({middle, 241}, second, {colour(look)});
-  const double momentum = Vector3d(state.x.tail<3>()).cross(v)[2] / (kLength * kLength * kTurn);
+  const double momentum = x.cross(v)[2] / (kLength * kLength * kTurn);
   drawing.words({middle, 268}, "*L*/*L*_0 = " + fixed(momentum, momentum < 0.1 ? 3 : 2),
                 {kText, "middle", 16, "bold"});
 }
@@ -92,18 +55,25 @@ void draw_revolution(Drawing& drawing, double middle, const char* first, const c
 }  // namespace
 
 std::string draw_H4() {
-  Drawing drawing(
-      "H4", "After one second, how far has the mass turned, and how fast does it still go?",
-      "Four circles with the places of a mass after each of 60 steps. Converged backward Euler gets "
-      "most of the way round and keeps 66 percent of its momentum; one linearisation with the full "
-      "term stops at once; without the term it keeps all; the predictor-corrector keeps 78 percent.",
-      284);
-  draw_revolution(drawing, 90, "backward Euler,", "converged", 7, converged_step);
+  Drawing drawing("H4", 284, "What is left of a revolution after a second?",
+                  "A mass on four circles after each of 60 steps, its velocity and momentum at the end.");
+  const hair::Strand strand{Eigen::Vector2d::Ones(), VectorXd::Constant(1, kLength), 1e8 * kLength};
+  const particles::Particles particles{strand.mass, {1, 0}};
+  const hair::StretchForce full(strand, GeometricTerm::full), filtered(strand, GeometricTerm::filtered),
+      dropped(strand, GeometricTerm::dropped);
+  Eigen::MatrixXd scratch(6, hair::kPredictorCorrectorScratch);
+  draw_revolution(drawing, 90, "backward Euler,", "converged", 7,
+                  [&](particles::State& state) { converged_step(full, state); });
   draw_revolution(drawing, 270, "one linearisation,", "full or filtered term", 1,
-                  implicit_step(GeometricTerm::full));
-  draw_revolution(drawing, 450, "one linearisation,", "term dropped", 0,
-                  implicit_step(GeometricTerm::dropped));
-  draw_revolution(drawing, 630, "predictor-corrector", "(H6)", 2, corrected_step);
+                  [&](particles::State& state) {
+                    particles::implicit_euler(full, particles, kStep, kSolveTolerance, state, scratch);
+                  });
+  draw_revolution(drawing, 450, "one linearisation,", "term dropped", 0, [&](particles::State& state) {
+    particles::implicit_euler(dropped, particles, kStep, kSolveTolerance, state, scratch);
+  });
+  draw_revolution(drawing, 630, "predictor-corrector", "(H6)", 2, [&](particles::State& state) {
+    hair::predictor_corrector(filtered, particles, strand, kStep, kSolveTolerance, state, scratch);
+  });
   return drawing.svg();
 }
 

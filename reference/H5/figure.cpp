@@ -4,10 +4,7 @@
 #include "reference/figures/drawing.h"
 
 namespace figures {
-
 namespace {
-
-using Eigen::Vector3d, Eigen::VectorXd;
 
 constexpr int kSegments = 24;
 
@@ -21,49 +18,30 @@ VectorXd stretched() {
   return x;
 }
 
-void draw_hair(Drawing& drawing, const Spot& root, const hair::Strand& strand, const VectorXd& x, int look,
-               const std::string& name, double error) {
-  const View view = {root, 900};
-  Spots spots;
-  for (int i = 0; i <= kSegments; ++i) spots.push_back(view(x.segment<3>(3 * i)));
-  for (int i = 0; i < kSegments; ++i) {
-    const double length = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).norm();
-    const bool wrong = std::abs(length / strand.rest_length[i] - 1) > 1e-4;
-    drawing.line({spots[i], spots[i + 1]}, {wrong ? colour(1) : colour(look), 2.5});
-  }
-  for (const Spot& spot : spots) drawing.dot(spot, kText, 1.6);
-  drawing.dot(root, kText, 5);
-  drawing.words({root[0], 46}, name, {kText, "middle", 16, "bold"});
-  drawing.words({root[0], 312},
-                error > 1e-4    ? "off by " + fixed(100 * error, error < 0.01 ? 2 : 0) + " %"
-                : error > 1e-12 ? "off by " + hair::to_text(error)
-                                : "exact",
-                {kText, "middle", 13});
-}
-
 }  // namespace
 
 std::string draw_H5() {
-  Drawing drawing("H5", "How many Newton steps, and how many sweeps, give a stretched hair its lengths?",
-                  "A hair that is 2 percent too long, after one to three Newton steps, and after 10, "
-                  "100 and 1,000 sweeps of relaxation. "
-                  "Three Newton steps leave less than a millionth, a hundred sweeps half a percent.",
-                  330);
+  Drawing drawing("H5", 346, "How fast does a stretched hair get its lengths back?",
+                  "A hair after Newton steps and after sweeps; wrong segments have a colour of their own.");
   const hair::Strand strand = hair::uniform_strand({}, kSegments, 0.01 * kSegments);
   Eigen::MatrixXd scratch(3 * kSegments + 3, hair::kCorrectionScratch);
-  double at = 56;
-  for (const int steps : {0, 1, 2, 3}) {
+  double middle = 56;
+  for (const int iterations : {0, 1, 2, 3, 10, 100, 1000}) {
     VectorXd x = stretched();
-    const hair::CorrectionReport report = hair::correct_lengths(strand, 1e-12, steps, x, scratch);
-    draw_hair(drawing, {at, 68}, strand, x, 0, std::to_string(steps), report.error);
-    at += 100;
+    const double error = iterations < 10 ? hair::correct_lengths(strand, 1e-12, iterations, x, scratch).error
+                                         : hair::relax_lengths(strand, 1e-12, iterations, x).error;
+    const View view = {{middle, 68}, 900};
+    for (int i = 0; i < kSegments; ++i) {
+      const Vector3d from = x.segment<3>(3 * i), to = x.segment<3>(3 * i + 3);
+      const bool wrong = std::abs((to - from).norm() / strand.rest_length[i] - 1) > 1e-4;
+      drawing.line({view(from), view(to)}, {colour(wrong ? 1 : 0), 2.5});
+      drawing.dot(view(from), kText, i == 0 ? 5 : 1.6);
+    }
+    drawing.words({middle, 46}, std::to_string(iterations), {kText, "middle", 16, "bold"});
+    drawing.words({middle, 312}, "error " + hair::to_text(error), {kText, "middle", 13});
+    middle += 100;
   }
-  for (const int sweeps : {10, 100, 1000}) {
-    VectorXd x = stretched();
-    const hair::CorrectionReport report = hair::relax_lengths(strand, 1e-12, sweeps, x);
-    draw_hair(drawing, {at, 68}, strand, x, 0, std::to_string(sweeps), report.error);
-    at += 100;
-  }
+  drawing.words({360, 336}, "this colour: longer or shorter by more than 1e-4", {colour(1), "middle", 13});
   drawing.words({206, 22}, "Newton steps", {colour(0)});
   drawing.words({556, 22}, "sweeps of relaxation", {colour(0)});
   return drawing.svg();

@@ -6,12 +6,8 @@
 namespace figures {
 
 std::string draw_S2() {
-  Drawing drawing(
-      "S2", "How many digits do the normal equations lose?",
-      "Error of x against the condition number of A, both logarithmic. QR on A rises with slope 1. "
-      "Cholesky and ConjGrad on the normal equations rise with slope 2 and lose all digits at a "
-      "condition number of 1e8.",
-      430);
+  Drawing drawing("S2", 430, "How many digits do the normal equations lose?",
+                  "Error of x against A's condition number: slope 1 for QR, slope 2 for two methods on A'A.");
   const Plot plot = drawing.plot({70, 50, 620, 320}, {"condition number of *A*", true, 10, 1e9},
                                  {"relative error of *x*", true, 1e-17, 10}, 8, 9);
   Spots errors[3];

@@ -11,7 +11,7 @@ int main(int count, char** arguments) try {
     std::fprintf(stderr, "draw_figures FOLDER [ID ...]\n");
     return 2;
   }
-  for (const auto& [exercise, draw] : figures::all_figures()) {
+  for (const auto& [exercise, draw] : figures::kFigures) {
     bool asked = count == 2;
     for (int i = 2; i < count; ++i) asked = asked || std::string(arguments[i]) == exercise;
     if (asked) hair::write_file(std::filesystem::path(arguments[1]) / exercise / "figure.svg", draw());

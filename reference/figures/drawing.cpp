@@ -20,8 +20,8 @@ std::string path_of(const Spots& spots) {
 
 }  // namespace
 
-Drawing::Drawing(const std::string& exercise, const std::string& title, const std::string& description,
-                 double height) {
+Drawing::Drawing(const std::string& exercise, double height, const std::string& title,
+                 const std::string& description) {
   open_svg(xml_, "figure-" + exercise, title, description, kWidth, height);
 }
 
@@ -59,12 +59,14 @@ void Drawing::ring(const Spot& at, double radius, const Pen& pen) {
                         {"stroke-dasharray", pen.dash}});
 }
 
-void Drawing::arrow(const Spot& from, const Spot& to, const Pen& pen) {
+void Drawing::arrow(const Spot& from, const Spot& to, const Pen& pen, std::string_view name,
+                    const Spot& beside) {
   const double length = (to - from).norm(), head = std::min(5 + 2.5 * pen.width, length);
   if (length == 0) return;
   const Spot along = (to - from) / length, across(-along[1], along[0]), neck = to - head * along;
   line({from, neck + 1 * along}, pen);
   area({to, neck + 0.42 * head * across, neck - 0.42 * head * across}, pen.colour, pen.opacity);
+  if (!name.empty()) words(to + beside, name, {pen.colour, "middle", 17});
 }
 
 void Drawing::words(const Spot& at, std::string_view text, const Lettering& lettering) {

@@ -15,6 +15,7 @@
 
 namespace figures {
 
+using Eigen::Vector3d, Eigen::VectorXd;
 using hair::Axis;
 using hair::plot::Box;
 using hair::plot::colour, hair::plot::kText, hair::plot::kQuiet, hair::plot::kMiddle, hair::plot::kFaint,
@@ -49,9 +50,9 @@ struct Plot {
 struct View {
   Spot middle = {0, 0};  // pixels, of the point `at`
   double unit = 1;       // pixels for a metre
-  Eigen::Vector3d at = {0, 0, 0}, right = {1, 0, 0}, up = {0, 1, 0};
+  Vector3d at = {0, 0, 0}, right = {1, 0, 0}, up = {0, 1, 0};
 
-  Spot operator()(const Eigen::Vector3d& point) const {
+  Spot operator()(const Vector3d& point) const {
     return middle + unit * Spot(right.dot(point - at), -up.dot(point - at));
   }
 };
@@ -60,15 +61,17 @@ class Drawing {
  public:
   static constexpr double kWidth = 720;
 
-  Drawing(const std::string& exercise, const std::string& title, const std::string& description,
-          double height);
+  Drawing(const std::string& exercise, double height, const std::string& title,
+          const std::string& description);
 
   void line(const Spots& spots, const Pen& pen = {}) { lines({spots}, pen); }
   void lines(const std::vector<Spots>& all, const Pen& pen);
   void area(const Spots& spots, const std::string& colour, double opacity = 0.2);
   void dot(const Spot& at, const std::string& colour = kText, double radius = 4);
   void ring(const Spot& at, double radius, const Pen& pen = {});
-  void arrow(const Spot& from, const Spot& to, const Pen& pen = {});
+  // With a name in its colour, in the middle of a place beside its tip.
+  void arrow(const Spot& from, const Spot& to, const Pen& pen, std::string_view name = {},
+             const Spot& beside = {0, 0});
   void words(const Spot& at, std::string_view text, const Lettering& lettering = {});
   void path(const std::string& d, const std::string& fill, double opacity);  // anything else
 
@@ -86,9 +89,12 @@ class Drawing {
 // A number with so many digits behind its point.
 std::string fixed(double value, int digits);
 
-// The turn of the plane by this angle, applied to (1, 0).
-inline Spot direction(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+// A curve at so many pieces' ends. It returns a Spot: an expression of Eigen may refer to what is gone.
+template <class Curve>
+Spots sampled(double from, double to, int pieces, const Curve& curve) {
+  Spots spots;
+  for (int i = 0; i <= pieces; ++i) spots.emplace_back(curve(from + (to - from) * i / pieces));
+  return spots;
 }
 
 }  // namespace figures

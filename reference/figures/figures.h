@@ -1,16 +1,22 @@
 // STAFF ONLY. The exercises' figures: each reference/<ID>/figure.cpp draws one from computed numbers.
+// HAIR_FIGURES names them as FIGURE(S1) FIGURE(S2) ...
 #pragma once
 
-#include <span>
 #include <string>
 
 namespace figures {
+
+#define FIGURE(id) std::string draw_##id();
+HAIR_FIGURES
+#undef FIGURE
 
 struct Figure {
   const char* exercise;  // "S1"
   std::string (*draw)();
 };
 
-std::span<const Figure> all_figures();
+#define FIGURE(id) {#id, draw_##id},
+inline constexpr Figure kFigures[] = {HAIR_FIGURES};
+#undef FIGURE
 
 }  // namespace figures
