@@ -17,9 +17,9 @@ struct Themes {
 };
 
 // The series' colours come first.
-constexpr Themes kThemes[] = {{"#108aff", "#5d97ff"}, {"#ec6c19", "#f67b30"}, {"#0d8060", "#20e2a3"},
-                              {"#b782a4", "#d5a4c1"}, {"#000000", "#fafeff"}, {"#745400", "#ffed4b"},
-                              {"#4f5a6a", "#717b86"}, {"#712fc2", "#7d47d0"}, {kPaper, "#15181d"},
+constexpr Themes kThemes[] = {{"#046dfd", "#8db1ff"}, {"#c55307", "#f47b30"}, {"#1b7c5c", "#32eea7"},
+                              {"#a06095", "#dea8bf"}, {"#000000", "#fbffff"}, {"#583b00", "#ffec46"},
+                              {"#4b525b", "#79828b"}, {"#5c18b6", "#9565ef"}, {kPaper, "#15181d"},
                               {kText, "#e4e7eb"},     {kFaint, "#333a45"},    {kSoft, "#1d2128"},
                               {kMiddle, "#8a93a0"},   {kQuiet, "#a0a9b6"}};
 

@@ -14,7 +14,8 @@ inline constexpr const char* kSoft = "#f3f3f3";    // areas
 inline constexpr const char* kMiddle = "#767676";  // guides: 4.5 : 1 on white
 inline constexpr const char* kQuiet = "#555555";   // their names
 
-// In each theme at least 3 : 1 against the paper, and at least 15 apart (CIEDE2000) for all kinds of sight.
+// In each theme at least 4.5 : 1 against the paper, for names are written in them, and at least 15 apart
+// (CIEDE2000) for all kinds of sight.
 inline constexpr int kColours = 8, kMarkers = 11;
 const char* colour(int series);
 

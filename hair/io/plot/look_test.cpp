@@ -86,7 +86,7 @@ TEST(LookTest, ColoursStandOutFromThePaperAndFromEachOtherForEachKindOfSight) {
   for (const bool dark : {false, true}) {
     const auto shown = [&](const char* light) { return dark ? in_the_dark(light) : light; };
     for (int i = 0; i < kColours; ++i) {
-      EXPECT_GE(contrast(shown(colour(i)), shown(kPaper)), 3) << i << (dark ? ", dark" : ", light");
+      EXPECT_GE(contrast(shown(colour(i)), shown(kPaper)), 4.5) << i << (dark ? ", dark" : ", light");
       for (int j = 0; j < i; ++j)
         for (const Sight& sight : kSights) {
           const auto seen = [&](int series) {
