@@ -34,8 +34,8 @@ std::string draw_H3() {
   };
   draw(hair::bend_energy, 0);
   draw(hair::bend_spring_energy, 1);
-  drawing.words(plot(10, 3e-1), "angular spring: *E* ∝ *φ*^2", {colour(0), "end"});
-  drawing.words(plot(14, 3e-6), "spring that skips the joint: *E* ∝ *φ*^4", {colour(1), "start"});
+  drawing.words(plot(10, 3e-1), "angular spring: *U* ∝ *φ*^2", {colour(0), "end"});
+  drawing.words(plot(14, 3e-6), "spring that skips the joint: *U* ∝ *φ*^4", {colour(1), "start"});
   for (const double angle : {3.0, 10.0, 50.0}) {
     const View view = {plot(angle, 1) + Spot(0, -72), 42};
     const VectorXd x = bent(angle);
