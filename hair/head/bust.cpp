@@ -61,7 +61,7 @@ Surface Bust::surface_at(const Vector3d& point) const {
 }
 
 Eigen::AlignedBox3d Bust::box() const {
-  return {Vector3d(-0.23, -0.13, -0.36), Vector3d(0.23, 0.16, 0.12)};
+  return {Vector3d(-0.21, -0.12, -0.36), Vector3d(0.21, 0.13, 0.12)};
 }
 
 Vector3d Bust::surface_towards(const Vector3d& direction) const {

@@ -1,6 +1,6 @@
-// A bust: head, face, neck and shoulders as one smooth surface; it is no real person's. It is the zero
-// level of a function that joins ellipsoids and capsules, and carves eyes and ears out of them. Each joint
-// is a polynomial smooth minimum, with a width k of its own:
+// A bust as in a shop for wigs: head, neck and shoulders as one smooth surface, and its sides are mirror
+// images, to the last bit. It is the zero level of a function that joins ellipsoids and capsules, and carves
+// the hollows of the eyes out of them. Each joint is a polynomial smooth minimum, with a width k of its own:
 //
 //   min(a, b) - k h^2 / 4,   h = max(k - |a - b|, 0) / k
 //
@@ -8,7 +8,7 @@
 // gradient. It equals the minimum if a and b differ by k or more, so far parts may be left out. Divided by
 // its gradient's length, the function is the distance near the surface.
 //
-// The sizes are about those of adults: 15 cm wide, 19 cm deep and 23 cm high with the chin, 45 cm across the
+// The sizes are about those of adults: 15 cm wide, 19 cm deep and 23 cm high with the chin, 40 cm across the
 // shoulders.
 #pragma once
 

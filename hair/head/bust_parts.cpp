@@ -11,6 +11,8 @@ namespace {
 // This near to the surface, every part with an effect is included.
 constexpr double kNearBust = 0.02;               // m
 constexpr double kBottom = -0.35, kEdge = 0.03;  // m: the end of the chest, and the radius of its edge
+// The two sides of a paired part meet in the middle without an edge: sqrt(x^2 + kMeeting^2) replaces |x|.
+constexpr double kMeeting = 0.004;  // m
 
 Bust::Value of_ellipsoid(const Vector3d& p, const Vector3d& radii) {
   const Vector3d inverse = radii.cwiseInverse(), q = p.cwiseProduct(inverse), u = q.cwiseProduct(inverse);
@@ -40,29 +42,25 @@ Bust::Value negative(const Bust::Value& a) {
 
 class BustParts {
  public:
-  void ellipsoid(const Vector3d& centre, const Vector3d& radii, double blend, bool carved = false) {
-    all.push_back({PartShape::ellipsoid, carved, blend, centre, radii, 0, centre});
+  void ellipsoid(const Vector3d& centre, const Vector3d& radii, double blend) {
+    all.push_back({PartShape::ellipsoid, centre.x() > 0, false, blend, centre, radii, 0, centre});
+  }
+  void hollow(const Vector3d& centre, const Vector3d& radii, double blend) {
+    ellipsoid(centre, radii, blend);
+    all.back().carved = true;
   }
   void capsule(const Vector3d& from, const Vector3d& to, double radius, double blend) {
-    all.push_back({PartShape::capsule, false, blend, from, to, radius, 0.5 * (from + to)});
-  }
-  // Left and right.
-  void ellipsoids(const Vector3d& centre, const Vector3d& radii, double blend, bool carved = false) {
-    for (const Vector3d& at : {centre, mirrored(centre)}) ellipsoid(at, radii, blend, carved);
-  }
-  void capsules(const Vector3d& from, const Vector3d& to, double radius, double blend) {
-    capsule(from, to, radius, blend);
-    capsule(mirrored(from), mirrored(to), radius, blend);
+    const bool paired = from.x() > 0 || to.x() > 0;
+    all.push_back({PartShape::capsule, paired, false, blend, from, to, radius, 0.5 * (from + to)});
   }
 
-  // A part may be left out if its value is above the others' by its blend. The parts joined before it may
-  // still be above the surface, by as much as the later joints are wide; a joint lowers the value by a
-  // quarter of its width.
+  // A part may be left out if its value is above the others' by its blend. The parts joined before a joint
+  // have an effect only if they are above its result by less than its blend; carving makes nothing lower.
   void set_reaches() {
     double later = 0;
     for (auto part = all.rbegin(); part != all.rend(); ++part) {
-      const double above = kNearBust + part->blend + 1.25 * later;
-      later = std::max(later, part->blend);
+      const double above = kNearBust + part->blend + later;
+      if (!part->carved) later += part->blend;
       double reach = 0.5 * (part->b - part->a).norm() + part->radius + above;
       if (part->shape == PartShape::ellipsoid) {
         // Its value is at least (its least radius / its largest) times the distance from its largest sphere.
@@ -74,46 +72,32 @@ class BustParts {
   }
 
   std::vector<BustPart> all;
-
- private:
-  static Vector3d mirrored(const Vector3d& x) { return {-x.x(), x.y(), x.z()}; }
 };
 
 std::vector<BustPart> made_parts() {
   BustParts parts;
-  // Skull.
+  // Skull, and the egg of the face.
   parts.ellipsoid({0, 0.012, 0.022}, {0.075, 0.086, 0.086}, 0.03);
-  // Neck and its muscles, shoulders and chest.
-  parts.capsule({0, 0.026, -0.07}, {0, 0.034, -0.23}, 0.047, 0.032);
-  parts.capsules({0.050, 0.022, -0.062}, {0.013, -0.014, -0.21}, 0.008, 0.025);
-  parts.capsules({0.018, 0.050, -0.15}, {0.115, 0.038, -0.232}, 0.022, 0.05);
-  parts.ellipsoid({0, 0.030, -0.33}, {0.185, 0.108, 0.145}, 0.05);
-  parts.capsules({0.100, 0.030, -0.248}, {0.168, 0.030, -0.265}, 0.046, 0.05);
-  parts.capsules({0.012, -0.036, -0.222}, {0.130, 0.000, -0.216}, 0.008, 0.03);
-  // Forehead, face, cheekbones, jaw and chin.
   parts.ellipsoid({0, -0.028, 0.02}, {0.060, 0.064, 0.066}, 0.03);
-  parts.ellipsoid({0, -0.040, -0.040}, {0.054, 0.049, 0.066}, 0.03);
-  parts.ellipsoids({0.043, -0.060, -0.028}, {0.022, 0.020, 0.016}, 0.025);
-  parts.ellipsoid({0, -0.046, -0.085}, {0.042, 0.042, 0.032}, 0.03);
-  parts.capsules({0.042, -0.004, -0.064}, {0.018, -0.070, -0.100}, 0.009, 0.03);
-  parts.ellipsoid({0, -0.080, -0.106}, {0.017, 0.014, 0.014}, 0.02);
-  // Brows, sockets, and eyes with closed lids.
-  parts.capsules({0.012, -0.084, 0.013}, {0.038, -0.075, 0.016}, 0.008, 0.018);
-  parts.ellipsoids({0.032, -0.100, -0.004}, {0.019, 0.019, 0.012}, 0.014, true);
-  parts.ellipsoids({0.031, -0.0745, -0.005}, {0.0150, 0.0120, 0.0110}, 0.006);
-  // Nose and mouth.
-  parts.capsule({0, -0.089, 0.004}, {0, -0.106, -0.034}, 0.0065, 0.016);
-  parts.ellipsoid({0, -0.087, -0.030}, {0.011, 0.015, 0.020}, 0.015);
-  parts.ellipsoid({0, -0.107, -0.039}, {0.0085, 0.0090, 0.0080}, 0.010);
-  parts.ellipsoids({0.0105, -0.096, -0.0425}, {0.0060, 0.0095, 0.0060}, 0.014);
-  parts.capsule({0, -0.086, -0.048}, {0, -0.101, -0.044}, 0.005, 0.014);
-  parts.ellipsoid({0, -0.080, -0.073}, {0.026, 0.011, 0.017}, 0.012);
-  parts.capsule({-0.011, -0.0875, -0.0690}, {0.011, -0.0875, -0.0690}, 0.0050, 0.014);
-  parts.capsule({-0.008, -0.0870, -0.0785}, {0.008, -0.0870, -0.0785}, 0.0055, 0.009);
-  // Ears, and the bone behind them.
-  parts.ellipsoids({0.045, 0.017, -0.038}, {0.019, 0.024, 0.030}, 0.02);
-  parts.ellipsoids({0.0715, 0.016, -0.014}, {0.0110, 0.018, 0.030}, 0.017);
-  parts.ellipsoids({0.0875, 0.012, -0.014}, {0.0065, 0.009, 0.017}, 0.006, true);
+  parts.ellipsoid({0, -0.023, -0.026}, {0.058, 0.058, 0.062}, 0.04);
+  parts.ellipsoid({0, -0.031, -0.066}, {0.044, 0.047, 0.052}, 0.04);
+  // Jaw and chin.
+  parts.capsule({0.042, 0.006, -0.054}, {0.010, -0.058, -0.103}, 0.009, 0.035);
+  parts.ellipsoid({0, -0.071, -0.105}, {0.018, 0.017, 0.014}, 0.03);
+  // Neck, shoulders and chest.
+  parts.capsule({0, 0.016, -0.05}, {0, 0.046, -0.24}, 0.046, 0.05);
+  parts.ellipsoid({0, 0.026, -0.33}, {0.165, 0.096, 0.130}, 0.07);
+  parts.capsule({0.02, 0.044, -0.226}, {0.160, 0.034, -0.284}, 0.040, 0.06);
+  // The hollows of the eyes leave a brow, and the ridge of the nose.
+  parts.hollow({0.038, -0.112, -0.007}, {0.027, 0.027, 0.014}, 0.025);
+  parts.capsule({0, -0.085, 0.012}, {0, -0.1070, -0.039}, 0.0068, 0.020);
+  parts.capsule({0.002, -0.100, -0.0450}, {0.011, -0.089, -0.0450}, 0.0046, 0.012);
+  // Closed lips.
+  parts.ellipsoid({0, -0.068, -0.076}, {0.031, 0.018, 0.019}, 0.028);
+  parts.capsule({0, -0.0935, -0.0700}, {0.021, -0.0840, -0.0722}, 0.0035, 0.006);
+  parts.capsule({0, -0.0920, -0.0790}, {0.014, -0.0868, -0.0762}, 0.0044, 0.005);
+  // Ears.
+  parts.ellipsoid({0.070, 0.016, -0.014}, {0.010, 0.014, 0.026}, 0.014);
   parts.set_reaches();
   return parts.all;
 }
@@ -125,18 +109,18 @@ std::span<const BustPart> bust_parts() {
   return parts;
 }
 
-Bust::Value value_of(const BustPart& part, const Vector3d& point) {
-  return part.shape == PartShape::ellipsoid ? of_ellipsoid(point - part.a, part.b)
-                                            : of_capsule(point - part.a, part.b - part.a, part.radius);
-}
-
 Bust::Value value_of_parts(const Vector3d& point, LeaveOut leave_out) {
+  const double side = std::hypot(point.x(), kMeeting);
+  const Vector3d folded(side, point.y(), point.z());
   const std::span<const BustPart> parts = bust_parts();
-  Bust::Value all = value_of(parts.front(), point);
+  Bust::Value all = of_ellipsoid(point - parts.front().a, parts.front().b);
   for (const BustPart& part : parts.subspan(1)) {
-    if (leave_out == LeaveOut::what_is_far && (point - part.middle).squaredNorm() > part.reach_squared)
-      continue;
-    const Bust::Value own = value_of(part, point);
+    const Vector3d& at = part.paired ? folded : point;
+    if (leave_out == LeaveOut::what_is_far && (at - part.middle).squaredNorm() > part.reach_squared) continue;
+    Bust::Value own = part.shape == PartShape::ellipsoid
+                          ? of_ellipsoid(at - part.a, part.b)
+                          : of_capsule(at - part.a, part.b - part.a, part.radius);
+    if (part.paired) own.gradient.x() *= point.x() / side;
     all = part.carved ? negative(smooth_minimum(negative(all), own, part.blend))
                       : smooth_minimum(all, own, part.blend);
   }

@@ -11,6 +11,7 @@ enum class PartShape { ellipsoid, capsule };
 
 struct BustPart {
   PartShape shape;
+  bool paired;        // stands on both sides: its points are those of the side where x > 0
   bool carved;        // subtracted from the others, instead of joined
   double blend;       // m, the joint's k
   Vector3d a;         // m, an ellipsoid's centre, or a capsule's first end
@@ -24,9 +25,6 @@ struct BustPart {
 
 // In the order in which they are joined. The first part is never left out.
 std::span<const BustPart> bust_parts();
-
-// The part alone: zero on its surface, and the distance near it.
-Bust::Value value_of(const BustPart& part, const Vector3d& point);
 
 enum class LeaveOut { nothing, what_is_far };
 

@@ -94,6 +94,16 @@ TEST(Bust, TheDistanceIsRightToFirstOrderAndHasTheRightSign) {
   }
 }
 
+TEST(Bust, ItsSidesAreMirrorImages) {
+  const Bust bust;
+  const Vector3d mirror(-1, 1, 1);
+  for (const Vector3d& point : near_surface(bust, 0.01, 2000)) {
+    const Bust::Value here = bust.value_at(point), there = bust.value_at(point.cwiseProduct(mirror));
+    EXPECT_EQ(here.value, there.value) << point.transpose();
+    EXPECT_EQ(here.gradient.cwiseProduct(mirror), there.gradient) << point.transpose();
+  }
+}
+
 // Parts far away change nothing near the surface.
 TEST(Bust, WhatIsLeftOutIsFarAway) {
   const Bust bust;
