@@ -38,11 +38,12 @@ class Grower {
         points_(points),
         seed_(seed),
         clumps_{{}, {}, NearestPoints({})} {
-    step_ = std::min(0.004, style.length / 48);
+    const double whole = style.length + (style.tie ? 0.2 : 0);
+    step_ = std::min(0.004, whole / 48);
     if (style.radius > 0) step_ = std::min(step_, style.pitch / 16);
     // A chord inside a layer of this height stays outside a head of the radius 7 cm, wherever the hair
     // begins.
-    const double chord = (style.length + (style.tie ? 0.2 : 0)) / (points - 1);
+    const double chord = whole / (points - 1);
     clearance_ = std::clamp(0.6 * chord * chord / 0.07, 0.003, 0.02);
   }
 
@@ -53,7 +54,7 @@ class Grower {
     for (const RootFrame& root : scalp_.roots(count, seed_of(seed_, Use::clump_roots))) {
       Variation variation(seed_of(seed_, Use::clumps), places.size());
       const StrandTraits traits = traits_of(root, variation, false);
-      clumps_.lines.push_back(middle(root, traits, clearance_, nullptr));
+      clumps_.lines.push_back(middle(root, traits, clearance_ + layer_below(root), nullptr));
       clumps_.traits.push_back(traits);
       places.push_back(root.position);
     }
@@ -68,7 +69,7 @@ class Grower {
     Variation variation(seed_of(seed_, Use::strands), number);
     const bool flies = variation.uniform(0, 1) < style_.fly_aways;
     StrandTraits traits = traits_of(root, variation, flies);
-    const double clearance = clearance_ * variation.uniform(0.7, 1.5);
+    const double clearance = clearance_ * variation.uniform(0.7, 1.5) + layer_below(root);
     const Line* clump = nullptr;
     if (!clumps_.lines.empty() && !flies) {
       const auto nearest = static_cast<std::size_t>(clumps_.roots.nearest(root.position).index);
@@ -77,6 +78,7 @@ class Grower {
       // Curls of a clump lie inside each other.
       traits.phase = clumps_.traits[nearest].phase + variation.uniform(-0.4, 0.4);
       traits.size = clumps_.traits[nearest].size;
+      if (!style_.tie) traits.length = clumps_.traits[nearest].length;
     }
     Line line = middle(root, traits, clearance, clump);
     if (style_.radius > 0) {
@@ -95,7 +97,13 @@ class Grower {
     StrandTraits traits;
     traits.length = style_.length * (1 + style_.varies * variation.uniform(-1, 1));
     const double lift = flies ? 0.5 * (1 + style_.lift) : style_.lift;
-    const Vector3d way = (lift * root.axis + (1 - lift) * root.side).normalized();
+    Vector3d side = root.side;
+    if (style_.tie) {
+      const Vector3d to = head_.surface_towards(style_.tie->normalized()) - root.position;
+      const Vector3d along = to - to.dot(root.axis) * root.axis;
+      if (along.norm() > 1e-6) side = along.normalized();
+    }
+    const Vector3d way = (lift * root.axis + (1 - lift) * side).normalized();
     traits.direction =
         varied({root.position, way, side_of(way)}, flies ? 2 * style_.tilt : style_.tilt, 0, variation).axis;
     traits.phase = variation.uniform(0, 2 * std::numbers::pi);
@@ -105,6 +113,12 @@ class Grower {
     const double far = 0.011 * std::sqrt(variation.uniform(0, 1));
     traits.tie_offset = far * Vector3d(std::cos(angle), 0, std::sin(angle));
     return traits;
+  }
+
+  // The thickness of the hair that lies below a strand: hair covers what grows below it, or nearer to the tie.
+  double layer_below(const RootFrame& root) const {
+    const Vector3d over = style_.tie ? -style_.tie->normalized() : Vector3d(Vector3d::UnitZ());
+    return style_.layer * (0.5 + 0.5 * over.dot((root.position - head_.centre()).normalized()));
   }
 
   Line middle(const RootFrame& root, StrandTraits traits, double clearance, const Line* clump) const {

@@ -71,7 +71,10 @@ TEST_P(Styles, StrandsStartOnTheScalpAndHaveEqualPiecesAndTheirLength) {
   // hair.
   EXPECT_LE(measures.length.max, 1.01 * longest + (style_.tie ? 0.36 : 0));
   if (!style_.tie) {
-    EXPECT_NEAR(measures.length.mean, style_.length, 0.03 * style_.length);
+    // Clumps have lengths of their own, spread evenly: three standard deviations of their mean.
+    const double clumps = strands / style_.clump;
+    EXPECT_NEAR(measures.length.mean, style_.length,
+                3 * style_.varies / std::sqrt(3 * clumps) * style_.length);
   }
 }
 
@@ -152,9 +155,28 @@ TEST(Grow, CurlsHaveTheCurvatureOfTheirHelix) {
   // Radii are 0.8 to 1.2 of the style's.
   EXPECT_GT(curvature.median, of_helix(1.2 * style.radius));
   EXPECT_LT(curvature.median, of_helix(0.8 * style.radius));
+  // Smooth hair hangs straight, or follows the head, whose radii are at most 11.2 cm.
   EXPECT_LT(measure_groom(grow_groom(EllipsoidHead(), *find_hair_style("long-smooth"), {.strands = 500}))
                 .curvature.median,
-            1);
+            1 / 0.112);
+}
+
+// Strands that grow nearer to the end of a style's hair lie below the others: far from their roots, they are
+// nearer to the head by a part of the layer.
+TEST(Grow, HairCoversTheHairBelowIt) {
+  const Bust bust;
+  const HairStyle& style = *find_hair_style("long-smooth");
+  double above = 0, below = 0, highest = 0, lowest = 0;
+  for (const Eigen::VectorXd& x : grow_groom(bust, style, {.strands = 2000}).strands)
+    for (Eigen::Index k = 0; k < x.size(); k += 3) {
+      const Vector3d point = x.segment<3>(k);
+      if (std::abs(point.z()) > 0.01 || (point - x.head<3>()).norm() < 0.04) continue;
+      const bool high = x[2] > 0.08;
+      (high ? above : below) += 1;
+      (high ? highest : lowest) += bust.surface_at(point).distance;
+    }
+  ASSERT_GT(std::min(above, below), 50);
+  EXPECT_GT(highest / above - lowest / below, 0.1 * style.layer);
 }
 
 TEST(Grow, TiedHairPassesTheTie) {

@@ -16,6 +16,7 @@ struct HairStyle {
   int points;                        // per strand, unless a number is given
   double length;                     // along a strand; for tied hair, from the tie
   double varies;                     // lengths differ by up to this part
+  double layer;                      // the thickness of all hair, where it lies on the head or the shoulders
   double lift;                       // the root's direction: 0 combed flat, 1 straight out
   double comb;                       // the length over which a strand follows its combed direction
   double stiffness;                  // the length over which it turns to its target: down, or to the tie

@@ -45,7 +45,7 @@ TEST(ShippedScenes, AnOutlineShowsAndCallsWhatTheSceneDoesWithFewStrands) {
 }
 
 TEST(ShippedScenes, APonytailHas200Strands) {
-  EXPECT_EQ(hair::read_scene(HAIR_SCENES "/ponytail.json").hair.strands.size(), 200U);
+  EXPECT_EQ(hair::read_scene(HAIR_SCENES "/ponytail.json").hair.strands.size(), 500U);
 }
 
 TEST(ShippedScenes, PlayAndMove) {

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kStraightPoints = 25;
-// Shorter than the styles that have names, so that fewer points follow the hair: m.
-constexpr double kWavyLength = 0.2, kCurlyLength = 0.1;
+// Curls are shorter than the styles that have names, so that fewer points follow the hair: m.
+constexpr double kStraightLength = 0.36, kWavyLength = 0.2, kCurlyLength = 0.1;
 
 HairStyle styled(const char* name, double length = 0) {
   HairStyle style = *find_hair_style(name);
@@ -31,8 +31,9 @@ HeadHair curved(const char* id, const char* title, const HairStyle& style) {
 
 const std::vector<HeadHair>& head_hairs() {
   static const std::vector<HeadHair> all = {
-      {"straight", "Straight hair", styled("long-smooth"), kStraightPoints, false},
-      {"combed", "Straight hair, all alike", without_chance(styled("long-smooth")), kStraightPoints, false},
+      {"straight", "Straight hair", styled("long-smooth", kStraightLength), kStraightPoints, false},
+      {"combed", "Straight hair, all alike", without_chance(styled("long-smooth", kStraightLength)),
+       kStraightPoints, false},
       curved("wavy", "Wavy hair", styled("wavy", kWavyLength)),
       curved("curly", "Curly hair", styled("short-curly", kCurlyLength))};
   return all;
