@@ -85,7 +85,7 @@ std::vector<BustPart> made_parts() {
   parts.capsule({0.042, 0.006, -0.054}, {0.010, -0.058, -0.103}, 0.009, 0.035);
   parts.ellipsoid({0, -0.071, -0.105}, {0.018, 0.017, 0.014}, 0.03);
   // Neck, shoulders and chest.
-  parts.capsule({0, 0.016, -0.05}, {0, 0.046, -0.24}, 0.046, 0.05);
+  parts.capsule({0, 0.018, -0.066}, {0, 0.046, -0.24}, 0.046, 0.040);
   parts.ellipsoid({0, 0.026, -0.33}, {0.165, 0.096, 0.130}, 0.07);
   parts.capsule({0.02, 0.044, -0.226}, {0.160, 0.034, -0.284}, 0.040, 0.06);
   // The hollows of the eyes leave a brow, and the ridge of the nose.
