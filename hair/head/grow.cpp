@@ -115,8 +115,7 @@ class Grower {
     return traits;
   }
 
-  // The thickness of the hair that lies below a strand: hair covers the hair that grows below it, or nearer to
-  // the tie.
+  // The thickness of the hair below a strand: hair covers the hair with lower roots, or nearer to the tie.
   double layer_below(const RootFrame& root) const {
     const Vector3d over = style_.tie ? -style_.tie->normalized() : Vector3d(Vector3d::UnitZ());
     return style_.layer * (0.5 + 0.5 * over.dot((root.position - head_.centre()).normalized()));
