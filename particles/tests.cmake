@@ -1,4 +1,4 @@
-hair_test(particles_test SANITISED SOURCES forces_test.cpp system_test.cpp LIBRARIES hair_particles hair_check
+hair_test(particles_test SANITISED SOURCES forces_test.cpp LIBRARIES hair_particles hair_check
           hair_dense_algebra)
 hair_test(preconditioner_test SANITISED SOURCES preconditioner_test.cpp LIBRARIES hair_particles
           hair_allocations hair_dense_algebra)
