@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "hair/io/files/this_program.h"
+#include "hair/io/files/start_program.h"
 #include "hair/lab/commands/program.h"
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/interruption.h"

@@ -13,8 +13,8 @@
 #endif
 
 #include "hair/io/files/bad_input.h"
-#include "hair/io/files/cache_folder.h"
 #include "hair/io/files/json_text.h"
+#include "hair/io/files/kept_file.h"
 #include "hair/io/files/printable.h"
 #include "hair/lab/commands/exit_codes.h"
 #include "hair/lab/run/course_scene.h"

@@ -41,7 +41,6 @@ std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, cons
 ModelRow mass_spring_model() {
   return {.id = "mass_spring",
           .coordinates = kPositions,
-          .coordinates_name = "positions",
           .exercises = [](const StrandSpec& spec) { return exercises_of(discretise(spec)); },
           .calls_method = true,
           .why_not = springs_why_not,

@@ -20,9 +20,8 @@ struct ModelRow {
   const char* id;  // in scenes: "mass_spring"
 
   // The meaning of the numbers in a body's q, in states on disk and in replies: a number that no other model
-  // has, and its name. A reader rejects a number that it does not know.
+  // has. A reader rejects a number that it does not know.
   std::uint32_t coordinates;
-  const char* coordinates_name;
 
   // The exercises that such a strand calls, except those of its method, which it calls only if
   // `calls_method`.

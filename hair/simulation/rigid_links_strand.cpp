@@ -57,7 +57,6 @@ LinkStrand links_of(const StrandSpec& spec, const Description& description) {
 ModelRow rigid_links_model() {
   return {.id = "rigid_links",
           .coordinates = 1,
-          .coordinates_name = "turns",
           .exercises = [](const StrandSpec&) { return std::vector<std::string>{"H7"}; },
           .calls_method = false,
           .usual_method = Method::implicit_euler,

@@ -27,7 +27,6 @@ std::unique_ptr<Body> make_helix(const StrandSpec& spec, const Description& desc
 ModelRow super_helix_model() {
   return {.id = "super_helix",
           .coordinates = 2,
-          .coordinates_name = "curvatures",
           .exercises = [](const StrandSpec&) { return std::vector<std::string>{"H8"}; },
           .calls_method = false,
           .usual_method = kHelixMethod,

@@ -1,5 +1,7 @@
 #include "hair/io/files/kept_file.h"
 
+#include <cstdlib>
+
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/digest.h"
 #include "hair/io/files/read_file.h"
@@ -44,6 +46,16 @@ void keep(const std::filesystem::path& folder, const KeptKind& kind, std::string
   bytes += content;
   bytes += Digest().add(std::string_view(bytes)).text();
   write_file(file_of(folder, kind, key), bytes);
+}
+
+std::optional<std::filesystem::path> cache_folder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::filesystem::path(value ? value : "");
+  };
+  if (const auto folder = variable("XDG_CACHE_HOME"); folder.is_absolute()) return folder / "hairlab";
+  if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "hairlab";
+  return {};
 }
 
 }  // namespace hair

@@ -23,4 +23,8 @@ std::optional<std::string> find_kept(const std::filesystem::path& folder, const 
 void keep(const std::filesystem::path& folder, const KeptKind& kind, std::string_view key,
           std::string_view content);
 
+// $XDG_CACHE_HOME/hairlab, or ~/.cache/hairlab. Nothing if neither variable is an absolute path. The folder
+// may not exist yet.
+std::optional<std::filesystem::path> cache_folder();
+
 }  // namespace hair

@@ -4,7 +4,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -81,6 +80,25 @@ std::optional<int> exit_code_of(pid_t process) {
     if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
   if (!WIFEXITED(status)) return {};
   return WEXITSTATUS(status);
+}
+
+}  // namespace hair
+
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+
+#include <array>
+#endif
+
+namespace hair {
+
+std::filesystem::path this_program() {
+#ifdef __APPLE__
+  std::array<char, 4096> path;
+  uint32_t size = path.size();
+  if (_NSGetExecutablePath(path.data(), &size) == 0) return path.data();
+#endif
+  return "/proc/self/exe";
 }
 
 }  // namespace hair

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <sys/types.h>
-
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -33,5 +32,9 @@ bool wait_until(const std::function<bool()>& happened, pid_t process);
 
 // Waits until it has ended. Returns its exit code, or nothing if a signal ended it.
 std::optional<int> exit_code_of(pid_t process);
+
+// The program's file. Reading it gives the bytes that are running, even if a newer file has replaced its
+// name.
+std::filesystem::path this_program();
 
 }  // namespace hair

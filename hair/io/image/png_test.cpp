@@ -1,8 +1,6 @@
-#include "hair/io/image/read_png.h"
-
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <unistd.h>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -12,6 +10,8 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/write_file.h"
 #include "hair/io/image/made_png.h"
+#include "hair/io/image/read_png.h"
+#include "hair/io/image/same_picture.h"
 #include "solver/test_refusal.h"
 
 namespace hair {
@@ -170,6 +170,49 @@ TEST(Png, APictureWhoseSizeIsWrongIsNotWritten) {
   EXPECT_THROW(encode_png({2, 2, Pixels(11)}), std::invalid_argument);
   EXPECT_THROW(encode_png({}), std::invalid_argument);
   EXPECT_THROW(encode_png({-1, -1, Pixels(3)}), std::invalid_argument);
+}
+
+constexpr int kWidth = 100, kHeight = 80;  // 8000 pixels: 0.05 % are four
+
+Image grey() {
+  return {kWidth, kHeight, std::vector<std::uint8_t>(3 * kWidth * kHeight, 100)};
+}
+
+// Grey, with `pixels` pixels that differ by `by` in one channel.
+Image off(int pixels, int by) {
+  Image image = grey();
+  for (int i = 0; i < pixels; ++i) image.pixels[3 * static_cast<std::size_t>(i) + i % 3] += by;
+  return image;
+}
+
+TEST(SamePicture, EqualPicturesAre) {
+  EXPECT_TRUE(same_on_another_machine(grey(), grey()));
+  EXPECT_TRUE(same_on_another_machine({}, {}));
+}
+
+TEST(SamePicture, FourOf8000PixelsMayBeOffByAnything) {
+  EXPECT_TRUE(same_on_another_machine(grey(), off(4, 30)));
+  EXPECT_FALSE(same_on_another_machine(grey(), off(5, 30)));
+  EXPECT_FALSE(same_on_another_machine(off(5, 30), grey()));
+}
+
+TEST(SamePicture, OffByTwoIsNotOff) {
+  EXPECT_TRUE(same_on_another_machine(grey(), off(1000, 2)));
+  EXPECT_TRUE(same_on_another_machine(off(1000, 2), grey()));
+  EXPECT_FALSE(same_on_another_machine(grey(), off(600, 3)));  // squares of 5400, see below
+}
+
+// The sum of squares may be a quarter of 24,000 channels: 6000, by 1500 pixels off by 2.
+TEST(SamePicture, TheRootMeanSquareIsAtMostHalf) {
+  EXPECT_TRUE(same_on_another_machine(grey(), off(1500, 2)));
+  EXPECT_FALSE(same_on_another_machine(grey(), off(1501, 2)));
+  EXPECT_TRUE(same_on_another_machine(grey(), off(1, 77)));   // 5929
+  EXPECT_FALSE(same_on_another_machine(grey(), off(1, 78)));  // 6084
+}
+
+TEST(SamePicture, OtherSizesAreNot) {
+  EXPECT_FALSE(same_on_another_machine(grey(), {kHeight, kWidth, grey().pixels}));
+  EXPECT_FALSE(same_on_another_machine(grey(), {}));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include "hair/io/plot/base64.h"
 #include "hair/io/plot/readable.h"
-#include "hair/io/plot/sha256.h"
 
 namespace hair {
 

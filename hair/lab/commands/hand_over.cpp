@@ -8,7 +8,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "hair/io/files/this_program.h"
+#include "hair/io/files/start_program.h"
 #include "hair/lab/commands/exit_codes.h"
 
 namespace hair {

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "hair/io/files/cache_folder.h"
+#include "hair/io/files/kept_file.h"
 #include "hair/lab/commands/study_shell.h"
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/stub.h"

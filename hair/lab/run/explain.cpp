@@ -5,7 +5,7 @@
 #include <functional>
 #include <locale>
 
-#include "hair/io/files/cache_folder.h"
+#include "hair/io/files/kept_file.h"
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/run_record.h"
 #include "hair/mass_spring/force_parts.h"

@@ -49,4 +49,21 @@ class StatesWriter {
   std::uint32_t frames_ = 0;
 };
 
+// states.csv: the same numbers, a line for each particle of each frame. The field `strand` is empty for toys.
+// Each number has the fewest digits, at most 17, that read back the same value.
+inline constexpr std::string_view kCsvHead = "frame,time,strand,particle,x,y,z,vx,vy,vz\n";
+
+class CsvWriter {
+ public:
+  // All functions throw BadInput if the file can't be written.
+  CsvWriter(const std::filesystem::path& file, const std::filesystem::path& shown, std::vector<int> strands);
+  void add(double time, const particles::State& state);
+  void close() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  std::vector<int> strands_;
+  int frame_ = 0;
+};
+
 }  // namespace hair

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "hair/lab/run/states_csv.h"
+#include "hair/lab/run/states_file.h"
 #include "hair/lab/tests/read_states.h"
 #include "hair/lab/tests/run_hairlab.h"
 

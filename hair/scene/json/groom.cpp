@@ -10,7 +10,6 @@
 #include "hair/head/grow.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/scene/json/group.h"
-#include "hair/scene/json/grown.h"
 #include "hair/scene/json/parts.h"
 
 namespace hair::json {

@@ -3,6 +3,7 @@
 
 #include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
+#include "hair/scene/scene.h"
 #include "hair/strand/strand_spec.h"
 
 namespace hair::json {
@@ -21,5 +22,9 @@ void keys_of(Keys& keys, GroupText& group);
 
 // Reads all of a strand specification, except roots, forms, lengths and elements. `object`: the group.
 StrandSpec spec_of(const JsonValue& object, const GroupText& group);
+
+// Hair that grows on a head: a groom of a group, or hair that stays still.
+const Section& grown_section();
+StillHair read_grown(const JsonValue& groom);
 
 }  // namespace hair::json

@@ -1,4 +1,4 @@
-#include "hair/scene/json/grown.h"
+#include "hair/scene/json/group.h"
 
 #include <memory>
 #include <string>

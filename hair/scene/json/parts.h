@@ -12,7 +12,7 @@
 #include "hair/linked_guides/make_control_mesh.h"
 #include "hair/scene/cloth.h"
 #include "hair/scene/json/keys.h"
-#include "hair/scene/json/scalp.h"
+#include "hair/scene/json/roots.h"
 #include "hair/scene/scene.h"
 #include "hair/simulation/models.h"
 

@@ -1,6 +1,7 @@
 // Roots of a group of strands, from JSON.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -47,5 +48,18 @@ std::vector<RootFrame> on_cap(const RootCap& cap, int count);
 // to make. A list is made whole. `object`: the one that `roots` was read from.
 std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
                                   const std::function<int(const JsonValue& where, long count)>& expect);
+
+struct GroupScalp {
+  std::vector<RootFrame> guides;  // for each of the group's strands; axis: the scalp's normal
+  bool combed = false;            // the sides of all roots are the directions in which hair is combed
+  // Spreads roots evenly over the scalp; returns none if it has no area.
+  std::function<std::vector<RootFrame>(int count, std::uint64_t seed)> more;
+};
+
+// The scalp of roots on a line, a disc, a cap or a bust, with `count` guides.
+GroupScalp scalp_of(const Roots& roots, int count);
+
+// The scalp of roots on an unknown surface. axis: the direction in which hair leaves its root.
+GroupScalp scalp_of(const std::vector<RootFrame>& roots);
 
 }  // namespace hair::json

@@ -1,10 +1,13 @@
-// The sentences of the solver's page follow from the numbers, whatever the studied code does.
-#include "hair/lab/solver/solver_record.h"
+// The sentences of the pages of solver, bowl and phase follow from the numbers, whatever the studied code
+// does.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "hair/lab/bowl/bowl_page.h"
+#include "hair/lab/phase/phase_plane.h"
+#include "hair/lab/solver/solver_record.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair {
@@ -84,6 +87,31 @@ TEST(SolverPage, IsDrawnOfCodeThatDoesNothing) {
   for (Progress& one : on.conj_grad.progress) one.products = 0;
   SolverStudy study = study_of(on);
   EXPECT_NO_THROW(to_html(solver_page(study, "")));
+}
+
+TEST(BowlPage, SaysAPathByItsPlaces) {
+  BowlPath path = {"ConjGrad", 1, 0, 1, 1, {0, 0}, {3, 4}, {{3, 4}, {1, 0}, {0, 0}, {0, 0}}};
+  EXPECT_EQ(bowl::path_verdict(path),
+            "It begins at b, as it should. It is at the bottom after 2 steps; two unknowns take 2.");
+  path.places = {{0, 5}, {1, 0}};
+  EXPECT_EQ(
+      bowl::path_verdict(path),
+      "It does not begin at b, as it should. After 1 step its height is still 0.04 of the first guess's; two "
+      "unknowns take 2 steps.");
+  path.solver = "the normal equations";
+  path.places = {{3, 4}, {std::nan(""), 0}};
+  EXPECT_EQ(bowl::path_verdict(path), "It begins at A'b, as it should. After 1 step its x is not a number.");
+}
+
+TEST(BowlPage, IsDrawnOfCodeThatDoesNothing) {
+  const BowlPath path = solver::study::symmetric_path(
+      [](int, implicitMatrix*, double x[], double[], double, int*) { return x[0] = std::nan(""); });
+  EXPECT_NO_THROW(to_html(bowl::bowl_page({path}, "")));
+}
+
+TEST(PhasePage, IsDrawnOfNumbersThatAreNone) {
+  phase::Motion motion = {"midpoint", "It winds outwards.", 2, 1, 4, {{0.5, 0}, {std::nan(""), 1e300}}};
+  EXPECT_NO_THROW(to_html(phase::phase_page({motion})));
 }
 
 }  // namespace

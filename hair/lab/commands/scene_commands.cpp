@@ -2,6 +2,7 @@
 
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/play.h"
+#include "hair/lab/commands/view_runs.h"
 
 namespace hair {
 
@@ -24,6 +25,24 @@ Command add_run_command(CLI::App& program) {
       throw CLI::RequiredError("--out, a folder for what the run writes,");
   });
   return {app, [options](const Course& course) { return play_scene(*options, course); }};
+}
+
+Command add_scenes_command(CLI::App& program) {
+  const auto keys = std::make_shared<bool>(false);
+  CLI::App* app = program.add_subcommand("scenes", "List the scenes that come along");
+  app->add_flag("--keys", *keys,
+                "List all keys that a scene can have instead, with their bounds, as Markdown");
+  return {app, [keys](const Course& course) { return *keys ? list_keys() : list_scenes(course); }};
+}
+
+Command add_view_command(CLI::App& program) {
+  const auto options = std::make_shared<ViewOptions>();
+  CLI::App* app = program.add_subcommand("view", "Write a page that plays a run: it opens in a browser");
+  app->add_option("RUN", options->run, "The folder of a run; or a scene, which is played")->required();
+  app->add_option("--with", options->other,
+                  "Another run or scene, to compare with; reference: the reference's run of this scene");
+  app->add_option("--out", options->out, "The page (default: view.html in the run's folder, or SCENE.html)");
+  return {app, [options](const Course& course) { return view_runs(*options, course); }};
 }
 
 }  // namespace hair
