@@ -1,6 +1,6 @@
 // STAFF ONLY. Fills in Blackboard's Grade Center. Its import makes a text column without points of each
 // column whose number it does not find.
-#include "grader/gradebook/blackboard.h"
+#include "grader/gradebook/filling.h"
 
 #include <regex>
 

@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that Blackboard's Grade Center gets its grades, and keeps all other bytes.
-#include "grader/gradebook/blackboard.h"
+#include "grader/gradebook/filling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // STAFF ONLY. Fills in Canvas's gradebook. Its importer takes a column that it does not know for a new
 // assignment, and a score over an old one for a change.
-#include "grader/gradebook/canvas.h"
+#include "grader/gradebook/filling.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that Canvas's importer takes the filled cells, and that nothing else changes.
-#include "grader/gradebook/canvas.h"
+#include "grader/gradebook/filling.h"
 
 #include <gtest/gtest.h>
 

@@ -74,4 +74,19 @@ class Filling {
   Gradebook book_;
 };
 
+// The assignment's column is found by its number or title, and never made. Titles, the row of points and all
+// cells that are no score of this column stay; "EX" and "N/A" do, too. Throws BadInput for a table that is no
+// export of Canvas.
+Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
+
+// Titles are in the downloader's language: if they are not English, columns are found by form
+// (roster/worksheet.h), and `options.column` names the one of grades if that fails. Rows that Moodle locks,
+// and grades beyond its maximum, stay unchanged and are reported.
+Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const FillOptions& options);
+
+// Keeps the download's encoding and separator; rows without a grade keep their bytes. The column is found by
+// its number or title, and has a number. Cells with words, such as "Needs Grading", stay; if there is a
+// column "Feedback to Learner", the first lines of the report go there.
+Gradebook fill_blackboard(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
+
 }  // namespace grader::gradebook

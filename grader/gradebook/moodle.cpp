@@ -1,5 +1,5 @@
 // STAFF ONLY. Fills in Moodle's worksheet. Its importer skips a bad row silently.
-#include "grader/gradebook/moodle.h"
+#include "grader/gradebook/filling.h"
 
 #include <algorithm>
 

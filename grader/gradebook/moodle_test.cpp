@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that Moodle's importer takes the filled cells.
-#include "grader/gradebook/moodle.h"
+#include "grader/gradebook/filling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,19 +1,47 @@
 // STAFF ONLY. Runs hairprobe in sandboxes, to test their layers.
 #include "grader/sandbox/fences.h"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <unistd.h>
-
 #include <cerrno>
 #include <charconv>
 #include <optional>
+#include <system_error>
 #include <vector>
 
-#include "grader/sandbox/listener.h"
+#include "grader/sandbox/processes/descriptor.h"
 #include "grader/sandbox/processes/staging_folder.h"
 
 namespace grader::inline sandbox {
+
 namespace {
+
+class Listener {
+ public:
+  Listener();  // on a port that the machine chooses; throws std::system_error if there is none
+
+  int port() const { return port_; }
+
+ private:
+  Descriptor socket_;
+  int port_ = 0;
+};
+
+Listener::Listener() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  constexpr int kWaiting = 8;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* plain = reinterpret_cast<sockaddr*>(&address);
+  if (bind(socket_.get(), plain, size) != 0 || listen(socket_.get(), kWaiting) != 0 ||
+      getsockname(socket_.get(), plain, &size) != 0)
+    throw std::system_error(errno, std::generic_category(), "a server on the loopback");
+  port_ = ntohs(address.sin_port);
+}
 
 constexpr double kMostSeconds = 60;
 

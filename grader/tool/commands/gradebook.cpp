@@ -5,9 +5,7 @@
 #include <memory>
 
 #include "grader/course/input.h"
-#include "grader/gradebook/blackboard.h"
-#include "grader/gradebook/canvas.h"
-#include "grader/gradebook/moodle.h"
+#include "grader/gradebook/filling.h"
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/gradebook/rows.h"
 #include "grader/report/facts/student_text.h"
