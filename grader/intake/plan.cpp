@@ -31,7 +31,7 @@ void add_gradescope_owners(Division& division, const std::vector<Entry>& list, c
       yaml = read(planner.limits.unpacked_bytes);
     });
     std::map<std::string, GradescopeRow> rows = read_gradescope_metadata(yaml, shown);
-    for (HandIn& hand_in : division.hand_ins) {
+    for (FoundHandIn& hand_in : division.hand_ins) {
       const auto row = rows.find(hand_in.path.substr(hand_in.path.rfind('/') + 1));
       if (row == rows.end()) continue;
       hand_in.owner = row->second.owner;
@@ -93,7 +93,7 @@ std::optional<Planned> Planner::by_system(std::vector<Entry>& list, const Argume
   if (!arguments.may_be_class() && !argument.on_disk && division->hand_ins.size() < 2) return {};
   add_gradescope_owners(*division, list, argument, *this);
   Planned planned{.is_class = true, .system = division->system};
-  for (HandIn& hand_in : division->hand_ins) {
+  for (FoundHandIn& hand_in : division->hand_ins) {
     Draft draft = new_draft(hand_in.owner, argument, hand_in.path, limits);
     draft.submission.origin = origin_text(kLearningSystem, legible(argument.path, kLongestPathShown));
     draft.submission.system = division->system->name;

@@ -14,22 +14,6 @@
 namespace grader::inline intake {
 namespace {
 
-TEST_F(Submissions, EveryPackingGivesItsFilesByteByByte) {
-  const std::string text("a\r\n\0\xff", 5);
-  for (const Packing packing : {Packing::zip, Packing::tar, Packing::tar_gz}) {
-    const Submission alice = only(ArchiveBuilder(packing)
-                                      .file("p/student/conj_grad.cpp", text)
-                                      .file("p/CMakeLists.txt")
-                                      .file("p/left_out.cpp")
-                                      .bytes());
-    EXPECT_EQ(alice.name, "alice");
-    EXPECT_EQ(alice.problem, "");
-    ASSERT_EQ(alice.files.size(), 1u);
-    EXPECT_EQ(alice.files.at("conj_grad.cpp").text, text);
-    EXPECT_EQ(alice.files.at("conj_grad.cpp").problem, "");
-  }
-}
-
 // The answers come with the exercise files, and change nothing else.
 TEST_F(Submissions, AnswersOfAStudentComeAlong) {
   const auto with = [&](const char* name, const std::string& text) {
@@ -91,7 +75,7 @@ TEST_F(Submissions, AnArchiveInAnArchiveIsOpened) {
   EXPECT_EQ(only(zip("x.zip", zip("handin.zip", handin))).files.at("conj_grad.cpp").text, "text");
 }
 
-// The rules for paths are in same_name_test.cpp. Between archives only builds, backups and names of copies
+// The rules for paths are in names_test.cpp. Between archives only builds, backups and names of copies
 // decide.
 TEST_F(Submissions, OfFilesOfOneNameARuleTakesOneOrAPersonIsAsked) {
   struct Case {

@@ -128,10 +128,10 @@ struct WrittenCall {
     called += ");\n";
     std::string type = name;
     type[0] = 'C';
-    code.main += "\n  " + type + " " + name + ";\n";
+    code.statements += "\n  " + type + " " + name + ";\n";
 
     if constexpr (Call::Signature::returns_matrix) {
-      code.main += "  const auto matrix_of_" + name + " = " + called;
+      code.statements += "  const auto matrix_of_" + name + " = " + called;
       auto matrix = std::make_unique<WrittenMatrix>();
       const std::array<Eigen::Index, 2> size = Call::Check::shape(views...);
       matrix->product = [this, size, arguments = std::tuple<View&...>(views...)](double* x, double* b) {
@@ -141,7 +141,7 @@ struct WrittenCall {
     } else {
       constexpr bool returns = !std::is_void_v<Result>;
       if constexpr (returns) members += "  " + std::string(type_name<Result>()) + " result{};\n";
-      code.main += "  " + (returns ? name + ".result = " : "") + called;
+      code.statements += "  " + (returns ? name + ".result = " : "") + called;
       if (request.reply)
         for_each_returned<Call>(*request.reply, [&](int i, const auto& value) {
           saw(i < 0 ? "result" : function.parameters[sizes() + static_cast<std::size_t>(i)].name, value);
@@ -176,10 +176,10 @@ struct WrittenCall {
         ++i;
       };
       std::apply([&](const auto&... views) { (look(views), ...); }, arguments);
-      if (!replace.empty()) code.main += "  " + name + ".replace();\n";
+      if (!replace.empty()) code.statements += "  " + name + ".replace();\n";
     }
-    code.main += "  matrix_of_" + name + "->matVecMult(" + name + ".factor.data(), " + name + "." + product +
-                 ".data());\n";
+    code.statements += "  matrix_of_" + name + "->matVecMult(" + name + ".factor.data(), " + name + "." +
+                       product + ".data());\n";
   }
 
   void end() {
@@ -192,7 +192,7 @@ struct WrittenCall {
       saw("factor", numbers);
     }
     const std::string number = name.substr(4);
-    code.main += "  " + name + ".show(seen);\n";
+    code.statements += "  " + name + ".show(seen);\n";
     code.inputs += "struct Call" + number + " {\n  Recorded answers{ANSWERS, " + number + "};\n" + members +
                    "\n  void replace() {\n" + replace +
                    "  }\n  void show([[maybe_unused]] Seen& seen) const {\n" + show + "  }\n};\n\n";

@@ -11,9 +11,10 @@
 namespace grader::inline judge {
 
 struct CallsAsCode {
-  std::string inputs, main, given;  // structs Call1, ...; statements; definitions of given functions
-  std::string answers;              // are those of the case's objects, as replay.h reads them
-  std::vector<double> seen;         // are the numbers that the calls returned, in the order of `main`
+  std::string inputs, statements,
+      given;                 // structs Call1, ...; statements of main; definitions of given functions
+  std::string answers;       // are those of the case's objects, as replay.h reads them
+  std::vector<double> seen;  // are the numbers that the calls returned, in the order of `statements`
 };
 
 // `functions` are those of the exercise and its prerequisites, by id. Throws NotWritable.

@@ -41,7 +41,7 @@ std::map<std::string, std::string> files_of(const CallsAsCode& code, const Cours
   files["main.cpp"] = mark +
                       "// The student's code runs here as any program of yours: read it first.\n"
                       "#include \"inputs.h\"\n\nint main() {\n  std::cout.precision(17);\n  Seen seen;\n" +
-                      code.main + "\n  return seen.compare(kCheck);\n}\n";
+                      code.statements + "\n  return seen.compare(kCheck);\n}\n";
   std::string includes;
   for (const std::string& id : exercise.prerequisites)
     includes += "#include \"" + course.find(id)->header + "\"\n";

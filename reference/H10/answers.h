@@ -2,10 +2,42 @@
 #pragma once
 
 #include "grader/judge/cases/case_asker.h"
+#include "grader/judge/cases/random.h"
+#include "grader/judge/cases/trial.h"
+#include "hair/strand_synthesis.h"
 #include "reference/H10/calls.h"
-#include "reference/H10/hair.h"
 
 namespace grader::h10 {
+
+// Inputs of H10's hidden cases: triangles of roots, and guides with their points.
+
+using Eigen::VectorXd;
+using hair::GuideFrames, hair::Matrix3d, hair::RootFrame, hair::Vector3d;
+using Corners = std::array<Vector3d, 3>;
+
+// A guide that owns its points.
+struct OwnGuide {
+  RootFrame root;
+  VectorXd points;
+
+  hair::GuideHair view() const { return {root, {points.data(), points.size()}}; }
+};
+
+Vector3d some_direction(Random& random);
+RootFrame some_root(Random& random);  // about 0.1 m from the origin
+RootFrame moved_root(Random& random, const RootFrame& root,
+                     double turn);  // a centimetre away, turned by about `turn`
+
+// A triangle about a centimetre wide, 0.1 m from the origin. Its height on the longest edge is `height` of
+// that edge.
+Corners some_triangle(Random& random, double height);
+double longest_edge(const Corners& corners);
+
+// A guide of n points at distances of 1 to 9 mm, which turns by up to `turn` at each point.
+OwnGuide some_guide(Random& random, int n, double turn);
+OwnGuide straight_guide(Random& random, int n);  // along its root's axis
+
+GuideFrames reference_frames(const VectorXd& guide);
 
 using Weights = std::array<double, 3>;
 
@@ -37,5 +69,8 @@ inline VectorXd ask_blended(Trial& trial, const VectorXd& arc, VectorXd at_root,
   ask<Calls, hair::blend>(asker, arc, at_root, at_tip, child);
   return child;
 }
+
+// The part of the cases in other units that is about weights.
+void weights_in_other_units(Trial& trial);
 
 }  // namespace grader::h10

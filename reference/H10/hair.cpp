@@ -1,5 +1,5 @@
 // STAFF ONLY. Draws guides, roots and triangles for the cases of H10.
-#include "reference/H10/hair.h"
+#include "reference/H10/answers.h"
 
 #include <algorithm>
 

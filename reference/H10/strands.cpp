@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "reference/H10/answers.h"
-#include "reference/H10/cases.h"
 
 namespace grader::h10 {
 namespace {

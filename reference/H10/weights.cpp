@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "reference/H10/answers.h"
-#include "reference/H10/cases.h"
 
 namespace grader::h10 {
 namespace {

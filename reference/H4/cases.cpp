@@ -3,7 +3,6 @@
 // Each part of the matrix is checked by itself: masses without any force, and stiffness or damping as an
 // addition to the student's own product without them. Pinned particles, units and the step are compared with
 // the student's own matrix and right-hand side, so that a mistake in these costs nothing there.
-#include "reference/H4/cases.h"
 
 #include <cmath>
 #include <limits>
@@ -12,7 +11,6 @@
 
 #include "grader/judge/cases/rounding.h"
 #include "reference/H4/answers.h"
-#include "reference/H4/clouds.h"
 
 namespace grader::h4 {
 namespace {

@@ -1,5 +1,5 @@
 // STAFF ONLY. Makes the particles and forces of H4's cases.
-#include "reference/H4/clouds.h"
+#include "reference/H4/answers.h"
 
 #include <utility>
 

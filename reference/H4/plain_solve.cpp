@@ -11,7 +11,6 @@
 #include "grader/judge/cases/rounding.h"
 #include "reference/H4/answers.h"
 #include "reference/H4/calls.h"
-#include "reference/H4/cases.h"
 
 namespace grader::h4 {
 namespace {

@@ -1,5 +1,5 @@
 // STAFF ONLY. Draws strands and their states, and measures them.
-#include "reference/H5/strands.h"
+#include "reference/H5/answers.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

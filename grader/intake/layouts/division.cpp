@@ -120,7 +120,7 @@ void Divider::divide() {
     if (!child.is_folder)
       for (const std::size_t i : child.files) list_[i].path = path + "/" + named.inside;
     const std::size_t number = owners.at(key_of(named));
-    HandIn& hand_in = division_.hand_ins[number];
+    FoundHandIn& hand_in = division_.hand_ins[number];
     const bool counts = attempt_of(named) == newest.at({number, unit_of(named)});
     const auto folder_of = [](const std::string& of) { return of.substr(0, of.rfind('/') + 1); };
     if (!hand_in.path.empty() && hand_in.remarks.empty() && folder_of(hand_in.path) != folder_of(path))
@@ -180,7 +180,7 @@ const System* known_in_each(Folders& folders, const std::string& container, cons
 bool may_be_a_hand_in(std::string_view path, const Division& division) {
   const std::string_view called = last_part(path), name = without_archive_ending(called);
   return told_by_name(called, false) || told_by_name(called, true) ||
-         std::ranges::any_of(division.hand_ins, [&](const HandIn& one) {
+         std::ranges::any_of(division.hand_ins, [&](const FoundHandIn& one) {
            return name == one.owner.id || submission_name(name) == name_of_owner(one.owner) ||
                   squeezed(name) == squeezed(one.owner.name);
          });

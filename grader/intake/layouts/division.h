@@ -13,7 +13,7 @@
 
 namespace grader::inline intake {
 
-struct HandIn {
+struct FoundHandIn {
   Owner owner;
   std::string path;       // is the name, below the container, that identifies the owner
   std::string handed_in;  // is the newest attempt's time, which counts
@@ -24,7 +24,7 @@ struct HandIn {
 
 struct Division {
   const System* system = nullptr;
-  std::vector<HandIn> hand_ins = {};  // sorted by their owners' names
+  std::vector<FoundHandIn> hand_ins = {};  // sorted by their owners' names
   struct Aside {
     std::size_t entry;
     Accounted::As as;

@@ -22,7 +22,7 @@ Lines told(const Lines& paths, const char* said = nullptr, const char* container
       divide(list, container, said ? system_called(said) : nullptr).value_or(Division{});
   if (!division.system) return {"unknown"};
   Lines lines{std::string(division.system->name)};
-  for (const HandIn& one : division.hand_ins) {
+  for (const FoundHandIn& one : division.hand_ins) {
     std::string line = one.owner.name + "|" + one.owner.id + "|" + one.handed_in + "|" +
                        (one.late ? "late" : "") + (one.owner.anonymous ? "anonymous" : "") +
                        (one.owner.group ? "group" : "") + ":";

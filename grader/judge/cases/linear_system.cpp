@@ -101,7 +101,6 @@ LinearSystem with_solution(std::string name, std::shared_ptr<implicitMatrix> A, 
   LinearSystem system{std::move(name), std::move(A), {}, std::move(solution), norm, smallest, product_error};
   system.b.resize(system.solution.size());
   system.A->matVecMult(system.solution.data(), system.b.data());
-  system.ill_conditioned = !(smallest > 0) || norm / smallest >= 1e4;
   return system;
 }
 

@@ -30,8 +30,6 @@ struct LinearSystem {
   double norm = 1;               // >= ||A||
   double smallest = 0;           // a lower bound of the smallest eigenvalue; 0: unknown
   double product_error = 1;      // e
-  // True if the condition is 1e4 or more, or infinite: then the steps depend on the order of summation.
-  bool ill_conditioned = false;
 
   int n() const { return static_cast<int>(b.size()); }
 };

@@ -14,10 +14,23 @@
 #include <utility>
 #include <vector>
 
-#include "grader/judge/student/outcome.h"
 #include "grader/wire/message.h"
 
 namespace grader::inline judge {
+
+// How a request to a student's worker ended.
+enum class Outcome {
+  done,
+  stopped,  // the suite stopped it after enough products
+  not_implemented,
+  threw,
+  out_of_memory,
+  crashed,
+  timed_out,
+  broke_rules,
+  cannot_load,
+  memory_error,  // the reply is a memory error, see grader/wire/memory_error.h
+};
 
 class Recording {
  public:

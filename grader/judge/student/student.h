@@ -3,6 +3,7 @@
 // allowance lasts.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "grader/judge/student/allowance.h"
-#include "grader/judge/student/outcome.h"
+#include "grader/course/budget.h"
 #include "grader/judge/student/provided.h"
+#include "grader/judge/student/recording.h"
 #include "grader/sandbox/sandbox.h"
 #include "grader/sandbox/watchdog.h"
 #include "grader/wire/channel.h"
@@ -21,7 +22,24 @@
 
 namespace grader::inline judge {
 
-class Recording;
+// The budget of a submission's code in one exercise, for all its workers together, and the part
+// that they have used.
+struct Allowance {
+  Budget limit;
+  Budget spent = nothing_spent();
+
+  // A new worker may idle for at most half of the exercise's time, so that one that falls asleep leaves some
+  // for the other categories.
+  double idle_seconds_of_a_worker() const {
+    return std::min(limit.idle_seconds - spent.idle_seconds, limit.idle_seconds / 2);
+  }
+  double wakeup_seconds = 0;  // is the time that watchdogs have forgiven
+
+  // Starts with the same limit as the idle time.
+  double wakeup_seconds_left() const { return std::max(0.0, limit.idle_seconds - wakeup_seconds); }
+  double wall_seconds_left() const { return std::max(0.0, limit.wall_seconds - spent.wall_seconds); }
+  double cpu_seconds_left() const { return limit.worker_cpu_seconds - spent.worker_cpu_seconds; }
+};
 
 // Such a note means that calls of given functions were nested too deeply.
 inline constexpr const char* kNestedCalls = "calls within calls";

@@ -150,18 +150,18 @@ std::vector<StudiedPart> parts_of(const SceneText& text) {
   return parts;
 }
 
-SceneText divided(const StudiedPart& part, const Division& division) {
+SceneText on_grid(const StudiedPart& part, const TimeGrid& grid) {
   json scene = json::parse(part.json);
-  scene["frames"] = division.frames;
-  scene["frames_per_second"] = division.frames * part.scene.frames_per_second / part.scene.frames;
-  scene["steps_per_frame"] = division.steps_per_frame;
+  scene["frames"] = grid.frames;
+  scene["frames_per_second"] = grid.frames * part.scene.frames_per_second / part.scene.frames;
+  scene["steps_per_frame"] = grid.steps_per_frame;
   return {part.name, scene.dump()};
 }
 
-std::vector<Division> divisions_of(const hair::Scene& scene) {
-  std::vector<Division> all = {{scene.frames, scene.steps_per_frame}};
+std::vector<TimeGrid> grids_of(const hair::Scene& scene) {
+  std::vector<TimeGrid> all = {{scene.frames, scene.steps_per_frame}};
   for (int k = 0; k < kCoarser; ++k) {
-    Division coarser = all.front();
+    TimeGrid coarser = all.front();
     if (coarser.steps_per_frame % 2 == 0)
       coarser.steps_per_frame /= 2;
     else if (coarser.frames % 2 == 0 && coarser.frames / 2 >= kFewestFrames)
@@ -175,8 +175,8 @@ std::vector<Division> divisions_of(const hair::Scene& scene) {
   return all;
 }
 
-std::vector<Division> between(const Division& coarse) {
-  std::vector<Division> all;
+std::vector<TimeGrid> between(const TimeGrid& coarse) {
+  std::vector<TimeGrid> all;
   for (int steps = coarse.steps_per_frame + 1; steps < 2 * coarse.steps_per_frame; ++steps)
     all.push_back({coarse.frames, steps});
   return all;

@@ -26,16 +26,16 @@ struct StudiedPart {
 std::vector<StudiedPart> parts_of(const SceneText& text);
 
 // Describes the same motion with other steps; `frames` frames are recorded after the start.
-struct Division {
+struct TimeGrid {
   int frames = 1, steps_per_frame = 1;
   int steps() const { return frames * steps_per_frame; }
 };
-SceneText divided(const StudiedPart& part, const Division& division);
+SceneText on_grid(const StudiedPart& part, const TimeGrid& grid);
 
-// Lists divisions from few steps to many, by powers of two around the scene's own number.
-std::vector<Division> divisions_of(const hair::Scene& scene);
+// Lists grids from few steps to many, by powers of two around the scene's own number.
+std::vector<TimeGrid> grids_of(const hair::Scene& scene);
 
-// Lists the divisions between `coarse` and the one with twice its steps, fewest steps first.
-std::vector<Division> between(const Division& coarse);
+// Lists the grids between `coarse` and the one with twice its steps, fewest steps first.
+std::vector<TimeGrid> between(const TimeGrid& coarse);
 
 }  // namespace grader::judge

@@ -28,11 +28,11 @@ TEST(StudiedScenes, EachEndsSoundAndTogetherTheyNeedAllExercisesThatScenesCall) 
 TEST(Parts, PlayTheSameMotionInOtherSteps) {
   for (const SceneText& text : studied_scenes())
     for (const StudiedPart& part : parts_of(text)) {
-      const std::vector<Division> all = divisions_of(part.scene);
+      const std::vector<TimeGrid> all = grids_of(part.scene);
       EXPECT_GE(all.size(), 6U) << part.name;
       bool own = false;
       for (std::size_t i = 0; i < all.size(); ++i) {
-        const SceneText other = divided(part, all[i]);
+        const SceneText other = on_grid(part, all[i]);
         const hair::Scene scene = hair::parse_scene(other.json, other.name);
         EXPECT_NEAR(scene.frames / scene.frames_per_second, part.scene.frames / part.scene.frames_per_second,
                     1e-15);

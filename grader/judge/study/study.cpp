@@ -17,7 +17,7 @@ constexpr int kMostTimes = 500;
 // Holds the student's or the reference's runs of one part.
 struct Side {
   struct Run {
-    Division division;
+    TimeGrid grid;
     StudyPoint point;
     double seconds = 0;  // is the time of one run, and determines the repetitions
   };
@@ -29,12 +29,12 @@ struct Side {
 };
 
 // Compares a motion with the true one, or notes that it ran away.
-StudyPoint judged(const Division& division, const Played& played, const Truth& truth) {
-  StudyPoint point{.steps = division.steps(),
+StudyPoint judged(const TimeGrid& grid, const Played& played, const Truth& truth) {
+  StudyPoint point{.steps = grid.steps(),
                    .end = StudyEnd::ran_away,
                    .solver_steps = played.solver_steps,
                    .correction_steps = played.correction_steps};
-  const std::size_t stride = (truth.motion.states.size() - 1) / static_cast<std::size_t>(division.frames);
+  const std::size_t stride = (truth.motion.states.size() - 1) / static_cast<std::size_t>(grid.frames);
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < played.frames.size(); ++k) {
     const particles::State& state = played.frames[k];
@@ -58,7 +58,7 @@ StudyPoint judged(const Division& division, const Played& played, const Truth& t
     point.note = "it broke off";
     return point;
   }
-  if (played.frames.size() != static_cast<std::size_t>(division.frames) + 1)
+  if (played.frames.size() != static_cast<std::size_t>(grid.frames) + 1)
     throw MalformedMessage("a run with another number of frames");
   point.end = StudyEnd::finished;
   point.error = std::sqrt(sum / count);
@@ -114,14 +114,14 @@ class PartStudied {
   PartStudy study(Runner& student, Runner& reference, Runner& twin) {
     Side theirs{student, true}, ours{reference, false}, ours_again{twin, false};
     const Sides sides = {&theirs, &ours, &ours_again};
-    const Division own{part_.scene.frames, part_.scene.steps_per_frame};
+    const TimeGrid own{part_.scene.frames, part_.scene.steps_per_frame};
     for (Side* side : sides) ask(*side, own, 1);  // warms up
-    for (const Division& division : divisions_of(part_.scene))
-      for (Side* side : sides) play_first(*side, division);
+    for (const TimeGrid& grid : grids_of(part_.scene))
+      for (Side* side : sides) play_first(*side, grid);
     // A short run is repeated, so that its time exceeds that of a request. The reference decides how often,
     // after as many repetitions as its first time suggests.
     for (Side::Run& run : ours.runs)
-      if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
+      if (run.point.end == StudyEnd::finished) ask(ours, run.grid, times_of(run), &run.seconds);
 
     PartStudy result;
     result.rounds = measure_rounds(sides);
@@ -141,14 +141,14 @@ class PartStudied {
 
  private:
   // Returns nothing if the answer is bad or the side gets no more runs; `seconds` is then useless.
-  std::optional<StudyPoint> ask(Side& side, const Division& division, int times, double* seconds = nullptr) {
+  std::optional<StudyPoint> ask(Side& side, const TimeGrid& grid, int times, double* seconds = nullptr) {
     if (side.over) return {};
-    if (asked_) asked_(side.is_student, division.steps());
-    const SceneText text = divided(part_, division);
+    if (asked_) asked_(side.is_student, grid.steps());
+    const SceneText text = on_grid(part_, grid);
     std::string why;
     try {
       const Play play = side.runner.play(text, hair::parse_scene(text.json, text.name), times);
-      StudyPoint point = judged(division, play.played, truth_);
+      StudyPoint point = judged(grid, play.played, truth_);
       const double taken = play.seconds.value_or(0);
       if (seconds != nullptr) *seconds = taken / times;
       charge(side, taken);
@@ -160,8 +160,7 @@ class PartStudied {
     }
     if (!side.is_student) throw std::runtime_error("the reference does not play " + part_.name + ": " + why);
     side.over = true;
-    note_ =
-        "In " + std::to_string(division.steps()) + " steps: " + why + ". What comes after that is left out.";
+    note_ = "In " + std::to_string(grid.steps()) + " steps: " + why + ". What comes after that is left out.";
     return {};
   }
 
@@ -172,10 +171,10 @@ class PartStudied {
     note_ = "Your code took more CPU time than a study has. What comes after that is left out.";
   }
 
-  void play_first(Side& side, const Division& division) {
+  void play_first(Side& side, const TimeGrid& grid) {
     if (side.over) return;
-    Side::Run run{division, {.steps = division.steps(), .end = StudyEnd::broke, .note = "no answer"}};
-    if (const auto point = ask(side, division, 1, &run.seconds)) {
+    Side::Run run{grid, {.steps = grid.steps(), .end = StudyEnd::broke, .note = "no answer"}};
+    if (const auto point = ask(side, grid, 1, &run.seconds)) {
       run.point = *point;
       run.point.first_seconds = run.seconds;
     }
@@ -212,7 +211,7 @@ class PartStudied {
     if (i >= side.runs.size() || side.runs[i].point.end != StudyEnd::finished) return true;
     StudyPoint& point = side.runs[i].point;
     double seconds = 0;
-    const std::optional<StudyPoint> again = ask(side, side.runs[i].division, times, &seconds);
+    const std::optional<StudyPoint> again = ask(side, side.runs[i].grid, times, &seconds);
     if (!again) return false;
     if (again->end != StudyEnd::finished || again->error != point.error) {
       if (!side.is_student)
@@ -244,15 +243,15 @@ class PartStudied {
       curve.stable_steps = stable->point.steps;
       curve.stable_everywhere = unstable == nullptr;
       if (unstable != nullptr && with_boundary)
-        curve.stable_steps = boundary(side, unstable->division, curve.stable_steps);
+        curve.stable_steps = boundary(side, unstable->grid, curve.stable_steps);
     }
     for (Side::Run& run : side.runs) curve.points.push_back(std::move(run.point));
     return curve;
   }
 
-  // Finds by bisection the fewest steps that are stable, between an unstable division and `stable`.
-  int boundary(Side& side, const Division& unstable, int stable) {
-    const std::vector<Division> inside = between(unstable);
+  // Finds by bisection the fewest steps that are stable, between an unstable grid and `stable`.
+  int boundary(Side& side, const TimeGrid& unstable, int stable) {
+    const std::vector<TimeGrid> inside = between(unstable);
     std::size_t low = 0, high = inside.size();  // inside[high] is stable, or beyond the end
     while (low < high) {
       const std::size_t middle = (low + high) / 2;

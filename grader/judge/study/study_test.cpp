@@ -251,7 +251,7 @@ std::string page_of(const PartStudy& part) {
 
 // Counts the runs of the student's code before it is measured.
 int first_plays(const StudiedPart& part) {
-  return 1 + static_cast<int>(divisions_of(part.scene).size());
+  return 1 + static_cast<int>(grids_of(part.scene).size());
 }
 
 TEST(Study, ShowsNoTimesOfPlaysThatDontEndAsTheFirstDid) {
@@ -301,9 +301,9 @@ TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
 TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
   const StudiedPart part = pendulum("symplectic Euler");
   int first = part.scene.frames * part.scene.steps_per_frame;  // are the steps that are not measured
-  for (const Division& division : divisions_of(part.scene)) first += division.steps();
-  // A round adds at most these steps to the first runs: each division with less repeats up to 2 ms.
-  const int round = first + 200 * static_cast<int>(divisions_of(part.scene).size());
+  for (const TimeGrid& grid : grids_of(part.scene)) first += grid.steps();
+  // A round adds at most these steps to the first runs: each grid with less repeats up to 2 ms.
+  const int round = first + 200 * static_cast<int>(grids_of(part.scene).size());
   for (const int rounds : {0, 1}) {
     Fake student;
     StudySettings settings;
@@ -325,7 +325,7 @@ TEST(UntilItGivesUp, EndsWhatDozes) {
   Fake dozes;
   dozes.poison = [](Played&, int) { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
   UntilItGivesUp runner(dozes, 0.01);
-  const auto play = [&] { runner.play(divided(part, {part.scene.frames, 1}), part.scene, 1); };
+  const auto play = [&] { runner.play(on_grid(part, {part.scene.frames, 1}), part.scene, 1); };
   EXPECT_NO_THROW(play());
   for (int i = 0; i < 2; ++i) EXPECT_THROW(play(), CaseFailed);
   EXPECT_EQ(dozes.plays, 1);
@@ -337,7 +337,7 @@ TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
   crashes.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
   UntilItGivesUp runner(crashes, 100);
   for (int i = 0; i < 2 * UntilItGivesUp::kMostCrashes; ++i)
-    EXPECT_THROW(runner.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
+    EXPECT_THROW(runner.play(on_grid(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
   EXPECT_EQ(crashes.plays, UntilItGivesUp::kMostCrashes);
 }
 

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr int kTimesFinest = 32;
 
-std::vector<particles::State> played(const StudiedPart& part, const Division& division) {
-  const SceneText text = divided(part, division);
+std::vector<particles::State> played(const StudiedPart& part, const TimeGrid& grid) {
+  const SceneText text = on_grid(part, grid);
   const hair::Scene scene = hair::parse_scene(text.json, text.name);
   hair::SceneRun scene_run(scene);
   std::vector<particles::State> frames = {scene_run.state()};
@@ -30,7 +30,7 @@ std::vector<particles::State> played(const StudiedPart& part, const Division& di
 }
 
 hair::AccurateMotion by_many_steps(const StudiedPart& part) {
-  Division finest = divisions_of(part.scene).back();
+  TimeGrid finest = grids_of(part.scene).back();
   finest.steps_per_frame *= kTimesFinest / 2;
   const std::vector<particles::State> half = played(part, finest);
   finest.steps_per_frame *= 2;
