@@ -1,6 +1,7 @@
 // STAFF ONLY. The result of comparing pictures.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,23 @@ std::string comparison_table(const Comparison& comparison);
 // "only_in_first": [names], "only_in_second": [names]}. A pair that could not be compared has "name" and
 // "not_compared", the reason.
 std::string comparison_json(const Comparison& comparison);
+
+// ---- The pairs of pictures to compare, from the command line's arguments ----
+
+struct PicturePair {
+  std::string name;  // is the file name; the second file's name if they differ
+  std::filesystem::path reference, test;
+};
+
+struct PicturePairs {
+  std::vector<PicturePair> pairs;  // sorted by name
+  std::vector<std::string> only_in_reference, only_in_test;
+};
+
+// Takes two files, or two folders' entries with the name *.png, in upper or lower case (also entries that are
+// no files, which fail when they are read). They are matched by name; names that differ in the case of ".png"
+// alone match, too. Throws BadInput if a path does not exist, if one is a file and one a folder, if a folder
+// has no pictures, or if no name is in both.
+PicturePairs find_pairs(const std::filesystem::path& reference, const std::filesystem::path& test);
 
 }  // namespace grader::compare

@@ -1,8 +1,11 @@
-// STAFF ONLY. Tests that pictures side by side keep their pixels.
+// STAFF ONLY. Tests that pictures side by side keep their pixels, and the colours of a heat map.
 #include "grader/compare/montage.h"
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "grader/compare/heat_map.h"
 #include "grader/compare/test_pictures.h"
 
 namespace grader::inline compare {
@@ -40,6 +43,15 @@ TEST(Shrunk, PixelsAreSharedWhereTheyMust) {
   for (const int value : {30, 60, 90})
     image.pixels.insert(image.pixels.end(), 3, static_cast<std::uint8_t>(value));
   EXPECT_EQ(shrunk(image, 2).pixels, (std::vector<std::uint8_t>{40, 40, 40, 80, 80, 80}));
+}
+
+TEST(HeatMap, HasTheMapsSizeAndItsEndsColours) {
+  Plane map(3, 1);
+  map.values = {-1, 0.5F, 2};
+  const hair::Image image = heat_map(map);
+  EXPECT_EQ(image.width, 3);
+  EXPECT_EQ(image.height, 1);
+  EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{0, 0, 4, 181, 54, 122, 252, 253, 191}));
 }
 
 }  // namespace

@@ -11,9 +11,8 @@
 #include "grader/compare/comparison.h"
 #include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
-#include "grader/compare/pairs.h"
 #include "grader/course/input.h"
-#include "grader/report/pages/comparison_page.h"
+#include "grader/report/pages/pages.h"
 #include "hair/io/image/read_png.h"
 
 namespace grader::inline tool {
