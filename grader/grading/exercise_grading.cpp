@@ -17,13 +17,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLog = 16 << 10;  // bounds a worker's output
 
-// Returns the place of a memory error as a phrase. A line number would be one of hundreds, and code could
-// choose it by a hidden input.
-std::string place_of(const Exercise& exercise, int call) {
-  if (call < 0) return "";
+// Returns the function of a memory error. A line number would be one of hundreds, and code could choose it by
+// a hidden input.
+std::string function_of(const Exercise& exercise, int call) {
   const auto number = static_cast<std::size_t>(call);
-  return number < exercise.functions.size() ? ", in a call of " + hair::plain_name(exercise.functions[number])
-                                            : ", in " + exercise.file;
+  return call >= 0 && number < exercise.functions.size() ? hair::plain_name(exercise.functions[number]) : "";
 }
 
 }  // namespace
@@ -145,9 +143,15 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     result.points += one.points;
   }
   if (sanitised && found.memory && !found.memory->message.empty()) {
-    const std::string message = found.memory->message + place_of(exercise, found.memory->call) + ".";
-    for (CaseResult& one : found.cases)
-      if (one.name == kMemoryTitle) one.memory_error = one.feedback = message;
+    const std::string function = function_of(exercise, found.memory->call);
+    const std::string place = found.memory->call < 0 ? ""
+                              : function.empty()     ? ", in " + exercise.file
+                                                     : ", in a call of " + function;
+    for (CaseResult& one : found.cases) {
+      if (one.name != kMemoryTitle) continue;
+      one.memory_error = one.feedback = found.memory->message + place + ".";
+      one.memory_error_in = function;
+    }
   }
   if (sanitised && !sanitised->switched_off.empty())
     for (CaseResult& one : found.cases)

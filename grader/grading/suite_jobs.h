@@ -8,9 +8,10 @@
 
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
-#include "grader/grading/suite_run.h"
+#include "grader/judge/job.h"
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
+#include "grader/result/suite_result.h"
 #include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/processors.h"
 
@@ -86,5 +87,8 @@ class SuiteJobs {
   TimingByExercise reference_;
   mutable Processors processors_;  // has a lock of its own
 };
+
+// Throws std::runtime_error if the suite itself fails.
+SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job);
 
 }  // namespace grader::grading

@@ -34,6 +34,7 @@ const CaseResult kCase{.name = "Ill-conditioned systems",
                        .detail = "n = 10\nx = -0x1p-1074 ö",
                        .hint = "It is right but for signs.",
                        .memory_error = "reads behind an array, in a call of f.",
+                       .memory_error_in = "f",
                        .cases = 7,
                        .held = std::numeric_limits<int>::max()};
 

@@ -21,6 +21,8 @@ const Rows<CaseResult>& Fields<CaseResult>::rows() {
                               field("detail", &T::detail),
                               field<T>("hint", &T::hint, [](const T& one) { return !one.hint.empty(); }),
                               field("memory_error", &T::memory_error),
+                              field<T>("memory_error_in", &T::memory_error_in,
+                                       [](const T& one) { return !one.memory_error_in.empty(); }),
                               field("cases", &T::cases),
                               field("held", &T::held),
                               field<T>("error_in_limits", &T::error_in_limits,

@@ -330,12 +330,5 @@ TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
   EXPECT_EQ(points_in(blind).at("S1 The whole run"), 2);
 }
 
-TEST_F(Hairgrade, WritesTheHandout) {
-  const string archive = (folder_ / "handout.tar.gz").string();
-  const ProgramRun run = run_hairgrade({"handout", "--out", archive});
-  EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_GT(fs::file_size(archive), 1000U);
-}
-
 }  // namespace
 }  // namespace grader

@@ -1,4 +1,5 @@
-// STAFF ONLY. Tests how many different things a student can see of a result, and that nothing is finer.
+// STAFF ONLY. Tests how many different things a student can see of a result, that nothing is finer, and
+// points in words.
 #include "grader/report/facts/student_view.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <set>
 
 #include "grader/report/facts/sample_results.h"
+#include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/results_json.h"
 #include "hair/io/image/read_png.h"
@@ -120,6 +122,21 @@ TEST(StudentView, DrawsCoarselyWhatIsFarOff) {
   EXPECT_LE(hair::decode_png(pictures[1].heat, "").width, 48);
   EXPECT_EQ(pictures[1].reference, picture.reference);
   EXPECT_NE(student_page(result).find("FLIP 0.123, 123 times the limit"), std::string::npos);
+}
+
+TEST(ShownPoints, HaveTwoDecimalsAtMost) {
+  EXPECT_EQ(shown_points(0), "0");
+  EXPECT_EQ(shown_points(30), "30");
+  EXPECT_EQ(shown_points(100), "100");
+  EXPECT_EQ(shown_points(12.5), "12.5");
+  EXPECT_EQ(shown_points(29.999999999999996), "30");
+  EXPECT_EQ(shown_points(1.0 / 3), "0.33");
+  EXPECT_EQ(shown_points(-1e-9), "0");
+}
+
+TEST(ShownTotal, HasNoZeroToReach) {
+  EXPECT_EQ(shown_total(20, 200), "20 of 200 points");
+  EXPECT_EQ(shown_total(15, 0), "15 points of extra credit");
 }
 
 }  // namespace

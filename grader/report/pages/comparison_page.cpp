@@ -1,5 +1,5 @@
 // STAFF ONLY. Writes the page of compared pictures.
-#include "grader/report/pages/comparison_page.h"
+#include "grader/report/pages/pages.h"
 
 #include "grader/report/pages/pictures.h"
 #include "hair/io/plot/html.h"

@@ -1,5 +1,4 @@
 // STAFF ONLY. Writes the page with the cost of grading.
-#include "grader/report/pages/costs_page.h"
 
 #include <algorithm>
 #include <array>

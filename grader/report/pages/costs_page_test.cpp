@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests that the page of costs puts the most expensive first, compared with the reference.
-#include "grader/report/pages/costs_page.h"
+#include "grader/report/pages/pages.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "grader/compare/comparison.h"
 #include "grader/report/facts/class_facts.h"
 #include "grader/report/facts/course_table.h"
+#include "grader/result/costs.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
+#include "grader/roster/class_list.h"
 #include "hair/io/plot/html.h"
 
 namespace grader::inline report {
@@ -72,5 +75,25 @@ Html badge(Status status);           // writes the status in words, coloured
 
 // Writes the warning of every page with results that were graded without namespaces, or without pictures.
 Html stamps(Isolation isolation, bool images);
+
+// Writes costs.html: the time of grading, the most expensive first, compared with the reference. It differs
+// from run to run.
+std::string costs_page(const ClassCosts& costs, const NamesForPeople& people = {});
+
+// Holds a pair, as the bytes of PNG files. The heat map may be smaller.
+struct ShownPair {
+  ComparedPair pair;
+  std::string reference, test, heat;
+};
+
+// Return the names of a pair's full-size files beside the page: "frame-0003-heat.png".
+std::string heat_file(const std::string& name);
+std::string side_file(const std::string& name);
+
+// Writes a page for TAs with compared pictures, worst first: small ones, and links to files beside it.
+std::string comparison_page(const Comparison& comparison, const std::vector<ShownPair>& worst);
+
+// Shows a student's file to staff, with messages at the lines that they are about.
+Html source_part(const ExerciseResult& exercise);
 
 }  // namespace grader::report

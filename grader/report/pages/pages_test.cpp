@@ -9,7 +9,6 @@
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/facts/sample_results.h"
 #include "grader/report/facts/student_view.h"
-#include "grader/report/pages/comparison_page.h"
 #include "grader/report/points_files.h"
 #include "grader/report/results_json.h"
 #include "grader/result/base64.h"

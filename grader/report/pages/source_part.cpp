@@ -1,6 +1,6 @@
 // STAFF ONLY. Finds the line of each message: the compiler names it; the linker and the search for memory
 // errors name a function, which stands first where it is defined or called.
-#include "grader/report/pages/source_part.h"
+#include "grader/report/pages/pages.h"
 
 #include <algorithm>
 #include <charconv>
@@ -54,8 +54,7 @@ AtLines messages_of(const ExerciseResult& exercise, const std::vector<std::strin
     }
   }
   for (const CaseResult& one : exercise.cases)
-    if (const std::string name = between(one.memory_error, ", in a call of ", '.'); !name.empty())
-      add_named(one.memory_error, name, lines, all);
+    if (!one.memory_error_in.empty()) add_named(one.memory_error, one.memory_error_in, lines, all);
   return all;
 }
 

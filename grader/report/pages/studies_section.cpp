@@ -54,8 +54,14 @@ Html track(const std::vector<Dot>& dots, const std::optional<TimeRatio>& noise) 
   return html("<div class=\"track\" aria-hidden=\"true\">{}</div>", {marks});
 }
 
-Html scale_of_tracks() {
-  return html("<span class=\"ends\"><span>&#8539;</span><span>1</span><span>8</span></span>");
+Html table_of_tracks(const Html& heads, const Html& rows) {
+  return html(R"(<div class="wide"><table>
+<thead><tr><th scope="col">Method</th><th scope="col"><span class="ends"><span>&#8539;</span><span>1</span><span>8</span></span></th>{}</tr></thead>
+<tbody>
+{}</tbody>
+</table></div>
+)",
+              {heads, rows});
 }
 
 Html studies_section(const std::vector<Studied>& studies) {
@@ -90,14 +96,11 @@ Html studies_section(const std::vector<Studied>& studies) {
   return html(R"(<section id="studies">
 <h2>Error against run time</h2>
 <p class="quiet">A dot is one submission: its time for the same error, ours is 1. Grey is the noise, the widest that a study of this class had.</p>
-<div class="wide"><table>
-<thead><tr><th scope="col">Method</th><th scope="col">{}</th><th scope="col" class="number">Median</th><th scope="col" class="number">Compared</th></tr></thead>
-<tbody>
-{}</tbody>
-</table></div>
-</section>
+{}</section>
 )",
-              {scale_of_tracks(), rows});
+              {table_of_tracks(html("<th scope=\"col\" class=\"number\">Median</th><th scope=\"col\" "
+                                    "class=\"number\">Compared</th>"),
+                               rows)});
 }
 
 }  // namespace grader::report

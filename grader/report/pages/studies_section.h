@@ -27,7 +27,9 @@ bool is_noise(const PartStudy& part);         // the ratio says nothing
 std::string in_words(const PartStudy& part);  // "1.31, beyond the noise, 0.93 to 1.07"
 
 Html track(const std::vector<Dot>& dots, const std::optional<TimeRatio>& noise);
-Html scale_of_tracks();  // heads a column of tracks
+
+// Shows methods with their tracks. `heads` are those of the columns behind the tracks.
+Html table_of_tracks(const Html& heads, const Html& rows);
 
 // Shows a class: a row a method, a dot a submission. Empty without studies.
 Html studies_section(const std::vector<Studied>& studies);

@@ -205,17 +205,15 @@ Html overview_of(const SubmissionStudy& study, const SubmissionResult& result) {
                     words, stability(part, part.student), stability(part, part.reference)});
     }
   }
-  return html(R"(<section id="summary">
+  return html(
+      R"(<section id="summary">
 <h2>All motions</h2>
 <p class="quiet">Your time for the same error; ours is 1. Grey is the noise: a second worker of ours, measured in the same rounds. A ratio within it means nothing.</p>
-<div class="wide"><table>
-<thead><tr><th scope="col">Method</th><th scope="col">{}</th><th scope="col">Your time, ours is 1</th><th scope="col">Your steps are stable</th><th scope="col">Ours</th></tr></thead>
-<tbody>
-{}</tbody>
-</table></div>
-</section>
+{}</section>
 )",
-              {scale_of_tracks(), rows});
+      {table_of_tracks(html("<th scope=\"col\">Your time, ours is 1</th><th scope=\"col\">Your steps are "
+                            "stable</th><th scope=\"col\">Ours</th>"),
+                       rows)});
 }
 
 }  // namespace

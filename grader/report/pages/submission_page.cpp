@@ -8,7 +8,6 @@
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "grader/report/pages/pictures.h"
-#include "grader/report/pages/source_part.h"
 #include "hair/view/view_page.h"
 
 namespace grader::inline report {

@@ -89,7 +89,8 @@ TEST(SubmissionPage, ShowsStaffTheSourceWithMessagesAtTheirLines) {
       "a.cpp:3:10: warning: <narrow>\na.cpp:99: beyond the end\nb.cpp:1: of another file\n";
   one.staff_log =
       "a.cpp:3:10: warning: <narrow>\na.cpp:(.text+0x9): undefined reference to `x::helper(int)'\n";
-  one.cases[1].memory_error = "The code reads behind an array, in a call of energy.";
+  one.cases[1].memory_error = "The code reads behind an array.";
+  one.cases[1].memory_error_in = "energy";
   const std::string page = staff_page(result),
                     source = page.substr(page.find("a.cpp, 4 lines; messages at 2, 3"));
   EXPECT_EQ(page.find("<details open=\"\"><summary>a.cpp, 4 lines"), page.find(source) - 26);
