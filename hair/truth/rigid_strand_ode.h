@@ -14,7 +14,7 @@
 #include "hair/simulation/simulation.h"
 #include "hair/truth/ode.h"
 #include "hair/truth/problem.h"
-#include "hair/truth/strand_root.h"
+#include "hair/truth/strand_ode.h"
 
 namespace hair {
 

@@ -2,6 +2,7 @@
 // Missing parent folders are made, and removed again if they are empty at the end.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -49,5 +50,27 @@ void write_whole(const OutputFolder& folder, const std::string& name, std::strin
 
 // "frame-0007.png"
 std::string frame_name(int frame);
+
+// A file that is written piece by piece. It lies in a run's temporary folder; errors name its final path.
+class OutputFile {
+ public:
+  // All functions throw BadInput with `shown` and the reason.
+  OutputFile(const std::filesystem::path& file, std::filesystem::path shown);
+  void write(std::string_view bytes);
+  void overwrite(std::uint64_t at, std::string_view bytes);  // replaces bytes that were written before
+  void close();
+
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+ private:
+  void flush();
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path shown_;
+  int descriptor_;
+  std::string buffer_;
+};
 
 }  // namespace hair

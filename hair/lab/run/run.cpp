@@ -9,7 +9,6 @@
 #include "hair/io/image/png.h"
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/motion_of_run.h"
-#include "hair/lab/run/output_file.h"
 #include "hair/lab/run/output_folder.h"
 #include "hair/lab/run/states_file.h"
 #include "hair/render/camera.h"

@@ -22,7 +22,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "hair/lab/run/output_file.h"
+#include "hair/lab/run/output_folder.h"
 #include "hair/linked_guides/mesh_record.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"

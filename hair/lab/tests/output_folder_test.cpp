@@ -5,7 +5,6 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/image/png.h"
 #include "hair/lab/run/film.h"
-#include "hair/lab/run/output_file.h"
 #include "hair/lab/run/output_folder.h"
 #include "hair/lab/run/run_record.h"
 #include "hair/lab/tests/run_hairlab.h"
