@@ -1,6 +1,7 @@
 // STAFF ONLY. The grades of a record, for learning systems.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -25,5 +26,13 @@ RecordedGrades recorded_grades(Record& record, const std::filesystem::path& fold
 // Remembers that these hand-ins' points were published.
 void put_published(Record& record, RecordedGrades recorded, const std::set<std::string>& given,
                    const std::string& by);
+
+// A table of students whose total is another one than feedback or a gradebook had, to write to
+// them.
+struct PublishedChanges {
+  std::string csv;  // has a row for each member of a group
+  std::size_t students = 0;
+};
+PublishedChanges published_changes(Record& record);
 
 }  // namespace grader::gradebook

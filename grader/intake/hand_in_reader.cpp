@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 #include "grader/intake/names/same_name.h"
 #include "grader/text/encoding.h"
 #include "grader/text/letters.h"

@@ -8,7 +8,6 @@
 #include "grader/intake/layouts/folders.h"
 #include "grader/intake/layouts/gradescope.h"
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
 #include "grader/intake/names/names.h"
 #include "grader/intake/names/origin.h"
 #include "grader/text/letters.h"

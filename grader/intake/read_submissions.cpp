@@ -17,7 +17,6 @@
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/left_over.h"
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
 #include "grader/intake/names/names.h"
 #include "grader/intake/plan.h"
 #include "grader/intake/question.h"

@@ -8,7 +8,7 @@
 #include "grader/intake/draft.h"
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 
 namespace grader::inline intake {
 namespace {

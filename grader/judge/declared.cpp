@@ -1,5 +1,5 @@
 // STAFF ONLY. Finds functions in a header, and the names of their parameters.
-#include "grader/judge/declared.h"
+#include "grader/judge/calls_as_code.h"
 
 #include <utility>
 

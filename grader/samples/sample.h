@@ -121,4 +121,8 @@ struct Sample {
 // with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 
+// Writes the samples as Markdown tables, the class by group, attacks by place. "gets" lists exercises with a
+// line that don't pass, and their remaining points, if any.
+std::string table_of(const std::vector<Sample>& samples);
+
 }  // namespace grader::samples

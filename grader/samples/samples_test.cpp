@@ -9,7 +9,6 @@
 #include "grader/samples/categories.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
-#include "grader/samples/table.h"
 #include "hair/io/files/read_file.h"
 #include "solver/test_refusal.h"
 

@@ -1,5 +1,5 @@
 // STAFF ONLY. Prints the table of samples.
-#include "grader/samples/table.h"
+#include "grader/samples/sample.h"
 
 #include <algorithm>
 #include <sstream>

@@ -18,7 +18,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/archives/zip_source.h"
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 
 namespace grader::inline intake {
 namespace {

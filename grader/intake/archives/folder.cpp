@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "grader/course/input.h"
-#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 #include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline intake {

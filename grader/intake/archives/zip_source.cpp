@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "grader/intake/archives/container.h"
-#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline intake {

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
 #include "grader/intake/names/names.h"
 #include "grader/text/letters.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "grader/intake/names/archive_format.h"
-#include "grader/intake/names/ignored.h"
+#include "grader/intake/names/names.h"
 #include "grader/intake/names/same_name.h"
 
 namespace grader::inline intake {

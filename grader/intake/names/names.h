@@ -26,4 +26,8 @@ std::string name_among_equals(const std::string& name, std::string_view path);
 // Writes "alice, bob and 178 more": at most ten names.
 std::string some_of(const std::vector<std::string>& names);
 
+// Names that operating systems leave behind and no student writes: they are skipped without a
+// line, with all files below them, and use up no limit.
+bool is_ignored(std::string_view path);
+
 }  // namespace grader::intake

@@ -3,7 +3,7 @@
 
 #include "grader/class_folder/changes_page.h"
 #include "grader/course/input.h"
-#include "grader/gradebook/published_changes.h"
+#include "grader/gradebook/recorded_grades.h"
 #include "grader/report/report.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"

@@ -13,7 +13,7 @@
 #include "grader/class_folder/says_yes.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/gradebook/published_changes.h"
+#include "grader/gradebook/recorded_grades.h"
 #include "grader/grading/grading.h"
 #include "grader/grading/secret.h"
 #include "grader/intake/archives/sandboxed_archive.h"

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "grader/samples/table.h"
+#include "grader/samples/sample.h"
 #include "grader/tool/commands/command.h"
 
 namespace grader::inline tool {
