@@ -7,7 +7,7 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/gradebook/published_changes.h"
+#include "grader/gradebook/recorded_grades.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/published.h"
 #include "grader/record/record.h"
