@@ -53,7 +53,7 @@ struct StepMethod {
   int read_every = 1;
 };
 
-// The methods of H4 and H6; those of P1: explicit_step.h.
+// The methods of H4 and H6; those of P1: hair/simulation/methods.cpp.
 extern const StepMethod kImplicitEuler;
 extern const StepMethod kPredictorCorrector;
 
