@@ -20,6 +20,11 @@ namespace grader::inline report {
 std::string grades_csv(const std::vector<SubmissionResult>& results,
                        const std::vector<ClassLine>& people = {});
 
+// Writes a suite for each submission, a case for each category; only "S1" for an exercise without categories.
+// An exercise that was not handed in or not begun is skipped, a wrong answer is a failure, and a program that
+// ended early or a submission that can't be read is an error.
+std::string junit_xml(const std::vector<SubmissionResult>& results);
+
 // Writes a course's totals and the points of each hand-in.
 std::string course_csv(const CourseTable& course, const std::vector<ClassLine>& people);
 

@@ -76,6 +76,7 @@ void remove_study(const fs::path& dir, const SubmissionResult& result) {
 void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results,
                          const ClassFacts& facts, const NamesForPeople& people) {
   put_file(dir / "grades.csv", grades_csv(results, facts.people));
+  fs::remove(dir / "junit.xml");  // that of an earlier run, which would be out of date
   put_file(dir / "index.html", class_page(results, facts, people));
 }
 

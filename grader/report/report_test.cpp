@@ -44,6 +44,7 @@ class Reports : public testing::Test {
 };
 
 TEST_F(Reports, StandWhereTheyShould) {
+  write_file(dir_ / "junit.xml", "of an earlier run");
   write_all(dir_, sample_class(2));
   std::vector<std::string> names;
   for (const auto& [name, bytes] : files_in(dir_))

@@ -197,7 +197,8 @@ TEST_F(Hairgrade, ListsWhatTheClockEnded) {
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   earlier_run();
   const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");
-  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume"});
+  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume", "--junit"});
+  EXPECT_TRUE(fs::exists(out() + "/junit.xml"));
   EXPECT_TRUE(says(again.output, "0 graded, 1 kept"));
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // This submission has the same name with other bytes.
@@ -209,6 +210,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_EQ(hair::bytes_of(out() + "/grades.csv"), grades);
   const ProgramRun other = grade({changed, "--out", out(), "--resume", "--replace"});
   EXPECT_TRUE(says(other.output, "1 graded"));
+  EXPECT_FALSE(fs::exists(out() + "/junit.xml")) << "it would be out of date";
 }
 
 TEST_F(Hairgrade, GradesOneExerciseAloneAndKeepsTheOthersOfAnEarlierRun) {

@@ -83,8 +83,13 @@ TEST(Pages, AStrictParserReadsThem) {
   for (const std::string& page : pages) EXPECT_NO_THROW(hair::plot::parse_page(page)) << page.substr(0, 2000);
 }
 
-TEST(Pages, HostileTextKeepsResultsWellFormed) {
+TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
   const SubmissionResult result = submission_full_of(hostile);
+  const std::string junit = junit_xml({result});
+  EXPECT_NO_THROW(hair::plot::parse(junit));
+  expect_clean(junit);
+  EXPECT_EQ(count(junit, "<script"), 0u);
+  EXPECT_EQ(count(junit, "\"") % 2, 0u);
   expect_clean(student_json(result));
   SubmissionResult without_cases = result;  // then the compiler's messages are there
   without_cases.exercises[0].cases.clear();
@@ -127,7 +132,7 @@ TEST(Pages, StudentsSeeNothingOfTheStaffs) {
   EXPECT_EQ(count(student_json(result), "STAFFSECRET"), 0u);
   EXPECT_EQ(count(student_json(result), "yourline"), 1u);
   EXPECT_EQ(count(student_page(result), "yourline"), 1u);
-  EXPECT_EQ(count(class_page({result}) + grades_csv({result}), "STAFFSECRET"), 0u);
+  EXPECT_EQ(count(class_page({result}) + grades_csv({result}) + junit_xml({result}), "STAFFSECRET"), 0u);
   EXPECT_EQ(count(student_page(result), "staff"), 0u);
   EXPECT_EQ(count(class_page({for_student(result)}, {.is_public = true}), "staff"), 0u);
   EXPECT_GE(count(staff_page(result), "STAFFSECRET"), 3u);
@@ -136,16 +141,17 @@ TEST(Pages, StudentsSeeNothingOfTheStaffs) {
 TEST(Pages, WithoutASandboxOrPicturesEveryPageSaysSo) {
   const struct {
     void (*change)(SubmissionResult& result);
-    const char *words, *cells;
+    const char *words, *of_junit, *cells;
   } rows[] = {
       {[](SubmissionResult& result) { result.isolation = Isolation::none; }, "Graded without a sandbox",
-       ",no,"},
-      {[](SubmissionResult& result) { result.images = false; }, "Graded without pictures", ",yes,no,"},
+       "Graded without a sandbox", ",no,"},
+      {[](SubmissionResult& result) { result.images = false; }, "Graded without pictures",
+       "graded without pictures", ",yes,no,"},
   };
-  for (const auto& [change, words, cells] : rows) {
+  for (const auto& [change, words, of_junit, cells] : rows) {
     std::vector<SubmissionResult> results = sample_class(2);
     EXPECT_EQ(count(class_page(results) + student_page(results[1]) + staff_page(results[1]) +
-                        student_json(results[1]),
+                        student_json(results[1]) + junit_xml(results),
                     std::string(words).substr(1)),
               0u);
     change(results[1]);
@@ -153,6 +159,7 @@ TEST(Pages, WithoutASandboxOrPicturesEveryPageSaysSo) {
          {class_page(results), student_page(results[1]), staff_page(results[1]), student_json(results[1])})
       EXPECT_EQ(count(page, words), 1u) << words;
     EXPECT_EQ(count(student_page(results[0]), words), 0u);
+    EXPECT_EQ(count(junit_xml(results), of_junit), 1u);
     EXPECT_EQ(count(grades_csv(results), cells), 1u);
   }
 }
@@ -496,6 +503,22 @@ TEST(ClassPage, SaysThatARunIsNotWhole) {
   EXPECT_EQ(count(said(run), "--resume"), 0u);
   run.ended = "";
   EXPECT_EQ(count(said(run), "has not ended: 180 of 180"), 1u);
+}
+
+TEST(Junit, CountsWhatItLists) {
+  const std::string junit = junit_xml(sample_class(10));
+  EXPECT_EQ(count(junit, "<testsuite "), 10u);
+  EXPECT_EQ(count(junit, "<testcase "), count(junit, "classname="));
+  for (const char* element : {"failure", "error", "skipped"}) {
+    std::size_t stated = 0;
+    const std::string attribute = std::string(" ") + element + (element[0] == 's' ? "=\"" : "s=\"");
+    for (std::size_t at = junit.find(attribute); at != std::string::npos;
+         at = junit.find(attribute, at + 1)) {
+      stated += std::stoul(junit.substr(at + attribute.size()));
+    }
+    EXPECT_EQ(stated, count(junit, "<" + std::string(element) + " ")) << element;
+    EXPECT_GT(stated, 0u) << element;
+  }
 }
 
 }  // namespace

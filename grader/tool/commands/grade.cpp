@@ -22,6 +22,7 @@
 #include "grader/intake/read_submissions.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/record.h"
+#include "grader/report/points_files.h"
 #include "grader/report/report.h"
 #include "grader/roster/groups.h"
 #include "grader/roster/times.h"
@@ -42,6 +43,7 @@ struct GradeOptions {
   std::optional<fs::path> roster, times;
   GradeSettings settings;
   BatchSettings batch;
+  bool junit = false;
 };
 
 std::vector<StaffPlace> staff_places(const GradingSettings& settings, const GradeOptions& options) {
@@ -146,6 +148,7 @@ int grade(GradeOptions options) {
   const Batch batch = grade_batch(grading, plan, batch_settings, record, interrupted);
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
+  if (options.junit && !batch.staged) write_file(record.pages() / "junit.xml", junit_xml(batch.results));
   if (!batch.staged) print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0 && !batch.staged) std::cout << ", " << batch.kept << " kept from before";
@@ -243,6 +246,7 @@ Command add_grade(CLI::App& hairgrade) {
       "Show codes in place of names, to staff, too; the record keeps whose they are, and that it is so");
   command->add_flag("--replace", options->batch.word.replace,
                     "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
+  command->add_flag("--junit", options->junit, "Write junit.xml, too: the class for a build server");
   command->add_option("--only", options->batch.only, "Grade the submission of this name alone");
   command->add_option("--course", options->settings.course,
                       "The course file: roles and points of the exercises");
