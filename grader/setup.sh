@@ -1,8 +1,9 @@
 #!/bin/sh
 # STAFF ONLY. Installs the Debian packages that are missing, then builds TARGETs in build/release.
-# Usage: grader/setup.sh [--with study|check|browser|lint] [TARGET...]
-#   Without --with: packages for grading and hairlab. study: also for the reference solutions of studies.
-#   check: also for tests and benchmarks. browser: also a browser for tests. lint: also for .ci/run.
+# Usage: grader/setup.sh [--with pages|study|check|browser|lint] [TARGET...]
+#   Without --with: packages for grading and hairlab. pages: also for the handout's texts as pages.
+#   study: also for the reference solutions of studies. check: also for tests and benchmarks.
+#   browser: also browsers for tests. lint: also for .ci/run.
 set -eu
 if [ "${1-}" = --help ]; then
   sed -n '/^set /q; s/^# STAFF ONLY\. //p; s/^# / /p' "$0"
@@ -35,6 +36,17 @@ similarity-tester    # sim: pairs of hand-ins that share code
 LIST
 }
 
+to_make_pages() {
+  sed 's/#.*//' <<'LIST'
+nodejs               # runs these two
+katex                # formulas
+node-marked          # Markdown
+fonts-lmodern        # the formulas' font
+fonttools            # takes its glyphs out of it
+python3-brotli       # packs them
+LIST
+}
+
 to_study() {
   sed 's/#.*//' <<'LIST'
 libsundials-dev      # CVODE: accurate motions
@@ -56,6 +68,7 @@ to_browse() {
   sed 's/#.*//' <<'LIST'
 chromium             # opens pages
 chromium-driver      # controls chromium
+firefox-esr          # opens the handout's pages
 python3-selenium     # tests of pages
 LIST
 }
@@ -99,12 +112,13 @@ fi
 wanted=$(to_grade)
 case $with in
   '') ;;
+  pages) wanted="$wanted $(to_make_pages)" ;;
   study) wanted="$wanted $(to_study)" ;;
   check) wanted="$wanted $(to_study) $(to_check)" ;;
-  browser) wanted="$wanted $(to_study) $(to_check) $(to_browse)" ;;
-  lint) wanted="$wanted $(to_study) $(to_check) $(to_browse) $(to_lint)" ;;
+  browser) wanted="$wanted $(to_make_pages) $(to_study) $(to_check) $(to_browse)" ;;
+  lint) wanted="$wanted $(to_make_pages) $(to_study) $(to_check) $(to_browse) $(to_lint)" ;;
   *)
-    echo "grader/setup.sh: --with takes study, check, browser or lint, not \"$with\"" >&2
+    echo "grader/setup.sh: --with takes pages, study, check, browser or lint, not \"$with\"" >&2
     exit 2
     ;;
 esac

@@ -16,6 +16,7 @@
 #include "grader/intake/read_submissions.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
+#include "grader/package/pages.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"
@@ -250,6 +251,7 @@ TEST_F(RealProject, IsAHandInAsAWhole) {
     };
     for (const auto& [name, text] : handout_files(sources_, course_))
       if (whole || name.starts_with("stubs/")) write(name, text);
+    for (const std::string& page : with_pages({"README.md", "exercises/H1/text.md"})) write(page, "a page");
     write("student/conj_grad.cpp", "mine");
     write("student/about.txt", "Hours: 3\n");
     const std::vector<Submission> all =

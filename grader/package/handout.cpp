@@ -12,6 +12,7 @@
 #include "grader/intake/archives/archive.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
+#include "grader/package/pages.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string top_folder = "hair-assignment/";
-// Eight letters hash all other files: hand-ins name the handout that they were made with.
+// Eight letters hash all other files but pages: hand-ins name the handout that they were made with.
 const std::string kVersion = "version.txt";
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
 
@@ -81,14 +82,15 @@ Paths whole_handout(const HandoutSources& sources, Course course) {
   for (Exercise& exercise : course.exercises) exercise.role = Role::assigned;
   Paths paths;
   for (const ManifestLine& line : lines_of(sources, course)) paths.insert(line.destination);
-  return paths;
+  return with_pages(paths);
 }
 
 // Removes each exercise's files: text, categories, checks, stub and contract.
 Paths without_exercises(Paths paths, const Course& course) {
   for (const Exercise& exercise : course.exercises)
-    for (const std::string& own : {exercise.folder + "/text.md", exercise.folder + "/categories.json",
-                                   exercise.folder + "/check.cpp", stub_of(exercise), exercise.header})
+    for (const std::string& own :
+         {exercise.folder + "/text.md", exercise.folder + "/text.html", exercise.folder + "/categories.json",
+          exercise.folder + "/check.cpp", stub_of(exercise), exercise.header})
       paths.erase(own);
   return paths;
 }
@@ -167,7 +169,7 @@ void check_gates(const fs::path& archive, const HandoutSources& sources, const C
   const Paths solved = solved_files(course);
   Paths listed{kVersion};
   for (const ManifestLine& line : lines_of(sources, course)) listed.insert(line.destination);
-  check_listing(handout, listed);
+  check_listing(handout, handout.contains("README.html") ? with_pages(listed) : listed);
   check_canary(handout, solved);
   check_reference_lines(handout, solutions_of(sources, course), solved);
 }
@@ -231,7 +233,7 @@ void accept_files(const HandoutSources& sources, const Course& course) {
   hair::write_file(packed_list(sources), list);
 }
 
-void make_handout(const HandoutSources& sources, const Course& course, const fs::path& out) {
+std::string make_handout(const HandoutSources& sources, const Course& course, const fs::path& out) {
   if (fs::is_directory(out))
     throw BadInput(out.string() + ": is a folder; name the archive to write, like handout.tar.gz");
   if (const fs::path folder = fs::absolute(out).parent_path(); !fs::is_directory(folder))
@@ -239,9 +241,12 @@ void make_handout(const HandoutSources& sources, const Course& course, const fs:
                    "; make it first, or write elsewhere");
   check_accepted(without_exercises(whole_handout(sources, course), course), accepted_files(sources));
   const TemporaryFile part{out.string() + ".part"};
-  write_archive(part.path, handout_files(sources, course), date_of(sources.root));
+  Files files = handout_files(sources, course);
+  const std::string remark = add_pages(files, sources.root / "grader/package/pages.js");
+  write_archive(part.path, files, date_of(sources.root));
   check_gates(part.path, sources, course);
   fs::rename(part.path, out);
+  return remark;
 }
 
 }  // namespace grader::package

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "grader/course/course.h"
 #include "grader/package/gates.h"
@@ -16,8 +17,10 @@ struct HandoutSources {
 
 // Writes `out`, a .tar.gz; the same sources and course give the same bytes. Writes a temporary file, reads it
 // back, and renames it only if it passes all gates. Throws BadInput for a missing source or an `out` that
-// can't be written, and HandoutError for a failed gate; then `out` stays unchanged.
-void make_handout(const HandoutSources& sources, const Course& course, const std::filesystem::path& out);
+// can't be written, and HandoutError for a failed gate; then `out` stays unchanged. Returns a remark if the
+// texts have no pages, or "".
+std::string make_handout(const HandoutSources& sources, const Course& course,
+                         const std::filesystem::path& out);
 
 // Writes the list of the whole course's files, handout/packed.txt, after a person has looked at them.
 // make_handout compares with it.

@@ -33,6 +33,7 @@ class SmallProject : public testing::Test {
           "handout/README.md\nhandout/exercises.json\nhandout/assignment/README.md\n"
           "E2: golden/g.mtx -> check/golden/g.mtx\nhair/scenes/\n"
           "golden/scenes.md -> given/hair/scenes/scenes.md\n");
+    write("grader/package/pages.js", "console.log('a library is missing'); process.exit(77)");
     write("handout/README.md", "Welcome\n");
     write("handout/exercises.json",
           R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
@@ -161,6 +162,43 @@ TEST_F(SmallProject, FillsInATextsPointsAndLinks) {
   course_.exercises[0].role = Role::given;
   EXPECT_TRUE(says(files().at("exercises/E1/text.md"), "| All | - | it |"));
   EXPECT_EQ(nlohmann::json::parse(files().at("exercises/E2/categories.json"))[0]["points"], 3);
+}
+
+// A script stands for node: it says and writes something, and ends.
+TEST_F(SmallProject, ShipsAPageOfEachTextOrSaysWhyNot) {
+  const std::string path = std::getenv("PATH"), root = root_.string(),
+                    makes =
+                        "cd $2; shift 2; echo free > assignment/font-licence.txt; "
+                        "for text; do sed 's/^/page of /' $text > ${text%md}html; done; ";
+  setenv("PATH", (root + "/bin:" + path).c_str(), 1);
+  for (const auto& [node, remark, shipped] : std::vector<std::array<std::string, 3>>{
+           {makes, "", "**[Open README.html in a browser](README.html)**: page of Welcome"},
+           {"echo katex is missing; exit 77", "(grader/setup.sh --with pages): katex is missing", "Welcome"},
+           {makes + "echo STAFF ONLY >> README.html", "README.html says STAFF ONLY", ""},
+           {makes + "rm exercises/E2/text.html", "did not write exercises/E2/text.html", ""},
+           {"echo bad formula; exit 1", "bad formula", ""}}) {
+    write("bin/node", "#!/bin/sh\n" + node);
+    fs::permissions(root_ / "bin/node", fs::perms::owner_all);
+    fs::remove(out_);
+    std::string said;
+    try {
+      said = make_handout(sources_, course_, out_);
+    } catch (const std::exception& error) {
+      said = error.what();
+    }
+    EXPECT_TRUE(says(said, remark) && said.empty() == remark.empty()) << said;
+    hair::exit_code_of(
+        hair::start_program({.words = {"/bin/sh", "-c",
+                                       "tar xzf handout.tar.gz && cat hair-assignment/README.md && cat "
+                                       "hair-assignment/README.html; rm -r hair-assignment"},
+                             .output = root_ / "shipped",
+                             .errors = "/dev/null",
+                             .folder = root_}));
+    const std::string both = hair::bytes_of(root_ / "shipped");
+    EXPECT_TRUE(both.starts_with(shipped.substr(0, shipped.find(": ")))) << both;
+    EXPECT_EQ(says(both, "page of Welcome"), says(shipped, "page of Welcome")) << both;
+  }
+  setenv("PATH", path.c_str(), 1);
 }
 
 TEST_F(SmallProject, GivesTheSameBytesAgain) {

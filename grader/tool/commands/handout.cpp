@@ -28,7 +28,8 @@ int handout(const HandoutOptions& options) {
   const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
   const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
   if (options.accept) accept_files(sources, course);
-  make_handout(sources, course, options.out);
+  if (const std::string remark = make_handout(sources, course, options.out); !remark.empty())
+    std::cerr << remark << "\n";
   std::cout << options.out.string() << "\n";
   return 0;
 }

@@ -1,0 +1,114 @@
+# STAFF ONLY. Opens the handout's pages in browsers: Chromium, and Firefox where it is installed.
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import tarfile
+import unittest
+from pathlib import Path
+
+from browser import PageTest, main
+
+MOST_BYTES = 250_000  # of a page without its pictures
+FRAME = '<iframe width="{}" height="900" style="border: 0; color-scheme: {}" src="{}">'  # any width, any theme
+FAULTS = """const [dark] = arguments, all = (what) => [...document.querySelectorAll(what)], faults = [];
+  const words = document.body.cloneNode(true), high = (one) => one.getBoundingClientRect().height;
+  words.querySelectorAll("code").forEach((one) => one.remove());
+  for (const [mark] of words.textContent.matchAll(/[\\\\$\\ue000].{0,20}/g)) faults.push("in the text: " + mark);
+  for (const { name } of performance.getEntriesByType("resource")) if (!/^data:/.test(name)) faults.push("asks for " + name);
+  if (document.documentElement.scrollWidth > innerWidth) faults.push("is wider than " + innerWidth);
+  for (const image of all("img")) if (!image.naturalWidth || !image.alt) faults.push("a picture fails: " + image.alt);
+  const { color, backgroundColor } = getComputedStyle(document.documentElement);
+  if (parseInt(color.slice(4)) > 200 !== dark || parseInt(backgroundColor.slice(4)) < 50 !== dark) faults.push(`${color} on ${backgroundColor}`);
+  return document.fonts.ready.then((fonts) => {
+    if (all("math").length && ![...fonts].some((one) => one.status === "loaded")) faults.push("has no font for formulas");
+    // TeX, too, lets a bracket cover 0.9 of its matrix.
+    for (const table of all("mo + mtable"))
+      for (const side of [table.previousElementSibling, table.nextElementSibling])
+        if (side?.localName === "mo" && "()[]{|".includes(side.textContent) && high(side) < 0.9 * high(table))
+          faults.push(`${side.textContent} is ${high(side)} high, and its matrix ${high(table)}`);
+    return faults;
+  });"""
+
+
+class Firefox:
+    """Debian has no driver for it: this speaks its own language, Marionette."""
+
+    def __init__(self, profile, at_end):
+        profile.mkdir()
+        (profile / "user.js").write_text('user_pref("marionette.port", 0);', encoding="utf-8")
+        self.process = subprocess.Popen(["firefox-esr", "--headless", "--marionette", "--profile", profile], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        at_end(self.process.wait)
+        at_end(self.process.terminate)
+        port = next(line.split()[-1] for line in self.process.stdout if b"Listening on port" in line)
+        self.stream = socket.create_connection(("127.0.0.1", int(port))).makefile("rwb")
+        self.read()
+        self.ask("NewSession")
+
+    def read(self):
+        length = b"".join(iter(lambda: self.stream.read(1), b":"))
+        return json.loads(self.stream.read(int(length)))
+
+    def ask(self, command, **arguments):
+        words = json.dumps([0, 1, "WebDriver:" + command, arguments]).encode()
+        self.stream.write(b"%d:%s" % (len(words), words))
+        self.stream.flush()
+        _, _, error, result = self.read()
+        if error:
+            raise RuntimeError(error["message"])
+        return result.get("value")
+
+    def look(self, page, *arguments):
+        self.ask("Navigate", url=page)
+        self.ask("SwitchToFrame", id=0)
+        return self.ask("ExecuteScript", script=FAULTS, args=arguments)
+
+
+class TextsPages(PageTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        archive = Path(cls.folder.name, "handout.tar.gz")
+        packed = subprocess.run([os.environ["HAIRGRADE"], "handout", "--out", archive], check=True, capture_output=True, text=True)
+        if packed.stderr:
+            raise unittest.SkipTest(packed.stderr)
+        with tarfile.open(archive) as files:
+            files.extractall(cls.folder.name)
+        cls.top = Path(cls.folder.name, "hair-assignment")
+        cls.pages = {page: page.read_text(encoding="utf-8") for page in sorted(cls.top.rglob("*.html"))}
+
+    def check_all(self, look):
+        frame = Path(self.folder.name, "frame.html")
+        for page in self.pages:
+            for width, theme in ((390, "light"), (390, "dark"), (1280, "light"), (1280, "dark")):
+                frame.write_text(FRAME.format(width, theme, page.as_uri()), encoding="utf-8")
+                with self.subTest(page=str(page.relative_to(self.top)), width=width, theme=theme):
+                    self.assertEqual(look(frame.as_uri(), theme == "dark"), [])
+
+    def test_reads_well_in_chromium(self):
+        def look(page, *arguments):
+            self.driver.get(page)
+            self.driver.switch_to.frame(0)
+            return self.run_script(FAULTS, *arguments)
+        self.check_all(look)
+
+    def test_reads_well_in_firefox(self):
+        if not shutil.which("firefox-esr"):
+            self.skipTest("firefox-esr is missing: pages are not opened in it")
+        self.check_all(Firefox(Path(self.folder.name, "firefox"), self.addCleanup).look)
+
+    def test_leads_to_what_is_there_and_stays_small(self):
+        self.assertEqual({page.with_suffix(".md") for page in self.pages}, set(self.top.rglob("*.md")))
+        for page, text in self.pages.items():
+            self.assertLess(len(re.sub('"data:image[^"]*"', "", text).encode()), MOST_BYTES, page)
+            for name, place in re.findall('<a href="(?!http)([^"#]*)(?:#([^"]*))?"', text):
+                target = (page.parent / name).resolve() if name else page
+                with self.subTest(page=str(page.relative_to(self.top)), link=name, place=place):
+                    self.assertTrue(target.exists())
+                    self.assertIn(f'id="{place}"' if place else "", self.pages.get(target, ""))
+
+
+if __name__ == "__main__":
+    main()
