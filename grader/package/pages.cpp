@@ -1,6 +1,8 @@
 // STAFF ONLY. Has a script make the handout's pages.
 #include "grader/package/pages.h"
 
+#include <algorithm>
+
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
@@ -35,18 +37,15 @@ std::string add_pages(Files& handout, const fs::path& script) {
                            .output = said,
                            .errors = "/dev/null",
                            .environment = {"NODE_PATH=/usr/share/nodejs"}}));  // Debian's libraries
-  const std::string line = code == 127 ? "node is missing\n" : hair::bytes_of(said);
-  if (code == 77 || code == 127)
-    return "The texts have no pages (grader/setup.sh --with pages): " + line.substr(0, line.find('\n'));
-  if (code != 0)
-    throw BadInput("no pages: " + line.substr(0, line.find('\n')) + "; mend it, or " + script.string());
+  std::string line = code == 127 ? "node is missing" : hair::bytes_of(said);
+  line.resize(std::min(line.find('\n'), line.size()));
+  if (code == 77 || code == 127) return "The texts have no pages (grader/setup.sh --with pages): " + line;
+  if (code != 0) throw BadInput(script.string() + ": " + line);
   for (const std::string& path : with_pages(paths))
     if (!handout.contains(path) && (handout[path] = hair::bytes_of(folder.path() / path)).empty())
       throw BadInput(script.string() + " did not write " + path);
-  handout["README.md"].insert(0,
-                              "**[Open README.html in a browser](README.html)**: there this text and all "
-                              "others have their formulas and "
-                              "pictures, without a network.\n\n");
+  handout["README.md"].insert(
+      0, "**[Open README.html in a browser](README.html)**: this text and all others, with formulas.\n\n");
   return "";
 }
 

@@ -11,8 +11,8 @@ namespace grader::inline package {
 // Adds the paths of the texts' pages, and of their font's licence.
 Paths with_pages(Paths paths);
 
-// Adds the pages, and a first line to the README that leads to its own; or says in a sentence which program is
-// missing. `script` makes them. Throws BadInput for a text that can't become a page.
+// Adds the pages, and a first line to the README that leads to its own; or says in a sentence which program
+// is missing. `script` makes them. Throws BadInput for a text that can't become a page.
 std::string add_pages(Files& handout, const std::filesystem::path& script);
 
 }  // namespace grader::package
