@@ -20,7 +20,8 @@ FAULTS = """const [dark] = arguments, all = (what) => [...document.querySelector
   if (document.documentElement.scrollWidth > innerWidth) faults.push("is wider than " + innerWidth);
   for (const image of all("img")) if (!image.naturalWidth || !image.alt) faults.push("a picture fails: " + image.alt);
   const { color, backgroundColor: paper } = getComputedStyle(document.documentElement);
-  if (parseInt(color.slice(4)) > 200 !== dark || parseInt(paper.slice(4)) < 50 !== dark) faults.push(color + paper);
+  const bright = (rgb) => /\\d+/.exec(rgb) > 128;
+  if (bright(color) !== dark || bright(paper) === dark) faults.push(`${color} on ${paper}`);
   return document.fonts.ready.then((fonts) => {
     if (all("math").length && ![...fonts].some((one) => one.status === "loaded")) faults.push("has no font for formulas");
     // TeX, too, lets a bracket cover 0.9 of its matrix.
