@@ -10,9 +10,7 @@ const kLicence = "/usr/share/texmf/doc/fonts/lm-math/GUST-FONT-LICENSE.txt", kLi
 const [folder, ...texts] = process.argv.slice(2), here = (file) => path.join(folder, file);
 
 function or_end(code, line, make) {
-  try {
-    return make();
-  } catch (error) {
+  try { return make(); } catch (error) {
     console.log(code === 77 ? line : `${line}: ${error.message}`);
     return process.exit(code);
   }
