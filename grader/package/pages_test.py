@@ -16,7 +16,9 @@ FAULTS = """const [dark] = arguments, all = (what) => [...document.querySelector
   const words = document.body.cloneNode(true), high = (one) => one.getBoundingClientRect().height;
   words.querySelectorAll("code").forEach((one) => one.remove());
   for (const [mark] of words.textContent.matchAll(/[\\\\$\\ue000].{0,20}/g)) faults.push("in the text: " + mark);
-  for (const { name } of performance.getEntriesByType("resource")) if (!/^data:/.test(name)) faults.push("asks for " + name);
+  // No browser reports what a page of a file asks for: nothing in it may.
+  for (const one of all("[src], [srcset], link, object")) if (!/^data:/.test(one.getAttribute("src"))) faults.push("asks for " + one.outerHTML);
+  for (const [url] of document.querySelector("style").textContent.matchAll(/(url\\(|@import)(?!data:).{0,20}/g)) faults.push("asks for " + url);
   if (document.documentElement.scrollWidth > innerWidth) faults.push("is wider than " + innerWidth);
   for (const image of all("img")) if (!image.naturalWidth || !image.alt) faults.push("a picture fails: " + image.alt);
   const { color, backgroundColor: paper } = getComputedStyle(document.documentElement);
