@@ -18,7 +18,7 @@ FAULTS = """const [dark] = arguments, all = (what) => [...document.querySelector
   for (const [mark] of words.textContent.matchAll(/[\\\\$\\ue000].{0,20}/g)) faults.push("in the text: " + mark);
   // No browser reports what a page of a file asks for: nothing in it may.
   for (const one of all("[src], [srcset], link, object")) if (!/^data:/.test(one.getAttribute("src"))) faults.push("asks for " + one.outerHTML);
-  for (const [url] of document.querySelector("style").textContent.matchAll(/(url\\(|@import)(?!data:).{0,20}/g)) faults.push("asks for " + url);
+  for (const [url] of all("style")[0].textContent.matchAll(/(url.|@import)(?!data:).{20}/g)) faults.push("asks for " + url);
   if (document.documentElement.scrollWidth > innerWidth) faults.push("is wider than " + innerWidth);
   for (const image of all("img")) if (!image.naturalWidth || !image.alt) faults.push("a picture fails: " + image.alt);
   const { color, backgroundColor: paper } = getComputedStyle(document.documentElement);
