@@ -29,6 +29,7 @@ function mathml(tex, displayMode) {
     .replace(/<mo>\u2061<\/mo>(?!<mo|<\/)/g, '<mspace width=".17em"></mspace>')
     .replace(/<mi mathvariant="normal">∣<\/mi>/g, '<mo stretchy="false">∣</mo>')
     .replace(/<mo( [^>]+)>(?=[∥∣])/g, '<mo$1 lspace="0" rspace="0">')
+    .replace(/<mo mathvariant="normal"[^>]*>(?=′)/g, '<mo class="prime" lspace="0" rspace="0">')
     .replace(/\u20d7/g, "→").replace(/[\u02c9\u203e]/g, "¯")
     .replace(/<mo>([−+])<\/mo><mo>=/g, "<mo>$1=")
     .replace(/<mi mathvariant="double-struck">([A-Z])/g, (_, letter) => "<mi>" + ("CHNPQRZ".includes(letter)
@@ -60,8 +61,7 @@ function body_of(text) {
       texts.includes(beside(all)) ? name + ".html" : all)}">${words}</a>`,
     image(href, title, words) {
       const bytes = fs.readFileSync(here(beside(href))), svg = href.endsWith(".svg");
-      const kind = !svg ? "photo" : bytes.includes("prefers-color-scheme") ? "drawing" : "drawing on-paper";
-      return `<span class="wide"><img class="${kind}" alt="${as_tex(words).replace(/"/g, "&quot;")}" src="data:image/${
+      return `<span class="wide"><img class="${svg ? "drawing" : "photo"}" alt="${as_tex(words).replace(/"/g, "&quot;")}" src="data:image/${
         svg ? "svg+xml" : "png"};base64,${bytes.toString("base64")}"></span>`;
     },
   });
