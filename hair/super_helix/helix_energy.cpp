@@ -6,66 +6,64 @@ namespace hair {
 
 HelixEnergy::HelixEnergy(const HelixStrand& strand, const HelixSurroundings& surroundings)
     : surroundings_(surroundings),
-      watch_(strand.line_density * strand.lengths.sum(), strand.lengths.sum(), surroundings.gravity.norm(),
-             surroundings.drag) {}
+      mass_(strand.line_density * strand.lengths.sum()),
+      watch_(mass_, strand.lengths.sum(), surroundings.gravity.norm(), surroundings.drag) {}
 
-Energies HelixEnergy::read(const HelixMotion& motion, Input q, const Vector3d& root_velocity) {
-  const HelixStrand& strand = motion.strand();
-  Energies now{.elastic = elastic_energy(strand, q)};
-  Vector3d moment = Vector3d::Zero();
+void HelixEnergy::read_motion(const HelixMotion& motion, const std::vector<Vector3d>& velocities,
+                              const Vector3d& root_velocity) {
+  now_.kinetic = 0;
   momentum_.setZero();
   for (std::size_t j = 0; j < motion.points.size(); ++j) {
-    const double mass = strand.line_density * motion.weights[j];
-    const Vector3d v = motion.velocities[j] - root_velocity;
-    now.kinetic += mass / 2 * v.squaredNorm();
+    const double mass = motion.strand().line_density * motion.weights[j];
+    const Vector3d v = velocities[j] - root_velocity;
+    now_.kinetic += mass / 2 * v.squaredNorm();
     momentum_ += mass * v;
-    moment += mass * (motion.points[j].position - motion.elements.front().start.position);
   }
-  now.weight = -surroundings_.gravity.dot(moment);
-  return now;
+}
+
+void HelixEnergy::read_place(const HelixMotion& motion, Input q) {
+  const Vector3d root = motion.elements.front().start.position;
+  now_.elastic = elastic_energy(motion.strand(), q);
+  now_.weight = weight_energy(surroundings_.gravity, motion) + mass_ * surroundings_.gravity.dot(root);
 }
 
 void HelixEnergy::before_step(const HelixMotion& motion, Input q, const Vector3d& before,
                               const Vector3d& after) {
   before_ = before;
   after_ = after;
-  if (!watch_.begun()) watch_.begin(read(motion, q, before));
+  if (watch_.begun()) return;
+  read_motion(motion, motion.velocities, before);
+  read_place(motion, q);
+  watch_.begin(now_);
 }
 
-void HelixEnergy::moved(const HelixMotion& motion) {
-  velocities_ = motion.velocities;
-}
-
-void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
-                        const ContactWork* contacts) {
+void HelixEnergy::found(const HelixMotion& motion, const std::vector<Vector3d>& kept, double h,
+                        const Vector3d& spin, Input rates, const ContactWork* contacts) {
   const HelixStrand& strand = motion.strand();
   const double drag = surroundings_.drag;
+  const Vector3d root = motion.elements.front().start.position, changes = after_ - before_;
   Vector3d torque = Vector3d::Zero();
-  const Vector3d root_velocity = (before_ + after_) / 2;
-  work_ = contacts ? contacts->seen_from(root_velocity) : 0;
+  work_ = contacts ? contacts->seen_from(after_) : 0;
+  work_ -= changes.dot(momentum_ - mass_ / 2 * changes);
   in_contact_ = contacts != nullptr;
   for (std::size_t j = 0; j < motion.points.size(); ++j) {
     const HelixPoint& point = motion.points[j];
-    const Vector3d &before = velocities_[j], &dv = motion.velocities[j];
-    const Vector3d arm = point.position - motion.elements.front().start.position;
-    torque += arm.cross(point.inertia * dv - h * point.force);
-    if (drag > 0)
-      work_ -= h * drag * motion.weights[j] *
-               (before + dv - surroundings_.wind).dot(before + dv / 2 - root_velocity);
+    torque += (point.position - root).cross(point.inertia * motion.velocities[j] - h * point.force);
+    work_ -= h * drag * motion.weights[j] * (kept[j] - surroundings_.wind).dot(kept[j] - after_);
   }
   work_ += torque.dot(spin);
   for (int i = 0; i < strand.elements(); ++i) {
-    const Vector3d after = rates.segment<3>(3 * i), mean = after - change.segment<3>(3 * i) / 2;
-    work_ -= h * surroundings_.relaxation_time * strand.lengths[i] *
-             (strand.bend_rigidity * after.head<2>().dot(mean.head<2>()) +
-              strand.twist_rigidity * after[2] * mean[2]);
+    const Vector3d rate = rates.segment<3>(3 * i);
+    work_ -=
+        h * surroundings_.relaxation_time * strand.lengths[i] *
+        (strand.bend_rigidity * rate.head<2>().squaredNorm() + strand.twist_rigidity * rate[2] * rate[2]);
   }
+  read_motion(motion, kept, after_);
 }
 
 void HelixEnergy::after_step(const HelixMotion& motion, Input q, double h) {
-  const Vector3d momentum_before = momentum_;
-  const Energies now = read(motion, q, after_);
-  watch_.after_step(now, work_ - (after_ - before_).dot(momentum_before + momentum_) / 2, in_contact_, h);
+  read_place(motion, q);
+  watch_.after_step(now_, work_, in_contact_, h);
 }
 
 }  // namespace hair

@@ -3,10 +3,14 @@
 //
 //   E = sum over points of m |v - V|^2 / 2 - m g . (x - x_0) + strain energy      J, V the root's velocity
 //
-// A step's work has four parts: that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h; that of
-// contacts; that of a root that changes its velocity (hair/rigid_links/link_energy.h); and that of a root
-// that turns: its torque times its turn. The strand's own forces have no torque about the root. So the root's
-// torque is the rest of the points' motion after all other forces,
+// A step finds the velocities v at the places of its start, and keeps them as momenta
+// (hair/super_helix/helix_momentum.h). The same rates have others at its end: for a tip that whips, with
+// twice all energy. So v are the kept ones.
+//
+// A step's work has four parts: that of drag and of damping, force(1) . (v - V) h; that of contacts; that of
+// a root that changes its velocity by dV, -dV . p + m dV^2 / 2, p the momentum before, in the root's frame;
+// and that of a root that turns: its torque times its turn. The strand's own forces have no torque about the
+// root. So the root's torque is the rest of the points' motion after all other forces,
 //
 //   h torque = sum over points of (x - x_0) x (inertia dv - h force)      dv: the velocity's change
 #pragma once
@@ -37,25 +41,25 @@ class HelixEnergy {
   // this step, `motion` must be placed and moved as it is now.
   void before_step(const HelixMotion& motion, Input q, const Vector3d& before, const Vector3d& after);
 
-  // Call this within the step: velocities are those of the rates at its beginning.
-  void moved(const HelixMotion& motion);
-
   // Takes the result of the step, with the strand still placed as before. `motion`'s velocities are the part
-  // that `change` adds; spin: the mean of the root's spins before and in the step.
-  void found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
-             const ContactWork* contacts);
+  // that `change` adds; kept: the points' velocities after the step; spin: the root's in the step.
+  void found(const HelixMotion& motion, const std::vector<Vector3d>& kept, double h, const Vector3d& spin,
+             Input rates, const ContactWork* contacts);
 
-  // After the step, with the strand placed and moved.
+  // After the step, with the strand placed.
   void after_step(const HelixMotion& motion, Input q, double h);
 
  private:
-  Energies read(const HelixMotion& motion, Input q, const Vector3d& root_velocity);
+  void read_motion(const HelixMotion& motion, const std::vector<Vector3d>& velocities,
+                   const Vector3d& root_velocity);
+  void read_place(const HelixMotion& motion, Input q);
 
   HelixSurroundings surroundings_;
+  double mass_;                                                    // kg
   Vector3d before_ = Vector3d::Zero(), after_ = Vector3d::Zero();  // m/s, of the root
-  std::vector<Vector3d> velocities_;                               // at the start of a step
-  Vector3d momentum_ = Vector3d::Zero();                           // kg m/s, in the root's frame
-  double work_ = 0;                                                // J
+  Energies now_;
+  Vector3d momentum_ = Vector3d::Zero();  // kg m/s, in the root's frame
+  double work_ = 0;                       // J
   bool in_contact_ = false;
   EnergyWatch watch_;
 };

@@ -8,6 +8,7 @@ void HelixMomentum::keep(const HelixMotion& motion, const HelixRoot& root, Input
   elements_ = motion.elements;
   rates_ = rates;
   starts_.clear();
+  kinetic_energy_ = 0;
   Twist twist{root.velocity, root.spin};
   std::size_t j = 0;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -19,6 +20,8 @@ void HelixMomentum::keep(const HelixMotion& motion, const HelixRoot& root, Input
       places_.push_back({point.element, point.s});
       velocities_.push_back(twist.velocity + twist.spin.cross(point.position - helix.start.position) +
                             point.moves * rate);
+      kinetic_energy_ +=
+          motion.strand().line_density * motion.weights[j] / 2 * velocities_.back().squaredNorm();
     }
     const Vector3d arm = helix.end.position - helix.start.position;
     twist.velocity += twist.spin.cross(arm) + helix.at_end.moves * rate;

@@ -22,6 +22,10 @@ class HelixMomentum {
   // root's velocity and spin in the step.
   void keep(const HelixMotion& motion, const HelixRoot& root, Input rates);
 
+  // m/s, of the points at that place.
+  const std::vector<Vector3d>& velocities() const { return velocities_; }
+  double kinetic_energy() const { return kinetic_energy_; }  // J
+
   // Call this before the next step of h seconds, after place() and move() with the root's velocity and spin
   // in that step: adds the force to all points. Adds nothing before the first keep(). Both allocate nothing,
   // unless there are more points than ever.
@@ -43,6 +47,7 @@ class HelixMomentum {
   std::vector<HelixElement> elements_;
   std::vector<Twist> starts_;
   Eigen::VectorXd rates_;
+  double kinetic_energy_ = 0;
 };
 
 }  // namespace hair

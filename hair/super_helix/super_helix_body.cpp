@@ -67,7 +67,7 @@ void SuperHelixBody::set_root(const Root& root) {
 std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles::Scratch& scratch,
                                           Work& work) {
   const double h = step.h;
-  const Vector3d spin = told_ ? goal_.angular_velocity : Vector3d::Zero(), spin_before = root_.spin;
+  const Vector3d spin = told_ ? goal_.angular_velocity : Vector3d::Zero();
   if (!placed_) motion_.place(root_.frame, q_);
   placed_ = false;
   if (energy_) {
@@ -83,7 +83,6 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
     start_moving(spin, h);
   }
   add_forces(step);
-  if (energy_) energy_->moved(motion_);
   const HelixStrand& strand = strand_of_step(h);
   if (step.obstacles.empty())
     helix_step(strand, motion_.elements, motion_.points, q_, rates_, h, scratch, change_);
@@ -94,7 +93,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   rates_ += change_;
   momentum_.keep(motion_, root_, rates_);
   has_momentum_ = true;
-  if (energy_) weigh(h, (spin_before + root_.spin) / 2);
+  if (energy_) weigh(h);
   q_ += h * rates_;
   drop_traces(rates_);
   drop_traces(q_);
@@ -108,18 +107,18 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   if (energy_) {
     motion_.place(root_.frame, q_);
     placed_ = true;
-    motion_.move(root_, rates_);
     energy_->after_step(motion_, q_, h);
   }
   return {};
 }
 
 // Called while the strand is still placed as in the step.
-void SuperHelixBody::weigh(double h, const Vector3d& spin) {
+void SuperHelixBody::weigh(double h) {
   ContactWork contacts;
   if (contacts_.contacts() > 0) contacts = contacts_.work(after_);
   move_by_change();
-  energy_->found(motion_, h, spin, rates_, change_, contacts_.contacts() > 0 ? &contacts : nullptr);
+  energy_->found(motion_, momentum_.velocities(), h, root_.spin, rates_,
+                 contacts_.contacts() > 0 ? &contacts : nullptr);
 }
 
 // A step without momenta of a previous step uses accelerations, also the root's.
@@ -243,7 +242,8 @@ void SuperHelixBody::centre_line(particles::Input q, particles::Input rate, part
 BodyMeasures SuperHelixBody::measure(particles::Input q, particles::Input rate) const {
   const HelixMotion motion = motion_at(q, rate);
   BodyMeasures sum;
-  sum.kinetic = kinetic_energy(motion);
+  const bool present = has_momentum_ && q.tail(q_.size()) == q_ && rate.tail(q_.size()) == rates_;
+  sum.kinetic = present ? momentum_.kinetic_energy() : kinetic_energy(motion);
   sum.potential =
       elastic_energy(motion.strand(), q.tail(q_.size())) + weight_energy(surroundings_.gravity, motion);
   for (std::size_t j = 0; j < motion.points.size(); ++j) {

@@ -3,7 +3,8 @@
 // 1/m. It moves by H8's semi-implicit step, with forces at the points of its centre line (drag, contacts,
 // forces of others) at the step's end. The motion itself needs the momenta of the previous step
 // (helix_momentum.h). They are no part of the coordinates, so a state that is written back continues its
-// motion only to the order of h^2.
+// motion only to the order of h^2. The kinetic energy of the present state is that of its momenta
+// (helix_energy.h).
 #pragma once
 
 #include <vector>
@@ -54,7 +55,7 @@ class SuperHelixBody final : public Body {
   void find_points();
   void find_velocities_after();
   void move_by_change();
-  void weigh(double h, const Vector3d& spin);
+  void weigh(double h);
   bool is_sound() const;
 
   Matrix3d axes_at_start_;
