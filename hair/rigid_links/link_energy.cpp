@@ -20,10 +20,11 @@ LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
     : strand_(strand),
       implicit_(implicit),
       rates_before_(strand.rates),
-      watch_(mass_of(strand.tree), strand.length.sum(), strand.forces.gravity.norm(), strand.forces.drag) {}
+      mass_(mass_of(strand.tree)),
+      watch_(mass_, strand.length.sum(), strand.forces.gravity.norm(), strand.forces.drag) {}
 
 // Reads the energies of the present strand, relative to its base.
-void LinkEnergy::read() {
+void LinkEnergy::read(const TreeSystem* step) {
   energies_ = {};
   momentum_.setZero();
   Vector3d x = Vector3d::Zero(), v = Vector3d::Zero(), omega = strand_.base.velocity.angular;
@@ -34,7 +35,13 @@ void LinkEnergy::read() {
     axes = axes * shape.rest * joint;
     omega += strand_.rates.segment<3>(3 * i - 3);
     const Vector3d half = strand_.length[i - 1] / 2 * (axes * Vector3d::UnitZ());
-    const Vector3d centre = x + half, velocity = v + omega.cross(half), spin = axes.conjugate() * omega;
+    const Vector3d centre = x + half;
+    Vector3d velocity = v + omega.cross(half), spin = axes.conjugate() * omega;
+    if (step) {
+      const SpatialMotion& found = step->momenta().velocities()[static_cast<std::size_t>(i)];
+      velocity = found.linear - base_.linear;
+      spin = step->motion().frames()[static_cast<std::size_t>(i)].axes.transpose() * found.angular;
+    }
     energies_.kinetic += (shape.mass * velocity.squaredNorm() + spin.cwiseAbs2().dot(shape.moments)) / 2;
     energies_.weight -= shape.mass * strand_.forces.gravity.dot(centre);
     energies_.elastic += strand_.forces.springs[static_cast<std::size_t>(i)].energy(turn_of(joint));
@@ -48,37 +55,41 @@ void LinkEnergy::before_step(const SpatialMotion& base) {
   rates_before_ = strand_.rates;
   base_before_ = strand_.base.velocity;
   base_ = base;
-  root_velocity_ = (base_before_.linear + base.linear) / 2;
+  root_velocity_ = mean(base_before_.linear, base.linear);
   if (!watch_.begun()) {
-    read();
+    read(nullptr);
     watch_.begin(energies_);
   }
   momentum_before_ = momentum_;
 }
 
-void LinkEnergy::after_step(const TreeMotion& motion, double h, const ContactWork* contacts) {
-  read();
-  const LinkPass& root = motion.passes.front();
+void LinkEnergy::after_step(const TreeSystem& system, double h, const ContactWork* contacts) {
+  read(implicit_ ? &system : nullptr);
+  const LinkPass& root = system.motion().passes.front();
   const Vector3d torque = (root.inertia * root.a + root.bias).torque;
-  double work = h / 2 * torque.dot(base_before_.angular + base_.angular);
-  if (strand_.forces.drag > 0) work += drag_work(motion, h);
-  work += damping_work(motion, h);
+  const Vector3d changes = base_.linear - base_before_.linear;
+  double work = h * torque.dot(mean(base_before_.angular, base_.angular));
+  if (strand_.forces.drag > 0) work += drag_work(system, h);
+  work += damping_work(system.motion(), h);
   if (contacts) work += contacts->seen_from(root_velocity_);
-  work -= (base_.linear - base_before_.linear).dot(momentum_before_ + momentum_) / 2;
+  const Vector3d momentum_after = implicit_ ? Vector3d(momentum_before_ - mass_ * changes) : momentum_;
+  work -= changes.dot(momentum_before_ + momentum_after) / 2;
   watch_.after_step(energies_, work, contacts != nullptr, h);
 }
 
-double LinkEnergy::drag_work(const TreeMotion& motion, double h) const {
+double LinkEnergy::drag_work(const TreeSystem& system, double h) const {
+  const TreeMotion& motion = system.motion();
   double power = 0;
   for (std::size_t i = 1; i < motion.passes.size(); ++i) {
-    const SpatialMotion& before = motion.passes[i].v;
-    const SpatialMotion after = before + h * motion.passes[i].a, &feels = implicit_ ? after : before;
+    const SpatialMotion &before = motion.passes[i].v, &pushed = motion.passes[i].a;
+    const SpatialMotion after = implicit_ ? system.momenta().velocities()[i] : before + h * pushed;
+    const SpatialMotion& feels = implicit_ ? after : before;
     const Vector3d e = motion.frames()[i].axes * strand_.forces.rods[i];
     const double squared = e.squaredNorm(), c = strand_.forces.drag * std::sqrt(squared);
     const Vector3d turning = squared * feels.angular - e.dot(feels.angular) * e;
     power -=
-        c * (feels.linear - strand_.forces.wind).dot((before.linear + after.linear) / 2 - root_velocity_) +
-        c / 12 * turning.dot(before.angular + after.angular) / 2;
+        c * (feels.linear - strand_.forces.wind).dot(mean(before.linear, after.linear) - root_velocity_) +
+        c / 12 * turning.dot(mean(before.angular, after.angular));
   }
   return h * power;
 }
@@ -90,12 +101,16 @@ double LinkEnergy::damping_work(const TreeMotion& motion, double h) const {
     if (damping.isZero(0)) continue;
     const Quaterniond back = motion.frames()[i].joint_axes.conjugate();
     const Eigen::Index first = motion.links[i].first;
-    const Vector3d before = back * Vector3d(rates_before_.segment<3>(first));
-    const Vector3d after = back * Vector3d(strand_.rates.segment<3>(first));
-    const Vector3d mean = (before + after) / 2;
-    power -= mean.dot(damping * (implicit_ ? after : mean));
+    const Vector3d rate =
+        back * mean(Vector3d(rates_before_.segment<3>(first)), Vector3d(strand_.rates.segment<3>(first)));
+    power -= rate.dot(damping * rate);
   }
   return h * power;
+}
+
+// The velocity for the work of a step's forces.
+Vector3d LinkEnergy::mean(const Vector3d& before, const Vector3d& after) const {
+  return implicit_ ? after : Vector3d((before + after) / 2);
 }
 
 }  // namespace hair

@@ -97,6 +97,7 @@ LinkStrand link_strand(const StrandSpec& spec) {
   Eigen::VectorXd length(n);
   std::vector<LinkShape> rods;
   TreeForces forces;
+  forces.bend_rigidity = spec.fibre.bend_factor * spec.fibre.material.bend_rigidity();
   forces.springs.resize(n + 1);
   forces.rods.assign(n + 1, Vector3d::Zero());
   for (int i = 1; i <= n; ++i) {

@@ -74,6 +74,7 @@ void RigidLinksBody::write(particles::Input q, particles::Input rate) {
     before = link.axes;
     omega = link.omega;
   }
+  steps_.system().momenta().forget();
   if (energy_) energy_->restart();
 }
 
@@ -105,6 +106,8 @@ std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles:
   base.velocity = goal;
   told_ = false;
   ++work.strand_steps;
+  work.kept_steps += steps_.system().momenta().in_use();
+  steps_.system().momenta().next();
   if (!is_sound()) return Stage::integration;
   if (energy_) watch(step);
   return {};
@@ -113,7 +116,7 @@ std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles:
 void RigidLinksBody::watch(const BodyStep& step) {
   ContactWork contacts;
   if (contacts_.contacts() > 0) contacts = contacts_.work(after_);
-  energy_->after_step(steps_.system().motion(), step.h, contacts_.contacts() > 0 ? &contacts : nullptr);
+  energy_->after_step(steps_.system(), step.h, contacts_.contacts() > 0 ? &contacts : nullptr);
 }
 
 void RigidLinksBody::step_among(const BodyStep& step) {

@@ -12,13 +12,22 @@ constexpr int kMostLimits = 10;  // times that a step is repeated with other lim
 }  // namespace
 
 TreeSystem::TreeSystem(const LinkTree& tree, TreeForces forces)
-    : motion_(tree), forces_(std::move(forces)), Q_(tree.rates()) {
+    : motion_(tree), forces_(std::move(forces)), momenta_(tree, forces_), Q_(tree.rates()) {
   const auto has_limit = [](const JointSpring& spring) { return spring.limit_stiffness > 0; };
   if (std::any_of(forces_.springs.begin(), forces_.springs.end(), has_limit)) limits_.resize(tree.links());
 }
 
 void TreeSystem::accelerations(const TreeBase& base, Input q, Input rates, double h,
                                std::span<const LinkForce> more, Output result) {
+  momenta_.begin();
+  settle(base, q, rates, h, more, result);
+  if (h == 0 || !forces_.bend_rigidity || !momenta_.ask_for(motion_, rates, result, h)) return;
+  settle(base, q, rates, h, more, result);
+  momenta_.ask_for(motion_, rates, result, h);
+}
+
+void TreeSystem::settle(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
+                        Output result) {
   if (limits_.empty()) {
     attempt(base, q, rates, h, more, result);
     return;
@@ -52,6 +61,7 @@ bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double
     const bool was = limit.acts;
     if (was) {
       limit.acts = limit.along.dot(end) >= limit.bound;
+      if (limit.acts && link.joint == JointType::spherical) limit.along = end.normalized();
     } else {
       const bool below = link.joint != JointType::spherical && end[0] < spring.lower;
       limit.acts = below || (link.joint == JointType::spherical ? end.norm() : end[0]) > spring.upper;
@@ -60,6 +70,7 @@ bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double
       else if (limit.acts)
         limit = {true, spring.upper, end.normalized()};
     }
+    limit.beyond = end.norm() - limit.bound;
     any |= was != limit.acts;
   }
   return any;
@@ -72,14 +83,16 @@ void TreeSystem::add_limit(int joint, Input rates, double h, const Vector3d& pla
   if (!limit.acts) return;
   Link& link = motion_.links[joint];
   const double k = forces_.springs[joint].limit_stiffness;
-  const Vector3d along = to_rates * limit.along;
   if (link.joint == JointType::spherical) {
-    const double rate = along.dot(rates.segment<3>(link.first));
-    Q_.segment<3>(link.first) -= k * (limit.along.dot(place) + h * rate - limit.bound) * along;
-    if (h > 0) link.stiffening += h * h * k * along * along.transpose();
+    // N is that after the step or at its start: the larger one holds.
+    const double beyond = std::max({0.0, limit.beyond, limit.along.dot(place) - limit.bound});
+    const double across = k * beyond / (limit.bound + beyond);
+    const Matrix3d K = across * Matrix3d::Identity() + (k - across) * limit.along * limit.along.transpose();
+    const Vector3d end = place + h * (to_rates.transpose() * rates.segment<3>(link.first));
+    Q_.segment<3>(link.first) -= to_rates * (K * end - k * limit.bound * limit.along);
+    link.stiffening += h * h * to_rates * K * to_rates.transpose();
   } else {
-    const double rate = along[0] * rates[link.first];
-    Q_[link.first] -= k * (limit.along.dot(place) + h * rate - limit.bound) * along[0];
+    Q_[link.first] -= k * (place[0] + h * rates[link.first] - limit.along[0] * limit.bound);
     link.stiffening(0, 0) += h * h * k;
   }
 }
@@ -92,6 +105,7 @@ void TreeSystem::attempt(const TreeBase& base, Input q, Input rates, double h,
   Q_.setZero();
   if (!forces_.springs.empty()) add_springs(q, rates, h);
   outward_velocities(motion_.links, rates, motion_.passes);
+  if (momenta_.in_use()) momenta_.add_to(motion_, h);
   if (forces_.drag > 0) add_drag(h);
   for (const LinkForce& one : more) add_force(one, h);
   inward_inertias(motion_.links, Q_, motion_.passes);

@@ -14,17 +14,20 @@
 // Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section
 // 3, there for particles.
 //
-// Weight and the terms of velocities remain explicit. Their tension T holds a strand laterally: waves of the
-// wave number k have, per metre of hair, the mass rho A and the stiffness T k^2 (explicit) + EI k^4
-// (implicit). Such a mode is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k this means T <= 4 sqrt(EI
-// rho A) / h; for hair at h = 1/60 s, 9.3e-5 N, the weight of 0.93 m of it. Longer hair needs smaller steps:
-// h ~ 1 / length.
+// A spherical limit's energy k (|theta| - u)^2 / 2 has the second derivative k n n^T + N / |theta| (1 - n
+// n^T), n along theta, N the limit's torque. Both parts are implicit: twist has so little inertia that each
+// step would multiply it by N l / (|theta| GJ) if the part across n were explicit, with any h.
+//
+// Weight and the terms of velocities are explicit, unless the links are a strand that needs its momenta
+// (hair/rigid_links/link_momenta.h): for these, an explicit step has two bounds.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "hair/rigid_links/joint_spring.h"
+#include "hair/rigid_links/link_momenta.h"
 #include "hair/rigid_links/tree_motion.h"
 
 namespace hair {
@@ -37,6 +40,7 @@ struct TreeForces {
   Vector3d wind = Vector3d::Zero();  // m/s, of the air
   std::vector<Vector3d>
       rods;  // m, from one end to the other, the centre of mass between them; along the link's axes
+  std::optional<double> bend_rigidity = {};  // N m^2, of a strand of rods: its steps may keep momenta
 };
 
 // A force at a point of a link, with its derivative by this point's position and velocity: f - S dx - C dv.
@@ -60,6 +64,10 @@ class TreeSystem {
   void accelerations(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
                      Output result);
 
+  // A caller says when a step is done: momenta().next().
+  LinkMomenta& momenta() { return momenta_; }
+  const LinkMomenta& momenta() const { return momenta_; }
+
   // J, for `motion`'s velocities and q: of movement, of weight and of springs.
   double kinetic_energy() const;
   double potential_energy(Input q) const;
@@ -70,8 +78,11 @@ class TreeSystem {
     bool acts = false;
     double bound = 0;                   // rad or m
     Vector3d along = Vector3d::Zero();  // a direction for a spherical joint's theta; else [+-1, 0, 0]
+    double beyond = 0;                  // rad, for spherical joints: after the step, as last found
   };
 
+  void settle(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
+              Output result);
   void attempt(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
                Output result);
   void add_springs(Input q, Input rates, double h);
@@ -84,6 +95,7 @@ class TreeSystem {
 
   TreeMotion motion_;
   TreeForces forces_;
+  LinkMomenta momenta_;
   std::vector<Limit> limits_;  // for each link's joint; empty: no joint has a limit
   Eigen::VectorXd Q_;
 };

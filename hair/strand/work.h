@@ -13,6 +13,7 @@ struct Work {
   long solves = 0;            // solves and corrections
   long unconverged = 0;       // those that ended above their tolerance
   long unmended = 0;          // collisions after which obstacles and lengths did not agree (H6)
+  long kept_steps = 0;        // steps of rigid links with momenta of the step before
   long contacts = 0;          // particles that were pushed out of an obstacle
   double penetration = 0;     // m, the largest depth of a particle that remained in an obstacle
 
@@ -24,6 +25,7 @@ struct Work {
     solves += other.solves;
     unconverged += other.unconverged;
     unmended += other.unmended;
+    kept_steps += other.kept_steps;
     contacts += other.contacts;
     penetration = std::max(penetration, other.penetration);
     return *this;

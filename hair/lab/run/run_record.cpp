@@ -27,6 +27,7 @@ std::string text_of(const Work& work) {
                       {"unconverged", json_text(work.unconverged)},
                       {"contacts", json_text(work.contacts)},
                       {"unmended", json_text(work.unmended)},
+                      {"kept_steps", json_text(work.kept_steps)},
                       {"penetration", json_text(work.penetration)}});
 }
 
