@@ -44,6 +44,8 @@ const kFormula = new RegExp(["^ *(```+|~~~+)[^]*?^ *\\1", "(`+)(?:(?!\\n\\n)[^])
   "\\$\\$([^]+?)\\$\\$", "\\$(?![\\s$])((?:(?!\\n\\n)[^$\\\\]|\\\\[^])*?)(?:(?<!\\s)|(?=\\$\\W))\\$(?!\\d)"].join("|"), "gm");
 const kMark = /\ue000(\d+)\ue001/g, kMarkAndSigns = /(\(*)\ue000(\d+)\ue001([.,;:?!)]*)/g;
 
+const quoted = (words) => words.replace(/"/g, "&quot;").replace(/</g, "&lt;");
+
 function body_of(text) {
   const formulas = [], beside = (file) => path.join(path.dirname(text), file);
   const markdown = fs.readFileSync(here(text), "utf8").replace(kFormula, (all, fence, ticks, block, inline) => {
@@ -57,11 +59,16 @@ function body_of(text) {
   const renderer = Object.assign(new marked.Renderer(), {
     heading: (html, level, raw, slugger) => `<h${level} id="${slugger.slug(as_tex(raw))}">${html}</h${level}>\n`,
     table: (head, rows) => `<div class="wide"><table><thead>${head}</thead><tbody>${rows}</tbody></table></div>\n`,
-    link: (href, title, words) => `<a href="${href.replace(/^([^:#]+)\.md(?=#|$)/, (all, name) =>
+    html(raw) {
+      if (/^<!--[^]*-->\s*$/.test(raw)) return "";
+      throw new Error("HTML stands in it: " + raw.trim().slice(0, 60));
+    },
+    link: (href, title, words) => `<a href="${quoted(href).replace(/^([^:#]+)\.md(?=#|$)/, (all, name) =>
       texts.includes(beside(all)) ? name + ".html" : all)}">${words}</a>`,
     image(href, title, words) {
+      if (beside(href).startsWith("..")) throw new Error(href + " lies outside of the handout");
       const bytes = fs.readFileSync(here(beside(href))), svg = href.endsWith(".svg");
-      return `<span class="wide"><img class="${svg ? "drawing" : "photo"}" alt="${as_tex(words).replace(/"/g, "&quot;")}" src="data:image/${
+      return `<span class="wide"><img class="${svg ? "drawing" : "photo"}" alt="${quoted(as_tex(words))}" src="data:image/${
         svg ? "svg+xml" : "png"};base64,${bytes.toString("base64")}"></span>`;
     },
   });

@@ -6,11 +6,13 @@ namespace hair {
 
 namespace {
 
-constexpr double kStiffness = 25;  // 1/s, the square root of the spring's
+constexpr double kStiffness = 25;   // 1/s, the square root of the spring's
+constexpr double kFarthest = 1000;  // m, rad
 
 }  // namespace
 
 void Hand::go_to(const Vector3d& offset, double turn) {
+  if (!(offset.norm() <= kFarthest && std::abs(turn) <= kFarthest)) return;
   leads_ = true;
   goal_ << offset, kHandReach * turn;
 }

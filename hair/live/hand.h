@@ -12,7 +12,7 @@ class Hand {
  public:
   explicit Hand(const Vector3d& pivot) : pivot_(pivot) {}
 
-  // offset: m from the start; turn: rad about the vertical through the pivot.
+  // offset: m from the start; turn: rad about the vertical through the pivot. Ignores goals beyond 1000.
   void go_to(const Vector3d& offset, double turn);
 
   // Moves on for h seconds: a critically damped spring pulls it to its goal.

@@ -1,10 +1,13 @@
 #include "hair/live/message_log.h"
 
+#include <algorithm>
+
 namespace hair {
 
 void MessageLog::begin(std::string first) {
   const std::lock_guard lock(mutex_);
   messages_ = {std::make_shared<const std::string>(std::move(first))};
+  gone_ = 0;
   ++run_;
   changed_.notify_all();
 }
@@ -12,6 +15,10 @@ void MessageLog::begin(std::string first) {
 void MessageLog::add(std::string message) {
   const std::lock_guard lock(mutex_);
   messages_.push_back(std::make_shared<const std::string>(std::move(message)));
+  if (messages_.size() > kFirstKept + kNewestKept) {
+    messages_.erase(messages_.begin() + kFirstKept);
+    ++gone_;
+  }
   changed_.notify_all();
 }
 
@@ -29,10 +36,14 @@ bool MessageLog::closed() const {
 MessageLog::Message MessageLog::next(Place& place, std::chrono::milliseconds wait) const {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, wait,
-                    [&] { return closed_ || place.run != run_ || place.next < messages_.size(); });
+                    [&] { return closed_ || place.run != run_ || place.next < gone_ + messages_.size(); });
   if (closed_) return {};
   if (place.run != run_) place = {run_, 0};
-  return place.next < messages_.size() ? messages_[place.next++] : Message();
+  if (place.next >= kFirstKept) place.next = std::max(place.next, gone_ + kFirstKept);
+  if (place.next >= gone_ + messages_.size()) return {};
+  const std::size_t index = place.next < kFirstKept ? place.next : place.next - gone_;
+  ++place.next;
+  return messages_[index];
 }
 
 }  // namespace hair

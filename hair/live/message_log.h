@@ -1,16 +1,19 @@
 // The messages of a run, in their order, for any number of readers. Each reader gets all of them from the
-// run's start; when a new run begins, readers continue with that one.
+// run's start; when a new run begins, readers continue with that one. Of a long run the log keeps the first
+// messages, which describe it, and the newest ones.
 #pragma once
 
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace hair {
+
+inline constexpr std::size_t kFirstKept = 2, kNewestKept = 1000;
 
 class MessageLog {
  public:
@@ -33,7 +36,8 @@ class MessageLog {
  private:
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
-  std::vector<Message> messages_;
+  std::deque<Message> messages_;
+  std::size_t gone_ = 0;  // messages after the first ones that are not kept
   long run_ = 0;
   bool closed_ = false;
 };

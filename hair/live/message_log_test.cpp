@@ -22,6 +22,21 @@ TEST(MessageLog, GivesAReaderWhoComesLateTheWholeRun) {
   EXPECT_EQ(next(log, place), "nothing");
 }
 
+TEST(MessageLog, KeepsTheBeginAndTheNewestOfALongRun) {
+  MessageLog log;
+  log.begin("0");
+  MessageLog::Place early;
+  EXPECT_EQ(next(log, early), "0");
+  const int last = 3000;
+  for (int i = 1; i <= last; ++i) log.add(std::to_string(i));
+  MessageLog::Place late;
+  EXPECT_EQ(next(log, late), "0");
+  for (MessageLog::Place* place : {&early, &late}) EXPECT_EQ(next(log, *place), "1");
+  for (int i = last - static_cast<int>(kNewestKept) + 1; i <= last; ++i)
+    for (MessageLog::Place* place : {&early, &late}) ASSERT_EQ(next(log, *place), std::to_string(i));
+  EXPECT_EQ(next(log, late), "nothing");
+}
+
 TEST(MessageLog, TakesReadersToTheNextRun) {
   MessageLog log;
   log.begin("old");

@@ -76,7 +76,8 @@ bool LinkMomenta::ask_for(const TreeMotion& motion, Input rates, Input accelerat
   if (now_.in_use) made = std::min(made, 0.0);
   now_.made = std::max(0.0, before_.made + made);
   if (before_.known && !now_.in_use && (pulled || now_.made > spare)) return now_.in_use = true;
-  now_.calm = pulled || now_.made > spare / 2 ? 0 : before_.calm + h;
+  const bool begins = now_.in_use && !before_.in_use;
+  now_.calm = pulled || begins || now_.made > spare / 2 ? 0 : before_.calm + h;
   now_.known = true;
   return false;
 }

@@ -212,7 +212,8 @@ TEST(SceneRun, RidersAreWhereTheirMotionAndTheHandSayAfterEveryFrame) {
   }
 }
 
-// A root that moves with a bust stays at its place on it, and the bust has its motion's pose.
+// A root that moves with a bust stays at its place on it, and the bust has the pose of its motion and of the
+// hand.
 TEST(SceneRun, ABustMovesAndTurnsWithTheRootsOnIt) {
   const Scene scene = scene_of(R"("hair": [{"moves_with": "head",
       "groom": {"style": "long-smooth", "strands": 5, "points": 8, "at": [0.1, 0.2, 0.3]}}],
@@ -222,10 +223,13 @@ TEST(SceneRun, ABustMovesAndTurnsWithTheRootsOnIt) {
                                R"("method": "implicit_euler", )");
   SceneRun scene_run(scene);
   for (int k = 1; k <= scene.frames; ++k) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.05 * k, Vector3d::UnitZ()));
+    const hair::Way hand{turn, {0, 0, 0}, {0.01 * k, 0, 0}};
+    scene_run.lead(hand);
     ASSERT_FALSE(scene_run.advance());
     const hair::Obstacle& bust = scene_run.obstacles()[0];
     const auto& placed = std::get<hair::PlacedSolid>(bust.shape);
-    const hair::Way way = way_at(scene.riders[0].motion, k / 60.0);
+    const hair::Way way = hand * way_at(scene.riders[0].motion, k / 60.0);
     // Each step turns it by its own exponential: rounding of some steps.
     EXPECT_LE((placed.at - way({0.1, 0.2, 0.3})).norm(), 1e-14);
     EXPECT_LE(placed.rotation.angularDistance(way.rotation), 1e-12);

@@ -83,6 +83,43 @@ TEST(SimulationCollisions, WhatMovesPushesHairAlong) {
     }
 }
 
+// --- Friction ---
+
+// A slope of tangent 1/2, and its direction downhill.
+const Vector3d kSlopeNormal = Vector3d(1, 0, 2) / std::sqrt(5), kDownhill = Vector3d(2, 0, -1) / std::sqrt(5);
+
+Description on_slope(StrandStart start, Method method, double friction) {
+  Description description = alone(std::move(start), method, 1.0 / 240);
+  description.gravity = kG * kDown;
+  description.obstacles = {{hair::Plane{Vector3d::Zero(), kSlopeNormal}, friction}};
+  return description;
+}
+
+// A hair across the slope that starts at rest stays at its place if tan < mu. Each step pushes it out by some
+// depth along the normal and takes back its downhill motion, tan depth. A step leaves rounding errors, of
+// numbers below 1; a particle within rounding of the surface may fall for a step, g h^2, until it is pushed
+// out.
+TEST(SimulationCollisions, WithinTheConeOfFrictionHairStaysWhereItIs) {
+  const int steps = 240;
+  for (const double downhill : {-0.4, 0.4})
+    for (Method method : {Method::implicit_euler, Method::predictor_corrector}) {
+      StrandStart start = straight_hair(10, 0.1, Vector3d::UnitY());
+      start.state.x += (downhill * kDownhill).replicate(11, 1);
+      Simulation simulation(on_slope(start, method, 0.55));
+      ASSERT_FALSE(simulation.advance(steps));
+      EXPECT_GT(simulation.work().contacts, steps);
+      EXPECT_LE((simulation.state(0).x - start.state.x).cwiseAbs().maxCoeff(), steps * 4 * 0x1p-53)
+          << name_of(method);
+    }
+  for (const double downhill : {-0.4, 0.4})
+    for (Method method : methods_that_stretch()) {
+      const StrandStart start = free_particle({0, 1, 0}, downhill * kDownhill);
+      Simulation simulation(on_slope(start, method, 0.55));
+      ASSERT_FALSE(simulation.advance(steps));
+      EXPECT_LE((simulation.state(0).x - start.state.x).norm(), steps * 4 * 0x1p-53) << name_of(method);
+    }
+}
+
 // --- H6 ---
 
 // A hair hits a slope and lies on it. Pushed out by d = h v, a tip on the surface loses the velocity v; each

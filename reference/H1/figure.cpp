@@ -33,7 +33,7 @@ void draw_spring(Drawing& drawing, double middle, double length, const char* ans
 
 }  // namespace
 
-std::string draw_H1() {
+std::string draw_h1() {
   Drawing drawing(
       "H1", 466, "How stiff is a spring across itself?",
       "The factor across against length: full, filtered and dropped. Three springs, pushed aside.");

@@ -75,7 +75,7 @@ void draw_tuft(Drawing& drawing, const Spot& at, double middle, std::span<const 
 
 }  // namespace
 
-std::string draw_H10() {
+std::string draw_h10() {
   Drawing drawing("H10", 490, "Which guides make a hair, and what becomes of their curls?",
                   "Weights of three guides in and around an obtuse triangle; tufts of guides and of hair.");
   draw_weights(drawing);

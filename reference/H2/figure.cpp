@@ -79,7 +79,7 @@ void draw_joint(Drawing& drawing) {
 
 }  // namespace
 
-std::string draw_H2() {
+std::string draw_h2() {
   Drawing drawing("H2", 400, "Which forces unbend a joint, and when is an implicit step in danger?",
                   "A joint with three forces; its stiffness out of the plane, below 0, against the angle.");
   draw_joint(drawing);

@@ -17,7 +17,7 @@ VectorXd bent(double angle) {
 
 }  // namespace
 
-std::string draw_H3() {
+std::string draw_h3() {
   Drawing drawing(
       "H3", 420, "Can a spring that skips a particle resist a small bend?",
       "Energy of a joint against its angle: slope 2 for an angular spring, 4 for one that skips it.");

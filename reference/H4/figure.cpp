@@ -54,7 +54,7 @@ void draw_revolution(Drawing& drawing, double middle, const char* first, const c
 
 }  // namespace
 
-std::string draw_H4() {
+std::string draw_h4() {
   Drawing drawing("H4", 284, "What is left of a revolution after a second?",
                   "A mass on four circles after each of 60 steps, its velocity and momentum at the end.");
   const hair::Strand strand{Eigen::Vector2d::Ones(), VectorXd::Constant(1, kLength), 1e8 * kLength};

@@ -1,4 +1,5 @@
 // STAFF ONLY. H5's figure: a stretched hair after Newton steps and after sweeps.
+#include "hair/io/plot/page.h"
 #include "hair/length_correction.h"
 #include "hair/strand/make_strand.h"
 #include "reference/figures/drawing.h"
@@ -20,7 +21,7 @@ VectorXd stretched() {
 
 }  // namespace
 
-std::string draw_H5() {
+std::string draw_h5() {
   Drawing drawing("H5", 346, "How fast does a stretched hair get its lengths back?",
                   "A hair after Newton steps and after sweeps; wrong segments have a colour of their own.");
   const hair::Strand strand = hair::uniform_strand({}, kSegments, 0.01 * kSegments);

@@ -38,7 +38,7 @@ struct Panel {
 
 }  // namespace
 
-std::string draw_H6() {
+std::string draw_h6() {
   Drawing drawing("H6", 256, "Which of the five steps moves the mass, and which changes its velocity?",
                   "A mass on a stiff segment, and the circle on which its length is right, after each step.");
   const hair::Strand strand{Eigen::Vector2d::Ones(), VectorXd::Ones(1), 1e8};

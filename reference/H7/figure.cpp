@@ -4,7 +4,7 @@
 
 namespace figures {
 
-std::string draw_H7() {
+std::string draw_h7() {
   Drawing drawing("H7", 372, "Which vectors say how a link lies on its parent, and how it moves?",
                   "A parent and a link, joined by a hinge, with r, d, u, the angular velocities and v.");
   const View view = {{160, 215}, 205, {0, 0, 0}, {0.94, 0, 0.34}, {0.12, 0.94, -0.33}};

@@ -4,7 +4,7 @@
 
 namespace figures {
 
-std::string draw_H8() {
+std::string draw_h8() {
   Drawing drawing("H8", 350, "How does an element move when one of its three numbers grows by a tenth?",
                   "An element with three frames; the same with each number grown, and the Jacobian's arrow.");
   const Vector3d curvature(4, 1.5, 5);  // 1/m, of an element of 1 m

@@ -61,7 +61,7 @@ void draw_contact(Drawing& drawing) {
 
 }  // namespace
 
-std::string draw_H9() {
+std::string draw_h9() {
   Drawing drawing("H9", 350, "Does a link recover, and how does a triangle share a push?",
                   "A link's strength while it is pulled, let go and pulled; a point over three areas.");
   draw_strength(drawing);

@@ -4,7 +4,7 @@
 
 namespace figures {
 
-std::string draw_P1() {
+std::string draw_p1() {
   using hair::phase::kBegin;
   Drawing drawing("P1", 250, "Which method keeps a pendulum on its curve?",
                   "Phase planes: two methods wind outwards, symplectic Euler leans, Runge-Kutta fits.");

@@ -53,7 +53,7 @@ Spots errors(double stiffness) {
 
 }  // namespace
 
-std::string draw_P2() {
+std::string draw_p2() {
   Drawing drawing(
       "P2", 536, "Which forces hold a rod and a wire, and do they hold for long?",
       "The forces point along the rod and across the wire. Errors of a double pendulum over time.");

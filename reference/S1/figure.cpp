@@ -46,7 +46,7 @@ void draw_bowl(Drawing& drawing) {
 
 }  // namespace
 
-std::string draw_S1() {
+std::string draw_s1() {
   Drawing drawing("S1", 386, "How do conjugate gradients find the bottom, and when do they need long?",
                   "Two paths down a bowl: a zigzag, and two steps. Residuals for four time steps.");
   draw_bowl(drawing);

@@ -5,7 +5,7 @@
 
 namespace figures {
 
-std::string draw_S2() {
+std::string draw_s2() {
   Drawing drawing("S2", 430, "How many digits do the normal equations lose?",
                   "Error of x against A's condition number: slope 1 for QR, slope 2 for two methods on A'A.");
   const Plot plot = drawing.plot({70, 50, 620, 320}, {"condition number of *A*", true, 10, 1e9},

@@ -1,12 +1,12 @@
 // STAFF ONLY. The exercises' figures: each reference/<ID>/figure.cpp draws one from computed numbers.
-// HAIR_FIGURES names them as FIGURE(S1) FIGURE(S2) ...
+// HAIR_FIGURES names them as FIGURE(S1, s1) FIGURE(S2, s2) ...
 #pragma once
 
 #include <string>
 
 namespace figures {
 
-#define FIGURE(id) std::string draw_##id();
+#define FIGURE(id, name) std::string draw_##name();
 HAIR_FIGURES
 #undef FIGURE
 
@@ -15,7 +15,7 @@ struct Figure {
   std::string (*draw)();
 };
 
-#define FIGURE(id) {#id, draw_##id},
+#define FIGURE(id, name) {#id, draw_##name},
 inline constexpr Figure kFigures[] = {HAIR_FIGURES};
 #undef FIGURE
 

@@ -42,8 +42,9 @@ std::string course_file() {
 constexpr const char* kIgnored = R"(# Hand-ins, grades and people stay out of the repository.
 /downloads/
 /grades/
-/roster.csv
 /handout.tar.gz
+*.csv
+*.zip
 secret*
 )";
 

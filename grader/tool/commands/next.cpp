@@ -1,5 +1,9 @@
 // STAFF ONLY. `hairgrade next`: the command that comes next in a course's own folder, and why.
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <array>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -19,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array<std::string_view, 5> kEndings{"", ".zip", ".tar.gz", ".tgz", ".tar"};
+
 struct Step {
   std::string command, why;
 };
@@ -36,35 +42,51 @@ std::string quoted(const std::string& word) {
   return plain && !word.empty() ? word : text + "'";
 }
 
-// The newest download of a hand-in: it bears its name, or any one if the course has no other hand-in.
-std::optional<fs::directory_entry> download_of(const std::string& hand_in) {
-  std::optional<fs::directory_entry> newest;
+struct Download {
+  fs::path path;
+  std::string since;  // it is here, UTC, as the record writes times
+};
+
+bool is_named(const std::string& file, const std::string& hand_in) {
+  if (!file.starts_with(hand_in)) return false;
+  const std::string rest = file.substr(hand_in.size());  // " (1).zip": a browser's second copy
+  return rest.starts_with(" (") || std::ranges::count(kEndings, rest) > 0;
+}
+
+std::string here_since(const fs::path& file) {
+  struct stat status = {};
+  if (stat(file.c_str(), &status) != 0) return "";
+  struct tm utc = {};
+  std::array<char, 32> text;
+  gmtime_r(&status.st_ctime, &utc);  // a file that is moved here keeps its own time of change
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &utc)};
+}
+
+// Returns the newest download of this name; without a name, all that lies in the folder.
+std::optional<Download> download_of(const std::string& hand_in) {
+  std::optional<Download> newest;
   if (!fs::is_directory(kDownloads)) return newest;
+  int files = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(kDownloads)) {
     const std::string name = entry.path().filename().string();
-    const bool is_its_own = name == hand_in || name.starts_with(hand_in + ".");
-    if (name.starts_with(".") || !(hand_in.empty() || is_its_own)) continue;
-    if (!newest || entry.last_write_time() > newest->last_write_time()) newest = entry;
+    if (name.starts_with(".") || !(hand_in.empty() || is_named(name, hand_in))) continue;
+    ++files;
+    if (const std::string since = here_since(entry.path()); !newest || since > newest->since)
+      newest = {entry.path(), since};
   }
+  if (files > 1 && hand_in.empty()) newest->path = kDownloads;
   return newest;
 }
 
-// Grades, reports or a decision changed them last.
-bool is_newer_than_grades(const fs::directory_entry& download, const Record& record) {
-  std::error_code none;
-  const auto graded = fs::last_write_time(record.pages() / "index.html", none);
-  return none || download.last_write_time() > graded;
-}
-
-Step give_back(Record& record, const std::string& of_hand_in,
-               const std::optional<fs::directory_entry>& download, const std::string& why) {
+Step give_back(Record& record, const std::string& of_hand_in, const std::optional<Download>& download,
+               const std::string& why) {
   const std::vector<HandIn> hand_ins = record.hand_ins();
   const std::string system = hand_ins.empty() ? "" : hand_ins.front().system;
   static const std::set<std::string> kFilled{"canvas", "moodle", "brightspace", "blackboard"};
   if (kFilled.contains(system))
     return {"hairgrade gradebook " + system + " --fill EXPORTED.csv --out filled.csv" + of_hand_in,
             why + (system == "canvas" && download
-                       ? "; then hairgrade feedback canvas " + quoted(download->path().string()) +
+                       ? "; then hairgrade feedback canvas " + quoted(download->path.string()) +
                              " --out feedback.zip" + of_hand_in
                        : std::string())};
   return {"hairgrade gradebook gradescope --out grades.csv" + of_hand_in,
@@ -73,9 +95,9 @@ Step give_back(Record& record, const std::string& of_hand_in,
 
 std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
   const std::string of_hand_in = several ? " --hand-in " + quoted(hand_in.name) : "";
-  const std::optional<fs::directory_entry> download = download_of(hand_in.name);
+  const std::optional<Download> download = download_of(hand_in.name);
   const auto grade = [&](const std::string& more, const std::string& why) {
-    return Step{"hairgrade grade " + quoted(download->path().string()) + of_hand_in + more, why};
+    return Step{"hairgrade grade " + quoted(download->path.string()) + of_hand_in + more, why};
   };
   bool is_recorded = Record::is_in(kGrades);
   if (is_recorded && several) {
@@ -89,23 +111,24 @@ std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
   const ClassCosts costs = record.costs();
   if (download && costs.last_run && !costs.last_run->is_whole())
     return grade(" --resume", "the last run ended before all were graded");
-  if (download && (names.empty() || is_newer_than_grades(*download, record)))
+  if (download && (!costs.last_run || download->since > costs.last_run->began))
     return grade(" --resume", "this download is newer than the grades");
   if (download && !costs.ended_by_the_clock.empty())
     return grade(" --resume", amount(costs.ended_by_the_clock.size(), "hand-in") + " ended by the clock");
-  std::size_t conflicts = 0, told = 0;
+  std::size_t conflicts = 0, untold = 0;
   for (const std::string& name : names) {
     conflicts += record.conflicts(name).size();
-    told += record.published(name) ? 1 : 0;
+    const std::vector<Decision> decisions = record.decisions(name);
+    untold +=
+        !record.published(name) && std::ranges::count(decisions, DecisionKind::hold, &Decision::kind) == 0;
   }
   const std::vector<Request> requests = record.requests();
   const auto open = static_cast<std::size_t>(std::ranges::count_if(requests, &Request::is_open));
   if (conflicts > 0 || open > 0)
     return Step{"hairgrade review" + of_hand_in,
                 amount(conflicts, "conflict") + " and " + amount(open, "request") + " wait for a decision"};
-  if (told == 0 && !names.empty())
-    return give_back(record, of_hand_in, download,
-                     amount(names.size(), "hand-in") + ": graded, and nobody is told yet");
+  if (untold > 0)
+    return give_back(record, of_hand_in, download, amount(untold, "hand-in") + ": graded, and not told yet");
   if (const std::size_t changed = published_changes(record).students; changed > 0)
     return Step{
         "hairgrade diff --published changed.csv" + of_hand_in,

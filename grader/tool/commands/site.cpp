@@ -44,7 +44,7 @@ Html bugs(const std::vector<SubmissionResult>& results) {
   std::map<std::string, Far> by_exercise;
   for (const SubmissionResult& result : results)
     for (const ExerciseResult& exercise : result.exercises) {
-      if (lost_categories(exercise).size() > kMostLost) continue;
+      if (const std::size_t lost = lost_categories(exercise).size(); lost == 0 || lost > kMostLost) continue;
       for (const PictureResult& picture : exercise.pictures)
         if (Far& far = by_exercise[exercise.id]; picture.flip > far.flip) far = {picture.flip, &exercise};
     }

@@ -38,7 +38,8 @@ function watchSimulation() {
     .then((answer) => { if (!answer.ok) state("The server refused a command."); }, () => state("hairlab live has ended."));
 
   const settings = () => `${2 ** Number($("step-size").value)} ${10 ** Number($("stiffness").value)} ${$("wind").value} ${$("method").value}`.trim();
-  const restart = () => send(`restart ${settings()}`);
+  let later = 0; // a restart of what broke
+  const restart = () => { clearTimeout(later); send(`restart ${settings()}`); };
 
   // The hand: where it leads roots, m and rad from the start.
   let hand = [0, 0, 0], turn = 0, sends = 0;
@@ -97,7 +98,10 @@ function watchSimulation() {
     Object.assign(runs[0], { blow_up: message.blow_up, ended: message.ended });
     state(message.ended ? `${NAMES_OF_ENDS[message.ended]}${message.blow_up ? `: ${message.blow_up.text}` : ""}.` : going ? "running" : `paused after step ${message.steps}`);
     if (message.ended) writeWords(runs);
-    if (message.ended === "blow_up" && (hand.some(Boolean) || turn)) setTimeout(restart, AGAIN_WAIT);
+    if (message.ended === "blow_up" && (hand.some(Boolean) || turn)) {
+      clearTimeout(later);
+      later = setTimeout(restart, AGAIN_WAIT);
+    }
     again();
   };
 

@@ -111,17 +111,20 @@ function makeDrawing(canvas, strands) {
   const ribbons = (held, scene, places, few) => {
     if (held.count === 0) return;
     const { motion } = held, focal = canvas.height / 2 / Math.tan(scene.fieldOfView / 2);
-    const many = motion.strands.length > SMOOTH_STRANDS, eye = held.coloured.startsWith("own") ? normalized(subtract(scene.eye, scene.target)) : null;
-    held.ribbons.lay(places, scene.camera, (focal * motion.width) / 2, (many ? 0.5 : 1) * scene.pixels, canvas.width / 2, canvas.height / 2, held.colourBytes, eye,
-      many ? motion.strands_in_all / motion.strands.length : 0);
+    const many = motion.strands.length > SMOOTH_STRANDS, thin = (many ? 0.5 : 1) * scene.pixels, wide = (focal * motion.width) / 2;
+    // Strands that one stands for. If they are thinner together than a pixel, they are transparent.
+    const each = motion.strands_in_all / motion.strands.length;
+    const faint = many && each * wide < thin * length(subtract(scene.eye, scene.target));
+    const eye = held.coloured.startsWith("own") ? normalized(subtract(scene.eye, scene.target)) : null;
+    held.ribbons.lay(places, scene.camera, wide, thin, canvas.width / 2, canvas.height / 2, held.colourBytes, eye, faint ? each : 0);
     use(programs.ribbons);
-    if (many) beginGlass();
+    if (faint) beginGlass();
     attribute(0, held.corners, 3, gl.FLOAT, BYTES_OF_CORNER, 0);
     gl.bufferSubData(gl.ARRAY_BUFFER, 0, held.ribbons.bytes);
     attribute(1, held.corners, 4, gl.UNSIGNED_BYTE, BYTES_OF_CORNER, 12);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, held.triangles);
     gl.drawElements(gl.TRIANGLES, few ? held.share : held.count, gl.UNSIGNED_INT, 0);
-    if (many) endGlass();
+    if (faint) endGlass();
     noAttributes();
   };
 
