@@ -2,11 +2,10 @@
 #include "grader/class_folder/at_rest.h"
 
 #include <algorithm>
-#include <cctype>
-#include <string_view>
 #include <system_error>
 
 #include "grader/course/input.h"
+#include "grader/text/shell_word.h"
 
 namespace grader::inline class_folder {
 namespace {
@@ -30,19 +29,6 @@ bool others_can_read(const fs::path& place) {
   return true;
 }
 
-// Quotes a path for a shell.
-std::string word(const fs::path& path) {
-  const std::string text = printable(path.string(), 4096);
-  const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char letter) {
-    return std::isalnum(letter) != 0 ||
-           std::string_view("/._-+,=:@").find(static_cast<char>(letter)) != std::string_view::npos;
-  });
-  if (plain) return text;
-  std::string quoted = "'";
-  for (const char letter : text) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return quoted + "'";
-}
-
 }  // namespace
 
 std::string readable_by_others(const std::vector<StaffPlace>& places) {
@@ -53,7 +39,7 @@ std::string readable_by_others(const std::vector<StaffPlace>& places) {
     names += (names.empty() ? "" : ", ") + place.name;
     if (std::find(tops.begin(), tops.end(), place.top) != tops.end()) continue;
     tops.push_back(place.top);
-    command += " " + word(place.top);
+    command += " " + shell_word(printable(place.top.string(), 4096));
   }
   if (names.empty()) return {};
   return "others on this machine can read " + names + "; this keeps them out: chmod go=" + command;

@@ -7,6 +7,7 @@
 
 #include "grader/archive/archive_writer.h"
 #include "grader/course/input.h"
+#include "grader/text/shell_word.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline package {
@@ -103,13 +104,6 @@ Files without_reference(Files all, const HandoutSources& sources, const Course& 
   return files;
 }
 
-// Quotes a word for a shell.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 }  // namespace
 
 void write_gradescope_package(const HandoutSources& sources, const std::string& secret, const Course& course,
@@ -118,7 +112,8 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
   std::string options;
   if (!package.checks_only) options += " --secret \"$source/secret\"";
   if (package.course) options += " --course \"$source/course.json\"";
-  if (!package.hand_in.empty() && !package.checks_only) options += " --hand-in " + quoted(package.hand_in);
+  if (!package.hand_in.empty() && !package.checks_only)
+    options += " --hand-in " + shell_word(package.hand_in);
   std::vector<ArchiveEntry> entries;
   for (const char* script : {"setup.sh", "run_autograder"}) {
     std::string text = bytes_of_source(project / "grader/package/gradescope" / script);

@@ -1,7 +1,6 @@
 // STAFF ONLY. `hairgrade new-course`: makes a course's own folder.
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 
 #include "grader/course/course.h"

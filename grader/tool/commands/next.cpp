@@ -15,6 +15,7 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/published.h"
 #include "grader/record/record.h"
+#include "grader/text/shell_word.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/course_folder.h"
 
@@ -31,15 +32,6 @@ struct Step {
 
 std::string amount(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-std::string quoted(const std::string& word) {
-  const bool plain = std::ranges::all_of(word, [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '/' || c == '.' || c == '-' || c == '_';
-  });
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return plain && !word.empty() ? word : text + "'";
 }
 
 struct Download {
@@ -86,7 +78,7 @@ Step give_back(Record& record, const std::string& of_hand_in, const std::optiona
   if (kFilled.contains(system))
     return {"hairgrade gradebook " + system + " --fill EXPORTED.csv --out filled.csv" + of_hand_in,
             why + (system == "canvas" && download
-                       ? "; then hairgrade feedback canvas " + quoted(download->path.string()) +
+                       ? "; then hairgrade feedback canvas " + shell_word(download->path.string()) +
                              " --out feedback.zip" + of_hand_in
                        : std::string())};
   return {"hairgrade gradebook gradescope --out grades.csv" + of_hand_in,
@@ -94,10 +86,10 @@ Step give_back(Record& record, const std::string& of_hand_in, const std::optiona
 }
 
 std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
-  const std::string of_hand_in = several ? " --hand-in " + quoted(hand_in.name) : "";
+  const std::string of_hand_in = several ? " --hand-in " + shell_word(hand_in.name) : "";
   const std::optional<Download> download = download_of(hand_in.name);
   const auto grade = [&](const std::string& more, const std::string& why) {
-    return Step{"hairgrade grade " + quoted(download->path.string()) + of_hand_in + more, why};
+    return Step{"hairgrade grade " + shell_word(download->path.string()) + of_hand_in + more, why};
   };
   bool is_recorded = Record::is_in(kGrades);
   if (is_recorded && several) {

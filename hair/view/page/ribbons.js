@@ -7,9 +7,10 @@ const LIGHT = [0.48, -0.6, 0.64]; // light along a hair is invisible
 const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z on the screen, -1 to 1; red, green, blue, opacity
 const FAINTEST = 0.2; // the opacity of strands that are far thinner than a pixel
 
+const MATT = { white: 0, coloured: 0 };
+
 // Highlights of hair, as in the pictures (hair/render/fine/hair_shading.h): white towards the root, and in
 // the hair's colour towards the tip. cosine: between the strand and the direction half way from eye to light.
-const MATT = { white: 0, coloured: 0 };
 function highlights(cosine) {
   const root = cosine - 0.12, tip = cosine + 0.16, r2 = Math.max(0, 1 - root * root), t2 = Math.max(0, 1 - tip * tip);
   const t4 = t2 * t2, t8 = t4 * t4, r8 = r2 ** 8;
