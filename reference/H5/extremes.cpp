@@ -77,7 +77,7 @@ void degenerate(Trial& trial) {
 // The report is true. If rounding alone leaves a thousandth and more, nothing is converged.
 void far_root(Trial& trial) {
   Random& random = trial.random;
-  for (double far : {1e2, 1e6, 2e13, 2e13, 2e13, 2e13, 1e18}) {
+  for (double far : {1e2, 1e6, 2e13, 5e13, 1e14, 1e14, 1e18}) {
     const Strand strand = random_strand(random, 8, 1);
     VectorXd x = placed(random, strand, 0.3);
     x.head<3>() += far * Vector3d(random_vector(random, 3)).normalized();
