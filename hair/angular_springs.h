@@ -17,8 +17,9 @@
 //
 // At phi = 0 the axis b is undefined, but phi b is not: it is u1 x u2 up to third order, so the force is
 // smooth there. At the fold, phi = pi, both b and phi b are undefined. Near the fold the force has the size k
-// pi / |e|, in a direction that depends on the side; at the fold itself it is 0 by definition (an unstable
-// equilibrium). A joint with a segment of length 0 has the angle 0, no energy, no force and no products.
+// pi / |e|, in a direction that depends on the side; at the fold itself, where u1 x u2 is 0, it is 0 by
+// definition (an unstable equilibrium). A joint with a segment of length 0 has the angle 0, no energy, no
+// force and no products.
 //
 // All results are finite if every length is 0 or between 1e-100 and 1e100 m. x, f, dx and df have 3n entries.
 #pragma once

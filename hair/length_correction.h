@@ -9,7 +9,7 @@
 // / l0.
 //
 // A segment of length 0 has no direction. It takes the direction of the segment before it; the first segment
-// takes root_tangent. A strand of 1 particle is always correct.
+// takes root_tangent. A strand of 1 particle has nothing to correct.
 #pragma once
 
 #include "hair/strand.h"

@@ -61,8 +61,8 @@ using particles::Output;
 // Pass 1: v, c and bias (Z^) of links 1 to n, from passes[0].v.
 void outward_velocities(const std::vector<Link>& links, Input rates, std::vector<LinkPass>& passes);
 
-// Pass 2: inertia (I^A) and bias (Z^A) of all links, and gain of links 1 to n. On entry bias is Z^; the base
-// has the bias 0. On return passes[0] holds the base's I^A_0 and Z^A_0: the force I^A_0 a^_0 + Z^A_0 gives
+// Pass 2: inertia (I^A) and bias (Z^A) of all links, and gain of links 1 to n. On entry bias is Z^, and
+// passes[0].bias 0. On return passes[0] holds the base's I^A_0 and Z^A_0: the force I^A_0 a^_0 + Z^A_0 gives
 // the base its acceleration a^_0.
 void inward_inertias(const std::vector<Link>& links, Input Q, std::vector<LinkPass>& passes);
 

@@ -66,7 +66,7 @@ void interpolate(const std::array<GuideHair, 3>& guides, const std::array<double
 // coincide have no direction: R_i = 1, and u_i = u_(i-1); before the first direction all turns are 1. If the
 // guide reverses, u_i = -u_(i-1) up to rounding, R_i is a half turn about any axis perpendicular to u_i.
 //
-// Errors: 1e-12 of arc; 1e-10 of turns, if no R_i turns by more than 175 degrees.
+// Errors: 1e-12 of arc; 1e-10 of turns, 1e-6 where an R_i turns by more than 175 degrees.
 void carry_along(Input guide, GuideFrames& frames);
 
 // (4) Extrapolation: a strand of the guide's wisp, which grows at `root` (m). The vector between the two

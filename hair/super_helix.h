@@ -31,9 +31,9 @@ using particles::Scratch;
 //   c_k(x) = 1/k! - x/(k+2)! + x^2/(k+4)! - ..., x c_(k+2) = 1/k! - c_k, dc_k/dx = (k c_(k+2) - c_(k+1)) / 2
 //
 // c_0 = cos a and c_1 = sin(a) / a, where a = sqrt(x); c_2 and c_3 stand in the closed form of a helix, the
-// others in its derivatives. For all x up to 1e6 the error of c_k is at most 1e-11 times the smaller of 1 /
-// k! and 2 / ((k - 2)! x), which bounds c_k. So there is no jump. (x c_(k+2) = ... loses digits near x = 0; a
-// series needs many terms if x is large.)
+// others in its derivatives. For all x up to 1e6 the error of c_k is at most 1e-11 times the bound of c_k,
+// 1/k! or, if that is smaller and k >= 2, 2 / ((k - 2)! x). So there is no jump. (x c_(k+2) = ... loses
+// digits near x = 0; a series needs many terms if x is large.)
 std::array<double, 8> stumpff(double x);
 
 // (2) The centre line and frame at s in an element with this start: dr/ds = t, and n1, n2, t turn by Omega x,

@@ -57,11 +57,11 @@ std::unique_ptr<implicitMatrix> constraint_matrix(const Constraints& constraints
 //
 // There is no solution if the right-hand side contradicts itself. Redundant constraints agree with each other
 // only as far as they hold: if lengths are off by a part e, the feedback's terms disagree by about e^2. If
-// that is more than the tolerance, ConjGrad uses up its iterations, and may be called again with a tolerance
-// a hundred times as large each time, but never with one above 1e-6. Two rods of different lengths between
-// the same particles, with feedback, or a rod of length 0 whose ends move apart, contradict each other at any
-// tolerance: then the function still returns, the report has a residual above the tolerance, and lambda may
-// be arbitrarily large.
+// that is more than the tolerance, ConjGrad uses up its iterations, and may (need not) be called again with a
+// tolerance a hundred times as large each time, but never with one above 1e-6; `steps` adds up all calls. Two
+// rods of different lengths between the same particles, with feedback, or a rod of length 0 whose ends move
+// apart, contradict each other at any tolerance: then the function still returns, the report has a residual
+// above the tolerance, and lambda may be arbitrarily large.
 // If all forces cancel, the right-hand side contains only rounding errors, which contradict each other:
 // callers then take lambda = 0 without a solve (particles/toys/constraint_rounding.h).
 ConstraintReport solve_constraints(const Constraints& constraints, const Particles& particles,

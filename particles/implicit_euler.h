@@ -51,7 +51,7 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Partic
 void implicit_rhs(const Force& force, const Particles& particles, const State& state, double a, double b,
                   Output rhs);
 
-// Solves matrix dv = rhs by one call of ConjGrad, which may take `most_steps` iterations, and writes dv.
+// Solves matrix dv = rhs by one call of ConjGrad, which may take `most_steps` >= 1 iterations, and writes dv.
 // `tolerance` is relative: ConjGrad is asked for a residual of at most tolerance * ||rhs||. rhs is not
 // changed; it is an Output because ConjGrad wants a double*. If the matrix is not positive definite, a number
 // is not finite, or ConjGrad needs more iterations, `converged` is false, and dv is ConjGrad's last x.

@@ -483,12 +483,12 @@ TEST(Folds, SurvivesFoldsAndPointsThatCoincide) {
 TEST(Folds, TurnsRightRoundWhereAGuideAllButFolds) {
   look_at("fold");
   const Vector3d along = Vector3d(2, -1, 2) / 3, aside = Vector3d(1, 2, 0).normalized();
-  for (const double off : {1e-9, 1e-12, 1e-15}) {
+  for (const char* said : {"1e-9", "1e-12", "1e-15"}) {
+    const double off = std::stod(said);
     VectorXd points(9);
     points << Vector3d::Zero(), along, off * aside;
     const Matrix3d turn = carried(upright(points)).turns[2];
-    const std::string where =
-        " of a guide that goes back beside itself, " + std::to_string(off * 1e15) + "e-15 away";
+    const std::string where = " of a guide that goes back beside itself, " + std::string(said) + " away";
     expect_matrix((turn.transpose() * turn), Matrix3d::Identity(), 1e-9, "turns^T turns" + where,
                   "the contract's");
     EXPECT_GT(turn.determinant(), 0) << "a reflection is no rotation" << where;
