@@ -31,7 +31,7 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   settings.course.budget.wall_seconds = 16;  // half each
   settings.cache = HAIR_TEST_CACHE;
   settings.secret = "a secret for tests alone";
-  settings.images = settings.memory_errors = false;
+  settings.images = false;
   settings.isolation = Isolation::none;  // S1 sees the pipe
 
   const auto file = [&](const std::string& path, const std::string& before) {

@@ -73,7 +73,7 @@ void hide(const HiddenNames& names, SubmissionResult& result) {
       for (std::string* text : {&said.code, &said.text}) cover(*text);
     cover(exercise.source);
     for (CaseResult& one : exercise.cases)
-      for (std::string* text : {&one.feedback, &one.detail, &one.memory_error}) cover(*text);
+      for (std::string* text : {&one.feedback, &one.detail}) cover(*text);
   }
 }
 

@@ -11,10 +11,7 @@
 
 #include "grader/compile/cache.h"
 #include "grader/compile/hash.h"
-#include "grader/compile/switched_off.h"
-#include "grader/compile/symbols.h"
 #include "grader/course/input.h"
-#include "grader/sandbox/processes/identity.h"
 #include "grader/text/encoding.h"
 #include "hair/io/files/read_file.h"
 
@@ -86,19 +83,16 @@ std::string undefined_names(const std::string& log) {
 }  // namespace
 
 Compiler::Compiler(const StagedKit& kit, fs::path cache, Isolation isolation)
-    : toolchain_(kit, isolation),
-      precompiled_(toolchain_, cache, Build::ordinary),
-      precompiled_sanitised_(toolchain_, cache, Build::sanitised),
-      cache_(std::move(cache)) {
+    : toolchain_(kit, isolation), precompiled_(toolchain_, cache), cache_(std::move(cache)) {
   std::error_code error;
   if (fs::create_directories(cache_, error)) fs::permissions(cache_, fs::perms::owner_all);
   if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
 }
 
 Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job,
-                           double cpu_seconds, Build build) const {
+                           double cpu_seconds) const {
   const fs::path object = job / (exercise.id + ".so");
-  const std::string hash = key(exercise, source, build);
+  const std::string hash = key(exercise, source);
   const fs::path kept = cache_ / (hash + ".object");
   std::unique_lock turns(turns_mutex_);
   std::mutex& turn = turns_[hash];
@@ -113,16 +107,9 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
       return {object, own_warnings(found->log, exercise.file), found->log, 0, found->cpu_seconds};
     }
 
-  double before = 0;
-  if (build == Build::sanitised && may_switch_off(source)) {
-    Compiled looked = look_for_switches(exercise, source, job, cpu_seconds);
-    if (!looked.messages.empty() || !looked.switched_off.empty()) return looked;
-    before = looked.cpu_seconds;
-  }
-  Compiled first = run_compiler(exercise, source, job, cpu_seconds - before, build);
-  first.cpu_seconds += before;
+  const Compiled first = run_compiler(exercise, source, job, cpu_seconds);
   if (first.object.empty()) return first;
-  Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds, build);
+  Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds);
   compiled.log = first.log + compiled.log;
   if (!compiled.object.empty()) compiled.messages = own_warnings(compiled.log, exercise.file);
   compiled.made_in_seconds = compiled.cpu_seconds += first.cpu_seconds;
@@ -138,16 +125,16 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   return compiled;
 }
 
-std::string Compiler::key(const Exercise& exercise, const std::string& source, Build build) const {
-  std::string all = toolchain_.kit().hash() + '\0' + toolchain_.version() + '\0' + exercise.id + '\0' +
-                    exercise.file + (build == Build::sanitised ? std::string(1, '\0') + "sanitised" : "");
+std::string Compiler::key(const Exercise& exercise, const std::string& source) const {
+  std::string all =
+      toolchain_.kit().hash() + '\0' + toolchain_.version() + '\0' + exercise.id + '\0' + exercise.file;
   for (const auto* words : {&exercise.libraries, &exercise.prerequisites})
     for (const std::string& word : *words) all += '\0' + word;
   return sha256(all + '\0' + source);
 }
 
 Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& source, const fs::path& job,
-                                double cpu_seconds, Build build) const {
+                                double cpu_seconds) const {
   const fs::path in = source_folder(job / "source", exercise.file, source),
                  out = writable_folder(job / "object");
 
@@ -155,9 +142,8 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   Sandbox sandbox;
   auto run = [&](bool precompiled, bool& used) {
     sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds - taken, in, out);
-    std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, build);
-    const PrecompiledHeader& header = build == Build::sanitised ? precompiled_sanitised_ : precompiled_;
-    used = precompiled && header.use(exercise.libraries, sandbox, command);
+    std::vector<std::string> command = toolchain_.compile_command(exercise.libraries);
+    used = precompiled && precompiled_.use(exercise.libraries, sandbox, command);
     command.insert(command.end(), {"-c", exercise.file, "-o", "/out/object.o"});
     Toolchain::Run found = toolchain_.run(sandbox, command, exercise.file);
     taken += found.cpu_seconds;
@@ -169,13 +155,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
 
   Compiled compiled{{}, own_messages(found.output, exercise.file), found.output, taken};
   if (found.ending.well()) {
-    const std::optional<std::string> object = read_written(out / "object.o", sandbox.limits.file_bytes);
-    const std::optional<std::string> forbidden = forbidden_definition(object ? *object : "");
-    if (!forbidden) {
-      compiled.object = out / "object.o";
-      return compiled;
-    }
-    compiled.messages += "the file defines " + *forbidden + "; no exercise needs it\n";
+    compiled.object = out / "object.o";
     return compiled;
   }
   toolchain_.prove_it_compiles(sandbox);
@@ -190,40 +170,14 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   return compiled;
 }
 
-// Preprocesses the file. Messages without an object: it met a limit, or failed.
-Compiled Compiler::look_for_switches(const Exercise& exercise, const std::string& source, const fs::path& job,
-                                     double cpu_seconds) const {
-  constexpr std::size_t kMostText = 64 << 20;
-  const fs::path in = source_folder(job / "to-preprocess", exercise.file, source),
-                 out = writable_folder(job / "preprocessed");
-  const Sandbox sandbox = toolchain_.compiling(exercise.libraries, cpu_seconds, in, out);
-  std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, Build::sanitised);
-  command.insert(command.end(), {"-E", exercise.file, "-o", "/out/text"});
-  const Toolchain::Run found = toolchain_.run(sandbox, command, exercise.file);
-  Compiled compiled{{}, {}, found.output, found.cpu_seconds};
-  const std::optional<std::string> text =
-      found.ending.well() ? read_written(out / "text", kMostText) : std::nullopt;
-  if (!text) {
-    compiled.messages = "the file could not be preprocessed\n";
-  } else if (const auto found_switch = find_switch(source, *text, exercise.file)) {
-    const std::string place = found_switch->line > 0
-                                  ? "Line " + std::to_string(found_switch->line) + " of " + exercise.file
-                                  : "A macro in " + exercise.file;
-    compiled.switched_off = place + " keeps parts of the code from the look for memory errors, by \"" +
-                            printable(found_switch->word, 40) + "\", so there is no point for it.";
-  }
-  return compiled;
-}
-
-Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, double cpu_seconds,
-                              Build build) const {
+Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, double cpu_seconds) const {
   constexpr std::size_t kLargestObject = 8 << 20;
   const fs::path out = writable_folder(job / "linked");
   Sandbox sandbox = toolchain_.linking(cpu_seconds);
   sandbox.mounts.push_back({job / "object", "/object"});
   sandbox.mounts.push_back({out, "/out", true});
   sandbox.mounts.push_back({toolchain_.kit().folder() / "export" / (exercise.id + ".map"), "/export.map"});
-  std::vector<std::string> command = toolchain_.link_command(build);
+  std::vector<std::string> command = toolchain_.link_command();
   // Other exercises' objects find it under its name when all run together.
   command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
                                  "-o", "/out/" + exercise.id + ".so", "/object/object.o"});

@@ -24,8 +24,6 @@ struct Compiled {
   std::string log;               // for staff: the whole output of compiler and linker
   double cpu_seconds = 0;        // is the time of this call; 0 if the object was cached
   double made_in_seconds = 0;    // is the time that the object took when it was made
-  std::string switched_off =
-      {};  // for the student, with sanitizers: how the file disables them; then there is no object
 };
 
 class Compiler {
@@ -38,21 +36,18 @@ class Compiler {
   // written into it as <id>.so. `cpu_seconds` limits compiler and linker. Throws std::runtime_error if the
   // machine fails.
   Compiled compile(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
-                   double cpu_seconds, Build build = Build::ordinary) const;
+                   double cpu_seconds) const;
 
   const Toolchain& toolchain() const { return toolchain_; }
 
  private:
-  std::string key(const Exercise& exercise, const std::string& source, Build build) const;
+  std::string key(const Exercise& exercise, const std::string& source) const;
   Compiled run_compiler(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
-                        double cpu_seconds, Build build) const;
-  Compiled look_for_switches(const Exercise& exercise, const std::string& source,
-                             const std::filesystem::path& job, double cpu_seconds) const;
-  Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job, double cpu_seconds,
-                      Build build) const;
+                        double cpu_seconds) const;
+  Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job, double cpu_seconds) const;
 
   Toolchain toolchain_;
-  PrecompiledHeader precompiled_, precompiled_sanitised_;
+  PrecompiledHeader precompiled_;
   std::filesystem::path cache_;
   mutable std::mutex turns_mutex_;                   // guards the map
   mutable std::map<std::string, std::mutex> turns_;  // by the object's key: one thread at a time makes it

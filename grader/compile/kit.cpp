@@ -12,7 +12,7 @@ namespace grader::inline compile {
 namespace fs = std::filesystem;
 
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
-  std::vector<fs::path> parts = {"probe", "worker", "sanitised/worker", "serve/runs.so", "given/standard.a"};
+  std::vector<fs::path> parts = {"probe", "worker", "serve/runs.so", "given/standard.a"};
   for (const Exercise& exercise : course.exercises) {
     parts.push_back(fs::path("handout") / exercise.header);
     parts.push_back(fs::path("export") / (exercise.id + ".map"));

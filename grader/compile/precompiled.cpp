@@ -5,7 +5,6 @@
 
 #include "grader/compile/cache.h"
 #include "grader/compile/hash.h"
-#include "grader/sandbox/processes/identity.h"
 
 namespace grader::inline compile {
 namespace {
@@ -15,9 +14,6 @@ namespace fs = std::filesystem;
 constexpr double kMostSeconds = 300;  // is CPU time
 constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 const std::vector<std::string> kLibraries = {"eigen"};
-const char* name_of(Build build) {
-  return build == Build::sanitised ? "sanitised" : "given";
-}
 
 constexpr const char* kText = "#include \"particles/usual.h\"\n";
 
@@ -34,26 +30,24 @@ bool PrecompiledHeader::use(const std::vector<std::string>& libraries, Sandbox& 
 }
 
 void PrecompiledHeader::make() const {
-  const fs::path folder = toolchain_.kit().new_job(std::string("precompiled-") + name_of(build_));
+  const fs::path folder = toolchain_.kit().new_job("precompiled");
   const fs::path file = folder / "given.h.gch";
   std::ofstream(folder / "given.h") << kText;
   fs::permissions(folder / "given.h", fs::perms(0644));
 
   const fs::path cached =
       cache_ /
-      (std::string(name_of(build_)) + "-" +
-       sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "handout")) + ".gch");
+      ("given-" + sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "handout")) +
+       ".gch");
   std::error_code error;
   if (!toolchain_.isolated() || !fs::copy_file(cached, file, error)) {
     const std::optional<std::string> bytes = compile();
     if (!bytes) return;
     std::ofstream(file, std::ios::binary) << *bytes;
     if (toolchain_.isolated()) {
-      // Keeps one of each build: they are large, and fit one kit and one compiler.
+      // Keeps one: it is large, and fits one kit and one compiler.
       for (const auto& entry : fs::directory_iterator(cache_, error))
-        if (entry.path().extension() == ".gch" &&
-            entry.path().filename().string().starts_with(std::string(name_of(build_)) + "-"))
-          fs::remove(entry.path(), error);
+        if (entry.path().extension() == ".gch") fs::remove(entry.path(), error);
       keep_copy(file, cached);
     }
   }
@@ -63,11 +57,11 @@ void PrecompiledHeader::make() const {
 }
 
 std::optional<std::string> PrecompiledHeader::compile() const {
-  const fs::path job = toolchain_.kit().new_job(std::string("precompile-") + name_of(build_)),
+  const fs::path job = toolchain_.kit().new_job("precompile"),
                  in = source_folder(job / "source", "given.h", kText), out = writable_folder(job / "object");
   Sandbox sandbox = toolchain_.compiling(kLibraries, kMostSeconds, in, out);
   sandbox.limits.file_bytes = kMostBytes;
-  std::vector<std::string> command = toolchain_.compile_command(kLibraries, build_);
+  std::vector<std::string> command = toolchain_.compile_command(kLibraries);
   command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
   const Toolchain::Run run = toolchain_.run(sandbox, command, "given.h");
   std::optional<std::string> bytes =

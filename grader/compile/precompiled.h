@@ -18,8 +18,8 @@ namespace grader::inline compile {
 
 class PrecompiledHeader {
  public:
-  PrecompiledHeader(const Toolchain& toolchain, std::filesystem::path cache, Build build)
-      : toolchain_(toolchain), cache_(std::move(cache)), build_(build) {}
+  PrecompiledHeader(const Toolchain& toolchain, std::filesystem::path cache)
+      : toolchain_(toolchain), cache_(std::move(cache)) {}
 
   // Mounts it for exercises with these libraries, and adds the option to use it. Makes it at the first use if
   // it is not in the cache. Returns false, and changes nothing, if the exercise can't use it.
@@ -32,7 +32,6 @@ class PrecompiledHeader {
 
   const Toolchain& toolchain_;
   std::filesystem::path cache_;
-  Build build_;
   mutable std::once_flag made_;
   mutable std::filesystem::path folder_;  // empty: making it failed
 };

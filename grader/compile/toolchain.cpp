@@ -31,18 +31,6 @@ const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-c
                                            "-ftrivial-auto-var-init=pattern", "-Wall", "-Wextra",
                                            "-fmax-errors=20", "-fno-diagnostics-show-caret",
                                            "-fdiagnostics-color=never"};
-// These find errors in little compile time: calls of checks compile faster than inline checks, and -O1 faster
-// than -O0, which writes out more functions. UndefinedBehaviorSanitizer's tests of pointers repeat
-// AddressSanitizer's, and double the time. Without __SANITIZE_ADDRESS__ code can't see the difference, and
-// Eigen allocates as the worker does, which is compiled without sanitizers.
-const std::vector<std::string> kSanitise = {
-    "-O1",
-    "-fno-omit-frame-pointer",
-    "-fsanitize=address,signed-integer-overflow,bounds,integer-divide-by-zero,shift,vla-bound,return",
-    "-fno-sanitize-recover=all",
-    "-U__SANITIZE_ADDRESS__",
-    "--param=asan-instrumentation-with-call-threshold=0"};
-const std::vector<std::string> kLinkSanitised = {"-fsanitize=address,undefined"};
 const std::vector<std::string> kLink = {"-shared",     "-s",        "-fno-lto", "-fno-use-linker-plugin",
                                         "-Wl,-z,defs", "-Wl,-z,now"};
 
@@ -68,7 +56,7 @@ bool tool_says(const std::string& log, const std::string& student_file,
 Toolchain::Toolchain(const StagedKit& kit, Isolation isolation)
     : kit_(kit), isolation_(isolation), program_(system_compiler()), system_(toolchain_mounts(isolation)) {
   std::string all = sha256_of(program_);
-  for (const auto* words : {&kCompile, &kSanitise, &kLink, &kLinkSanitised})
+  for (const auto* words : {&kCompile, &kLink})
     for (const std::string& word : *words) all += '\0' + word;
   version_ = sha256(all);
 }
@@ -145,11 +133,9 @@ Sandbox Toolchain::compiling(const std::vector<std::string>& libraries, double c
   return sandbox;
 }
 
-std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries,
-                                                    Build build) const {
+std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries) const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kCompile.begin(), kCompile.end());
-  if (build == Build::sanitised) command.insert(command.end(), kSanitise.begin(), kSanitise.end());
   for (const std::string& library : libraries)
     command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
   // A student's build has this order.
@@ -158,10 +144,9 @@ std::vector<std::string> Toolchain::compile_command(const std::vector<std::strin
   return command;
 }
 
-std::vector<std::string> Toolchain::link_command(Build build) const {
+std::vector<std::string> Toolchain::link_command() const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kLink.begin(), kLink.end());
-  if (build == Build::sanitised) command.insert(command.end(), kLinkSanitised.begin(), kLinkSanitised.end());
   if (fs::exists("/usr/bin/ld.gold"))
     command.emplace_back("-fuse-ld=gold");  // takes a third of the default linker's time
   return command;

@@ -11,9 +11,6 @@
 
 namespace grader::inline compile {
 
-// Is the way to build a student's file: for grading, or with the sanitizers that find memory errors.
-enum class Build { ordinary, sanitised };
-
 // The sandbox that compiles has student/ beside the contracts' folders, as at home.
 inline constexpr const char* kStudentFolder = "/handout/student";
 
@@ -41,15 +38,14 @@ class Toolchain {
   // Returns a sandbox for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and
   // the command to compile in it. The caller adds the input, the output, and the mounts for both.
   Sandbox compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
-  std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
-                                           Build build = Build::ordinary) const;
+  std::vector<std::string> compile_command(const std::vector<std::string>& libraries) const;
 
   // Adds `in`, where it runs, and `out`, where it writes.
   Sandbox compiling(const std::vector<std::string>& libraries, double cpu_seconds,
                     const std::filesystem::path& in, const std::filesystem::path& out) const;
   // Returns the same for linking: a sandbox without headers.
   Sandbox linking(double cpu_seconds) const;
-  std::vector<std::string> link_command(Build build = Build::ordinary) const;
+  std::vector<std::string> link_command() const;
 
   const StagedKit& kit() const { return kit_; }
   bool isolated() const { return isolation_ != Isolation::none; }

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "grader/judge/memory_points.h"
-#include "grader/sandbox/processes/identity.h"
 #include "hair/io/plot/readable.h"
 #include "solver/timing.h"
 
@@ -17,13 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLog = 16 << 10;  // bounds a worker's output
 
-// Returns the function of a memory error. A line number would be one of hundreds, and code could choose it by
-// a hidden input.
-std::string function_of(const Exercise& exercise, int call) {
-  const auto number = static_cast<std::size_t>(call);
-  return call >= 0 && number < exercise.functions.size() ? hair::plain_name(exercise.functions[number]) : "";
-}
-
 }  // namespace
 
 std::string beginning_of(const fs::path& log, std::size_t most) {
@@ -32,14 +23,6 @@ std::string beginning_of(const fs::path& log, std::size_t most) {
   in.read(text.data(), static_cast<std::streamsize>(most));
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
-}
-
-Compiled compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,
-                                 const std::string& source, const fs::path& job, double cpu_seconds) {
-  const fs::path folder = job / "sanitised";
-  fs::create_directory(folder);
-  share_with_sandbox(folder, false);
-  return compiler.compile(exercise, source, folder, cpu_seconds, Build::sanitised);
 }
 
 double whole_points(double points, double weight, double weights, int held, int cases) {
@@ -96,30 +79,12 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
   if (compiled.object.empty())
     return without_cases(Status::does_not_compile, sentence_for(Status::does_not_compile));
 
-  std::optional<Compiled> sanitised;
-  double compiler_cpu_seconds = compiled.cpu_seconds;
-  if (jobs.settings().memory_errors) {
-    const timing::Stopwatch once_more;
-    const Compiled& checked = sanitised.emplace(compile_with_sanitizers(
-        compiler, exercise, file->second.text, job, compiler_seconds - compiled.cpu_seconds));
-    timing.compile_seconds += once_more.seconds();
-    compiler_cpu_seconds += checked.cpu_seconds;
-    if (checked.object.empty())
-      result.staff_log += "memory errors were not looked for: " +
-                          (checked.switched_off.empty()
-                               ? "it does not compile with sanitizers:\n" + checked.messages + checked.log
-                               : checked.switched_off + "\n");
-  }
-  timing.spent.compiler_cpu_seconds = compiler_cpu_seconds;
-
-  run_cases(jobs, exercise, drawn_from(submission), compiled.object, job, sanitised, result, timing);
+  run_cases(jobs, exercise, drawn_from(submission), compiled.object, job, result, timing);
 }
 
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
-               const fs::path& object, const fs::path& job, const std::optional<Compiled>& sanitised,
-               ExerciseResult& result, ExerciseTiming& timing) {
-  SuiteJob suite = jobs.cases(exercise, student, object, job);
-  if (sanitised) suite.sanitised = sanitised->object;
+               const fs::path& object, const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) {
+  const SuiteJob suite = jobs.cases(exercise, student, object, job);
   SuiteResult found = jobs.run(suite, timing);
   double weights = 0;
   for (const CaseResult& one : found.cases) weights += one.max_points;
@@ -142,28 +107,11 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     one.max_points *= exercise.points / weights;
     result.points += one.points;
   }
-  if (sanitised && found.memory && !found.memory->message.empty()) {
-    const std::string function = function_of(exercise, found.memory->call);
-    const std::string place = found.memory->call < 0 ? ""
-                              : function.empty()     ? ", in " + exercise.file
-                                                     : ", in a call of " + function;
-    for (CaseResult& one : found.cases) {
-      if (one.name != kMemoryTitle) continue;
-      one.memory_error = one.feedback = found.memory->message + place + ".";
-      one.memory_error_in = function;
-    }
-  }
-  if (sanitised && !sanitised->switched_off.empty())
-    for (CaseResult& one : found.cases)
-      if (one.name == kMemoryTitle && one.status != Status::passed) one.feedback = sanitised->switched_off;
   result.cases = std::move(found.cases);
   result.pictures = std::move(found.pictures);
   result.motions = std::move(found.motions);
   result.status = overall_status(result.cases);
   result.feedback = sentence_for(result.status);
-  if (!jobs.settings().memory_errors)
-    result.feedback +=
-        " Memory errors were not looked for on this machine; their point went to the largest category.";
   result.staff_log += beginning_of(suite.log, kMostLog);
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,16 +28,10 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
                     const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
                     ExerciseResult& result, ExerciseTiming& timing);
 
-// Compiles a file once more with the sanitizers that find memory errors. There is no object if the compiler
-// met a limit, or if the file switches them off.
-Compiled compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,
-                                 const std::string& source, const std::filesystem::path& job,
-                                 double cpu_seconds);
-
-// Runs only the suite, against an object of `student`. Without `sanitised` it looks for no memory errors.
+// Runs only the suite, against an object of `student`.
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
-               const std::filesystem::path& object, const std::filesystem::path& job,
-               const std::optional<Compiled>& sanitised, ExerciseResult& result, ExerciseTiming& timing);
+               const std::filesystem::path& object, const std::filesystem::path& job, ExerciseResult& result,
+               ExerciseTiming& timing);
 
 // Returns the beginning of a worker's output.
 std::string beginning_of(const std::filesystem::path& log, std::size_t most);

@@ -1,5 +1,5 @@
 // STAFF ONLY. Tests the points of an exercise that is right in some of its cases, with and without "partial"
-// in the course file.
+// in the course file; and that the reference is graded before all others.
 #include "grader/grading/exercise_grading.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "grader/grading/grading.h"
 #include "grader/grading/settings_for_tests.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader::inline grading {
 namespace {
@@ -31,14 +33,19 @@ std::string right_for_odd_n() {
   return text.str();
 }
 
+GradingSettings settings_without_images() {
+  GradingSettings settings = settings_for_tests();
+  settings.cache = HAIR_TEST_CACHE;
+  settings.secret = "a secret for tests alone";
+  settings.images = false;
+  return settings;
+}
+
 class PartialPoints : public testing::Test {
  protected:
   ExerciseResult grade(bool partial) const {
-    GradingSettings settings = settings_for_tests();
+    GradingSettings settings = settings_without_images();
     settings.course.partial = partial;
-    settings.cache = HAIR_TEST_CACHE;
-    settings.secret = "a secret for tests alone";
-    settings.images = settings.memory_errors = false;
     settings.isolation = Isolation::none;
     const Exercise& s1 = *settings.course.find("S1");
     const StagedKit kit(settings.kit, settings.course);
@@ -53,6 +60,24 @@ class PartialPoints : public testing::Test {
     return result;
   }
 };
+
+// A worker that does not run on this machine must cost no student a point: no submission is graded.
+TEST(Reference, IsGradedFirst) {
+  const hair::TemporaryFolder folder("kit");
+  GradingSettings settings = settings_without_images();
+  settings.kit = folder.path() / "kit";
+  fs::copy(HAIR_KIT_DIR, settings.kit, fs::copy_options::recursive);
+  std::ofstream(settings.kit / "worker") << "#!/bin/no/such/shell\n";
+  settings.exercise = "S1";
+  try {
+    const Grading grading(settings);
+    FAIL() << "the reference is not asked";
+  } catch (const std::runtime_error& why) {
+    const std::string said = why.what();
+    EXPECT_TRUE(said.starts_with("the reference fails its own suite for S1, in \"Systems\"")) << said;
+    EXPECT_NE(said.find("the worker says: "), std::string::npos) << said;
+  }
+}
 
 TEST(WholePoints, AreThoseOfFractions) {
   for (const int points : {1, 5, 18, 20, 32})

@@ -18,8 +18,7 @@ constexpr const char* kNotFinal =
     "It took too long by the clock on the wall, so these points are not final: the staff look at it and "
     "grade it again.";
 
-// A file may include headers that the reference's does not need: <regex> takes the compiler several seconds,
-// twice.
+// A file may include headers that the reference's does not need: <regex> takes the compiler several seconds.
 constexpr double kSpareCompilerSeconds = 15;
 
 // Returns why a study does not call an exercise of a submission; nothing if it does.

@@ -52,7 +52,6 @@ class Grading {
   const Course& course() const { return settings_.course; }
   bool studies() const { return settings_.study && !settings_.exercise; }
   Isolation isolation() const { return settings_.isolation; }
-  bool looks_for_memory_errors() const { return settings_.memory_errors; }
   const MadeBy& made_by() const { return made_by_; }
 
   const ReferenceGraded& reference() const { return reference_; }  // ran in an identical worker

@@ -8,7 +8,6 @@
 #include "grader/grading/ask_conj_grad.h"
 #include "grader/grading/settings_for_tests.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/sandbox/processes/control_group.h"
 
 namespace grader::inline grading {
 namespace {
@@ -123,7 +122,7 @@ class HowItEnds : public testing::Test {
 
   // Makes a ConjGrad that does row number `steps` of a table.
   template <std::size_t n>
-  std::filesystem::path compiled(const Way (&ways)[n], Build build) const {
+  std::filesystem::path compiled(const Way (&ways)[n]) const {
     std::string source = "#include \"solver/linearSolver.h\"\n";
     for (const char* header : kHeaders) source += std::string("#include <") + header + ">\n";
     source +=
@@ -133,27 +132,26 @@ class HowItEnds : public testing::Test {
       source += "    case " + std::to_string(i) + ": {\n      " + ways[i].code + "\n      break;\n    }\n";
     source += "  }\n  return 0;\n}\n";
     const Compiled object =
-        compiler_.compile(s1_, source, kit_.new_job("job-" + std::to_string(jobs_++)), 200, build);
+        compiler_.compile(s1_, source, kit_.new_job("job-" + std::to_string(jobs_++)), 200);
     EXPECT_FALSE(object.object.empty()) << object.log;
     return object.object;
   }
 
-  Answer ask(const std::filesystem::path& object, int way, bool sanitised) const {
+  Answer ask(const std::filesystem::path& object, int way) const {
     WorkerSetup setup;
     setup.isolation = isolation_for_tests();
     setup.log = "/dev/null";
-    setup.sanitised = sanitised;
     setup.cpu_seconds = 1;
     setup.allowance->limit.idle_seconds = 1;
     return ask_conj_grad(setup, kit_, object, way);
   }
 
   template <std::size_t n>
-  void expect_told(const Way (&ways)[n], Build build) {
-    const std::filesystem::path object = compiled(ways, build);
+  void expect_told(const Way (&ways)[n]) {
+    const std::filesystem::path object = compiled(ways);
     for (std::size_t i = 0; i < n; ++i) {
       SCOPED_TRACE(ways[i].code);
-      const Answer answer = ask(object, static_cast<int>(i), build == Build::sanitised);
+      const Answer answer = ask(object, static_cast<int>(i));
       EXPECT_EQ(answer.outcome, ways[i].outcome);
       EXPECT_EQ(answer.note, ways[i].note);
     }
@@ -167,16 +165,11 @@ class HowItEnds : public testing::Test {
 };
 
 TEST_F(HowItEnds, EachStoppedCallIsToldByItsIntention) {
-  expect_told(kStopped, Build::ordinary);
-}
-
-TEST_F(HowItEnds, SoItIsWithSanitizers) {
-  if (!memory_can_be_bounded()) GTEST_SKIP() << "no control group can bound memory here";
-  expect_told(kStopped, Build::sanitised);
+  expect_told(kStopped);
 }
 
 TEST_F(HowItEnds, ClocksAndSignalsAreNamedWhereItWasOne) {
-  expect_told(kEnds, Build::ordinary);
+  expect_told(kEnds);
 }
 
 }  // namespace

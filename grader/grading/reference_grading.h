@@ -1,5 +1,5 @@
-// STAFF ONLY. Every batch begins with the reference, in all kinds of workers that students' files have: it
-// must pass, with sanitizers, too, and its CPU time determines the students' limit.
+// STAFF ONLY. Every batch begins with the reference, compiled and asked as students' files are: it must pass,
+// and its CPU time determines the students' limits.
 #pragma once
 
 #include <optional>

@@ -19,7 +19,6 @@ inline GradingSettings settings_for_tests() {
   settings.runners = HAIR_RUNNERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.isolation = isolation_for_tests();
-  settings.memory_errors |= settings.isolation == Isolation::container;
   settings.reference = std::filesystem::path(HAIR_PROJECT) / "reference";
   return settings;
 }

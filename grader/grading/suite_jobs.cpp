@@ -49,7 +49,6 @@ SuiteResult timed(const fs::path& program, const SuiteJob& job, ExerciseTiming& 
   const double compiler = timing.spent.compiler_cpu_seconds;
   timing.spent = found.spent;
   timing.spent.compiler_cpu_seconds = compiler;
-  timing.sanitised_cpu_seconds = found.memory ? found.memory->cpu_seconds : 0;
   timing.run_cpu_seconds = found.run_cpu_seconds;
   timing.picture_cpu_seconds = found.picture_cpu_seconds;
   return found;
@@ -83,7 +82,6 @@ SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
 std::string SuiteJobs::fingerprint() const {
   std::string all = kit_.hash() + suite_hash_ + sha256_of(settings_.scenes) + sha256(settings_.secret) +
                     to_string(settings_.isolation) + (settings_.images ? drawn_ : "no images") +
-                    (settings_.memory_errors ? "" : "no sanitizers") +
                     (settings_.course.partial ? "partial" : "");
   for (const BudgetField& field : budget_fields())
     all += std::string(field.key) + std::to_string(settings_.course.budget.*field.value);
@@ -174,12 +172,8 @@ SuiteJob SuiteJobs::study(const fs::path& folder) const {
   SuiteJob study = job("runs", folder);
   study.motions = settings_.cache / "motions" / sha256_of(settings_.study_program);
   for (const Exercise& exercise : settings_.course.exercises)
-    study.reference_objects.push_back(reference_object(exercise));
+    study.reference_objects.push_back(kit_.folder() / "lib" / (exercise.id + ".so"));
   return study;
-}
-
-fs::path SuiteJobs::reference_object(const Exercise& exercise) const {
-  return kit_.folder() / "lib" / (exercise.id + ".so");
 }
 
 SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {

@@ -12,7 +12,6 @@
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
 #include "grader/result/suite_result.h"
-#include "grader/sandbox/processes/control_group.h"
 #include "grader/sandbox/processes/processors.h"
 
 namespace grader::inline grading {
@@ -24,8 +23,7 @@ struct GradingSettings {
   std::filesystem::path reference;  // holds its sources
   std::string secret;
   Isolation isolation = Isolation::namespaces;
-  bool images = true;                            // draws whole runs
-  bool memory_errors = memory_can_be_bounded();  // looks for them, once more with sanitizers
+  bool images = true;  // draws whole runs
   bool study = false;  // error against time, compared with the reference: shown, but not scored
 };
 
@@ -58,8 +56,7 @@ class SuiteJobs {
   bool ended_by_the_clock(const ExerciseTiming& timing) const;
 
   // Returns the limit of compiler and linker for a file: its share of the course's budget; and 4.5 times the
-  // time of the reference's file with sanitizers, or rather the mean of that and of an average file. The
-  // reference's own file takes 2 of these 4.5, for it is compiled twice; the rest is spare.
+  // time of the reference's file, or rather the mean of that and of an average file.
   double compiler_seconds(const Exercise& exercise) const;
 
   // Makes the job of an exercise's cases and whole run; the suite provides the object's prerequisites.
@@ -68,8 +65,6 @@ class SuiteJobs {
 
   // Makes a job for hairstudy with all of the reference's objects; the caller adds the submission's.
   SuiteJob study(const std::filesystem::path& folder) const;
-
-  std::filesystem::path reference_object(const Exercise& exercise) const;
 
   // The suite and its worker run on one processor, another one for each thread that calls this.
   SuiteResult run(const SuiteJob& job, ExerciseTiming& timing) const;

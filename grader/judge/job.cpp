@@ -30,7 +30,6 @@ struct Fields<SuiteJob> {
                                 field("cpu_seconds", &T::cpu_seconds),
                                 field("allowance", &T::allowance),
                                 field("pictures", &T::pictures),
-                                field("sanitised", &T::sanitised),
                                 field("whole_run", &T::whole_run),
                                 field("reproduce", &T::reproduce),
                                 field("left_out", &T::left_out),

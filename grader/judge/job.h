@@ -36,9 +36,6 @@ struct SuiteJob {
   Budget allowance = {};
   std::optional<std::filesystem::path> pictures = {};  // holds the reference's pictures; empty: no pictures
 
-  // The student's object with sanitizers; empty: there is none. Nothing: no search for memory errors.
-  std::optional<std::filesystem::path> sanitised = {};
-
   std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
   // Is the title of a category that is asked alone, to write its first failing case (reproduction.h); "": all

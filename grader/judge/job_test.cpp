@@ -23,7 +23,6 @@ SuiteJob job() {
   job.cpu_seconds = 7;
   job.allowance = {1, 2, 3, 4, 5, 6, 7};
   job.pictures = "/tmp/pictures";
-  job.sanitised = "";
   job.whole_run = {"/tmp/scene.json", "5eed2", "/tmp/runner.so", 9};
   job.left_out = {"H9", "H10"};
   job.unavailable = {{"H4", "does not compile"}};

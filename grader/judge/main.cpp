@@ -8,7 +8,6 @@
 
 #include "grader/judge/cases/suite_table.h"
 #include "grader/judge/cases/trial.h"
-#include "grader/judge/memory_errors.h"
 #include "grader/judge/reproduction.h"
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_program.h"
@@ -22,15 +21,14 @@ using grader::CaseResult, grader::Category, grader::Status, grader::SuiteJob, gr
 class CategoryTest : public testing::Test {
  public:
   CategoryTest(const Category& category, grader::Student& student, const std::string& seed,
-               grader::Recording& recording, std::vector<CaseResult>& cases)
-      : category_(category), student_(student), seed_(seed), recording_(recording), cases_(cases) {}
+               std::vector<CaseResult>& cases)
+      : category_(category), student_(student), seed_(seed), cases_(cases) {}
 
   void TestBody() override {
     CaseResult result;
     result.name = category_.title;
     result.status = Status::passed;
     result.max_points = category_.weight;
-    recording_.begin_category(category_.title);
     try {
       grader::Trial trial(student_, grader::Random(seed_, category_.name));
       category_.run(trial);
@@ -58,7 +56,6 @@ class CategoryTest : public testing::Test {
   const Category& category_;
   grader::Student& student_;
   const std::string& seed_;
-  grader::Recording& recording_;
   std::vector<CaseResult>& cases_;
 };
 
@@ -66,7 +63,6 @@ class CategoryTest : public testing::Test {
 // else.
 void count_cases(const std::vector<Category>& categories, grader::Student& student, const std::string& seed,
                  std::vector<CaseResult>& cases) {
-  student.record(nullptr);
   for (std::size_t i = 0; i < categories.size() && !student.gave_up(); ++i) {
     if (cases[i].status != Status::wrong) continue;
     const std::optional<grader::CaseCount> count =
@@ -78,10 +74,9 @@ void count_cases(const std::vector<Category>& categories, grader::Student& stude
 }
 
 SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup, grader::Student& student) {
-  std::vector<Category> categories = grader::categories(job.exercise), of_the_run, of_memory;
+  std::vector<Category> categories = grader::categories(job.exercise), of_the_run;
   SuiteResult result;
   std::vector<CaseResult>& cases = result.cases;
-  grader::Recording recording;
   std::optional<grader::WholeRun> run;
   if (job.whole_run) {
     grader::HiddenScene scene = grader::read_hidden_scene(job.whole_run->scene, job.whole_run->seed);
@@ -90,32 +85,20 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     run.emplace(std::move(worker), job.whole_run->runner, std::move(scene), job.pictures, student);
     of_the_run.push_back(run->category(job.exercise));
   }
-  std::optional<grader::MemoryErrors> memory;
-  if (job.sanitised) {
-    student.record(&recording);
-    std::vector<grader::Student*> earlier = {&student};
-    if (run) earlier.push_back(&run->student());
-    memory.emplace(setup, *job.sanitised, std::move(earlier), recording, [&cases] {
-      return std::any_of(cases.begin(), cases.end(),
-                         [](const CaseResult& one) { return one.status == Status::passed; });
-    });
-    of_memory.push_back(memory->category(job.exercise));
-  }
 
   auto add = [&](const Category& category, grader::Student& who) {
     testing::RegisterTest(
         job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, recording, cases); });
+        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, cases); });
   };
   for (const Category& category : categories) add(category, student);
   for (const Category& category : of_the_run) add(category, run->student());
-  for (const Category& category : of_memory) add(category, memory->student());
 
   // Standard output carries the result alone.
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   const bool ran = RUN_ALL_TESTS() >= 0;  // a failed category is a result, not an error
-  if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size())
+  if (!ran || cases.size() != categories.size() + of_the_run.size())
     throw std::runtime_error("a category has no result");
   count_cases(categories, student, job.seed, cases);
   if (run) {
@@ -125,7 +108,6 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     result.run_cpu_seconds = run->student().cpu_seconds();
     result.picture_cpu_seconds = run->picture_seconds();
   }
-  if (memory) result.memory = {memory->message(), memory->call(), memory->student().cpu_seconds()};
   return result;
 }
 

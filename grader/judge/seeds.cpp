@@ -91,7 +91,6 @@ int main(int argc, char* argv[]) {
     for (const grader::Category& category : grader::categories(exercise)) {
       grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
       grader::Recording recording;
-      recording.begin_category(category.name);
       student.record(&recording);
       try {
         category.run(trial);

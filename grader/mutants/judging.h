@@ -1,5 +1,5 @@
 // STAFF ONLY. Grades wrong programs as hairgrade does, but only as far as needed: cases and the whole run
-// first; pictures and memory errors only if a program passes all of these.
+// first; pictures only if a program passes all of these.
 #pragma once
 
 #include <string>

@@ -17,7 +17,6 @@ struct ExerciseTiming {
   double suite_seconds = 0;    // is wall time
   double worker_cpu_seconds = 0;
   int worker_starts = 0;
-  double sanitised_cpu_seconds = 0;  // is the worker's with sanitizers
   Budget spent = nothing_spent();
   double run_cpu_seconds = 0;      // is the worker's in the whole run
   double picture_cpu_seconds = 0;  // is for drawing and comparing its pictures

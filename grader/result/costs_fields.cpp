@@ -22,9 +22,9 @@ const Rows<ExerciseTiming>& Fields<ExerciseTiming>::rows() {
                     field("suite_seconds", &T::suite_seconds),
                     field("worker_cpu_seconds", &T::worker_cpu_seconds),
                     field("worker_starts", &T::worker_starts),
-                    field("sanitised_cpu_seconds", &T::sanitised_cpu_seconds),
                     field("run_cpu_seconds", &T::run_cpu_seconds),
-                    field("picture_cpu_seconds", &T::picture_cpu_seconds)};
+                    field("picture_cpu_seconds", &T::picture_cpu_seconds),
+                    of_earlier_versions<T>("sanitised_cpu_seconds")};
     for (const BudgetField& spent : budget_fields())
       rows.push_back(field(std::string("spent_") + spent.key, &T::spent, spent.value));
     return rows;

@@ -53,9 +53,6 @@ struct CaseResult {
   // For students, too: a likely mistake in its numbers, or the end of its run, in one of our few sentences.
   // Empty: nothing is clear.
   std::string hint = {};
-  // For students, too: a memory error, as a sentence of ours, and the function in whose call it happened.
-  // Empty: none was found; it was in no call.
-  std::string memory_error = {}, memory_error_in = {};
   // Count the cases of a wrong category, and those that hold; 0 of 0 if they could not be counted.
   int cases = 0, held = 0;
   // For staff: is the error of a wrong category over its limit; 0: it has none.

@@ -13,20 +13,19 @@ PictureText pictures_in_base64() {
 
 const Rows<CaseResult>& Fields<CaseResult>::rows() {
   using T = CaseResult;
-  static const Rows<T> all = {field("name", &T::name),
-                              field("status", &T::status),
-                              field("points", &T::points),
-                              field("max_points", &T::max_points),
-                              field("feedback", &T::feedback),
-                              field("detail", &T::detail),
-                              field<T>("hint", &T::hint, [](const T& one) { return !one.hint.empty(); }),
-                              field("memory_error", &T::memory_error),
-                              field<T>("memory_error_in", &T::memory_error_in,
-                                       [](const T& one) { return !one.memory_error_in.empty(); }),
-                              field("cases", &T::cases),
-                              field("held", &T::held),
-                              field<T>("error_in_limits", &T::error_in_limits,
-                                       [](const T& one) { return one.error_in_limits != 0; })};
+  static const Rows<T> all = {
+      field("name", &T::name),
+      field("status", &T::status),
+      field("points", &T::points),
+      field("max_points", &T::max_points),
+      field("feedback", &T::feedback),
+      field("detail", &T::detail),
+      field<T>("hint", &T::hint, [](const T& one) { return !one.hint.empty(); }),
+      field("cases", &T::cases),
+      field("held", &T::held),
+      field<T>("error_in_limits", &T::error_in_limits, [](const T& one) { return one.error_in_limits != 0; }),
+      of_earlier_versions<T>("memory_error"),
+      of_earlier_versions<T>("memory_error_in")};
   return all;
 }
 
@@ -110,20 +109,12 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
   return all;
 }
 
-const Rows<MemoryLook>& Fields<MemoryLook>::rows() {
-  using T = MemoryLook;
-  static const Rows<T> all = {field("told", &T::message), field("call", &T::call),
-                              field("cpu_seconds", &T::cpu_seconds)};
-  return all;
-}
-
 const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
   using T = SuiteResult;
   static const Rows<T> all = {field("cases", &T::cases),
                               field("pictures", &T::pictures),
                               field("motions", &T::motions),
                               field("study", &T::study),
-                              field("memory", &T::memory),
                               field("cpu_seconds", &T::cpu_seconds),
                               field("run_cpu_seconds", &T::run_cpu_seconds),
                               field("picture_cpu_seconds", &T::picture_cpu_seconds),

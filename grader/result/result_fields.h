@@ -93,10 +93,6 @@ struct Fields<ClassCosts> {
 };
 
 template <>
-struct Fields<MemoryLook> {
-  static const Rows<MemoryLook>& rows();
-};
-template <>
 struct Fields<SuiteResult> {
   static const Rows<SuiteResult>& rows();
 };

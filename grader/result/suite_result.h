@@ -14,17 +14,6 @@
 
 namespace grader::inline result {
 
-// Is the result of the search for memory errors, see grader/judge/memory_errors.h.
-struct MemoryLook {
-  // Hold a memory error, as a sentence for the student, and the number of the called function, in the
-  // order of exercises.json. Empty: none was found.
-  std::string message;
-  int call = -1;
-  double cpu_seconds = 0;  // is the worker's with sanitizers
-
-  bool operator==(const MemoryLook&) const = default;
-};
-
 // Is a key of SuiteResult::reproduced, with a sentence in place of files: why a case can't be written.
 inline constexpr const char* kNotReproduced = "not reproduced";
 
@@ -33,7 +22,6 @@ struct SuiteResult {
   std::vector<PictureResult> pictures;   // show its whole run
   RunMotions motions;                    // the same
   std::optional<SubmissionStudy> study;  // is set for "study"
-  std::optional<MemoryLook> memory;      // nothing: there was no search
   double cpu_seconds = 0;                // is the worker's
   double run_cpu_seconds = 0;            // is the worker's in the whole run
   double picture_cpu_seconds = 0;        // on our side: drawing and comparing

@@ -72,6 +72,11 @@ bool can_shut_groups() {
   return status == 0;
 }
 
+bool memory_can_be_bounded() {
+  const std::optional<ControlGroup> group = ControlGroup::create(400 * kMegabyte, 8);
+  return group && group->bounds_memory();
+}
+
 class BoundedMemory : public testing::Test {
   void SetUp() override {
     if (const std::string why = why_not(Isolation::container); !why.empty()) GTEST_SKIP() << why;

@@ -116,8 +116,6 @@ bool set_personality() {
   return personality(kAsk) > 0 && personality(PER_LINUX) >= 0;
 }
 
-// The shadow takes 2^45 bytes at most, and AddressSanitizer's heap 2^42.
-constexpr rlim_t kAddressesOfSanitizers = rlim_t{1} << 46;
 // hairsuite needs this with OpenGL; a compiler has 2 GiB in its sandbox.
 constexpr rlim_t kAddresses = rlim_t{4} << 30;
 // A precompiled header is the largest file.
@@ -154,11 +152,10 @@ void set_what_is_inherited(char* argv[]) {
 }
 
 void require_hard_limits(const Needs& needs) {
-  const rlim_t addresses = needs.sanitizers ? kAddressesOfSanitizers : kAddresses;
   const auto processes = static_cast<rlim_t>(needs.jobs * (Limits().processes + 4));
   const HardLimit limits[] = {
-      {RLIMIT_AS, "the address space", 'v', 1024, addresses},
-      {RLIMIT_DATA, "a process's data", 'd', 1024, addresses},
+      {RLIMIT_AS, "the address space", 'v', 1024, kAddresses},
+      {RLIMIT_DATA, "a process's data", 'd', 1024, kAddresses},
       {RLIMIT_STACK, "the stack", 's', 1024, kStack},
       {RLIMIT_FSIZE, "a file's size", 'f', 1024, kFile},
       {RLIMIT_CPU, "CPU time, in seconds,", 't', 1, static_cast<rlim_t>(needs.cpu_seconds)},

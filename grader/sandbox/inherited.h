@@ -18,7 +18,6 @@ void set_what_is_inherited(char* argv[]);
 
 // Lists what hard limits must leave. Only root may raise hard limits.
 struct Needs {
-  bool sanitizers = true;  // their runtime reserves addresses for a shadow of all memory
   int jobs = 1;            // submissions that are graded at a time
   double cpu_seconds = 0;  // the longest that one process needs
 };

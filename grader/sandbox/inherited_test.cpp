@@ -95,8 +95,8 @@ TEST_F(Inherited, SaysWhichHardLimitIsBelowTheNeed) {
     const char* said;
   };
   const Case cases[] = {
-      {"-v 8000000", "the address space is 8000000 kB, and grading needs 68719476736 kB"},
-      {"-d 500000", "a process's data is 500000 kB, and grading needs 68719476736 kB"},
+      {"-v 4000000", "the address space is 4000000 kB, and grading needs 4194304 kB"},
+      {"-d 500000", "a process's data is 500000 kB, and grading needs 4194304 kB"},
       {"-s 4096", "the stack is 4096 kB, and grading needs 8192 kB"},
       {"-f 100000", "a file's size is 100000 kB, and grading needs 524288 kB"},
       {"-t 100", "CPU time, in seconds, is 100, and grading needs 150"},

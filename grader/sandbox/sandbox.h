@@ -26,9 +26,6 @@ struct Mount {
 
 struct Limits {
   std::size_t memory_bytes = std::size_t{1} << 30;
-  // The address space is not bounded: in namespaces the control group alone bounds memory, and without one
-  // nothing is started.
-  bool memory_of_group = false;
   std::size_t file_bytes = std::size_t{64} << 20;  // bounds each file that it writes
   int processes = 32;                              // counts threads, too
   int cpu_seconds = 20;                            // bounds one process

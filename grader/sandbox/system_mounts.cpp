@@ -114,27 +114,10 @@ std::vector<Mount> files_of_toolchain() {
   for (const fs::path& program : programs) files.add(program);
   files.add_libraries_of(programs);
   for (const fs::path& folder : search_folders(compiler, "libraries"))
-    for (const char* name : {"crti.o",
-                             "crtn.o",
-                             "crtbeginS.o",
-                             "crtendS.o",
-                             "libgcc.a",
-                             "libgcc_eh.a",
-                             "libgcc_s.so",
-                             "libgcc_s.so.1",
-                             "libstdc++.so",
-                             "libm.so",
-                             "libm.so.6",
-                             "libmvec.so.1",
-                             "libc.so",
-                             "libc.so.6",
-                             "libc_nonshared.a",
-                             "libasan.so",
-                             "libasan_preinit.o",
-                             "libubsan.so",
-                             "libsanitizer.spec",
-                             "include",
-                             "include-fixed"})
+    for (const char* name :
+         {"crti.o", "crtn.o", "crtbeginS.o", "crtendS.o", "libgcc.a", "libgcc_eh.a", "libgcc_s.so",
+          "libgcc_s.so.1", "libstdc++.so", "libm.so", "libm.so.6", "libmvec.so.1", "libc.so", "libc.so.6",
+          "libc_nonshared.a", "include", "include-fixed"})
       files.add(folder / name);
   return files.mounts();
 }

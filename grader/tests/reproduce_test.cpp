@@ -25,12 +25,12 @@ string wrong_program(const string& exercise, const string& sample) {
   return programs_of(*kCourse.find(exercise), kProject, is_it).at(0).source;
 }
 
-string build_and_run(const fs::path& folder) {
+string build_and_run(const fs::path& folder, bool ends_well = true) {
   const string in = "'" + folder.string() + "'", log = folder.string() + ".log";
   EXPECT_EQ(std::system(("(cmake -S " + in + " -B " + in + "/build && cmake --build " + in + "/build && " +
                          in + "/build/case) > '" + log + "' 2>&1")
-                            .c_str()),
-            0);
+                            .c_str()) == 0,
+            ends_well);
   return hair::bytes_of(log);
 }
 
@@ -77,6 +77,7 @@ class OfARecord : public InAFolder {
     for (const Wrong& wrong : kWrong)
       write(string("class/") + wrong.name + "/" + kCourse.find(wrong.exercise)->file,
             wrong_program(wrong.exercise, wrong.sample));
+    write("class/ben/conj_grad.cpp", wrong_program("S1", "fixed-arrays"));
     EXPECT_EQ(grade({path("class")}).code, 0);
   }
   ProgramRun again(std::vector<string> words, const char* secret = "secret") const {
@@ -96,12 +97,14 @@ TEST_F(OfARecord, IsReproducedAndTriedAndKeepsNothing) {
     expect_numbers_of_the_suite(build_and_run(path(wrong.place)));
     expect_no_secrets(path(wrong.place), read("secret"));
   }
+  EXPECT_EQ(again({"reproduce", "ben", "S1.2", "--out", path("S1.2")}).code, 0);
+  EXPECT_TRUE(says(build_and_run(path("S1.2"), false), "AddressSanitizer: stack-buffer-overflow"));
   const string right = (kProject / "reference/H2/angular_springs.cpp").string();
   fs::copy(right, path("H2.2/student/angular_springs.cpp"), fs::copy_options::overwrite_existing);
   EXPECT_TRUE(says(build_and_run(path("H2.2")), "These are not the numbers")) << "it is the student's code";
   const ProgramRun tried = again({"try", "ada", "H2", "--with", right});
   EXPECT_EQ(tried.code, 0) << tried.errors;
-  for (const char* words : {"0 wrong                     4 passed\n", "30 passed\n"})
+  for (const char* words : {"0 wrong                     5 passed\n", "30 passed\n"})
     EXPECT_TRUE(says(tried.output, words)) << tried.output;
 
   write("other", "another secret for this test");
@@ -113,7 +116,7 @@ TEST_F(OfARecord, IsReproducedAndTriedAndKeepsNothing) {
            {{"reproduce", "ada", "H2.2", "--out", path("H2.2")}, "is not empty"},
            {{"reproduce", "ada", "H2.1", "--out", path("new")}, "H2.1: passes"},
            {{"reproduce", "ada", "H2.14", "--out", path("new")}, "it judges a whole run"},
-           {{"reproduce", "ada", "H2.99", "--out", path("new")}, "is no category; H2 has 15"},
+           {{"reproduce", "ada", "H2.99", "--out", path("new")}, "is no category; H2 has 14"},
            {{"reproduce", "ada", "H2", "--out", path("new")}, "is no category"},
            {{"reproduce", "ben", "H2.2", "--out", path("new")}, "is no category; H2 has 0"},
            {{"reproduce", "ada", "S2.1", "--out", path("new")}, "S2: is no exercise that ada"},

@@ -21,23 +21,9 @@ constexpr int kCpuSeconds = 20;          // right programs take one or two
 constexpr std::size_t kMostSaid = 64 << 10;
 constexpr std::size_t kMostOfOne = 3000;  // bounds a check's output
 constexpr const char* kPrlimit = "/usr/bin/prlimit";
-constexpr const char* kMemory = "No memory errors in the checks";
-
-const char* folder_of(Build build) {
-  return build == Build::sanitised ? "sanitised" : "ordinary";
-}
 
 std::string beginning(const std::string& text) {
   return text.size() <= kMostOfOne ? text : text.substr(0, kMostOfOne) + "\n...";
-}
-
-// Returns the output from a sanitizer's report on; "": there is none.
-std::string memory_error_in(const std::string& output) {
-  const std::size_t address = output.find("ERROR: AddressSanitizer"), other = output.find("runtime error:");
-  const std::size_t at = std::min(address, other);
-  if (at == std::string::npos) return "";
-  const std::size_t line = output.rfind('\n', at);
-  return output.substr(line == std::string::npos ? 0 : line + 1);
 }
 
 CaseResult category(const std::string& name, Status status, const std::string& says) {
@@ -89,8 +75,8 @@ PublicChecks::PublicChecks(const Compiler& compiler, const fs::path& programs, c
     fs::permissions(entry.path(), fs::perms(0755));
 }
 
-PublicChecks::Ran PublicChecks::run(const Exercise& exercise, Build build, const fs::path& job) const {
-  const fs::path program = staged_ / "programs" / folder_of(build) / exercise.id;
+PublicChecks::Ran PublicChecks::run(const Exercise& exercise, const fs::path& job) const {
+  const fs::path program = staged_ / "programs" / exercise.id;
   Sandbox sandbox;
   sandbox.isolation = isolation_;
   sandbox.roots = kit_.roots();
@@ -98,25 +84,17 @@ PublicChecks::Ran PublicChecks::run(const Exercise& exercise, Build build, const
   sandbox.mounts.push_back({kPrlimit, kPrlimit});
   sandbox.mounts.push_back({program, "/check"});
   sandbox.mounts.push_back({staged_ / "golden", golden_inside_});
-  sandbox.mounts.push_back(
-      {job / exercise.id / folder_of(build) / (exercise.id + ".so"), "/objects/" + exercise.id + ".so"});
+  sandbox.mounts.push_back({job / exercise.id / (exercise.id + ".so"), "/objects/" + exercise.id + ".so"});
   for (const std::string& id : exercise.prerequisites) {
-    const fs::path own = job / id / folder_of(Build::ordinary) / (id + ".so");
+    const fs::path own = job / id / (id + ".so");
     sandbox.mounts.push_back(
         {fs::exists(own) ? own : kit_.folder() / "stub" / (id + ".so"), "/objects/" + id + ".so"});
   }
   sandbox.syscalls = Syscalls::toolchain;  // prlimit starts it
   sandbox.limits.cpu_seconds = kCpuSeconds;
   sandbox.limits.wall_seconds = 10 * kCpuSeconds;
-  Limits inner = sandbox.limits;
-  if (build == Build::sanitised) {
-    for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
-      sandbox.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-    sandbox.limits.memory_of_group = true;
-    inner.memory_bytes = std::size_t{1} << 46;  // is for addresses
-  }
   Pipe output = make_pipe();
-  SandboxedProcess process(sandbox, with_inner_limits(inner, {"/check", "--gtest_color=no"}), -1, -1,
+  SandboxedProcess process(sandbox, with_inner_limits(sandbox.limits, {"/check", "--gtest_color=no"}), -1, -1,
                            output.write_end.get());
   output.write_end.close();
   Ran ran;
@@ -140,27 +118,16 @@ ExerciseResult PublicChecks::check_exercise(const Exercise& exercise, const Subm
                                                        : file->second.problem;
     return result;
   }
-  const std::string relative = job.filename().string() + "/" + exercise.id;
-  kit_.new_job(relative);
-  const auto compile = [&](Build build) {
-    return compiler_.compile(exercise, file->second.text, kit_.new_job(relative + "/" + folder_of(build)),
-                             kCompilerSeconds, build);
-  };
-  const Compiled compiled = compile(Build::ordinary);
+  const Compiled compiled = compiler_.compile(exercise, file->second.text,
+                                              kit_.new_job(job.filename() / exercise.id), kCompilerSeconds);
   result.compiler_messages = compiled.messages;
   if (compiled.object.empty()) {
     result.status = Status::does_not_compile;
     result.feedback = sentence_for(Status::does_not_compile);
     return result;
   }
-  const Ran ordinary = run(exercise, Build::ordinary, job);
-  result.cases = checks_in(ordinary.output, ordinary.well);
-  const Compiled sanitised = compile(Build::sanitised);
-  const std::string error = !sanitised.switched_off.empty() ? sanitised.switched_off
-                            : sanitised.object.empty()
-                                ? "It does not compile with sanitizers."
-                                : memory_error_in(run(exercise, Build::sanitised, job).output);
-  result.cases.push_back(category(kMemory, error.empty() ? Status::passed : Status::wrong, error));
+  const Ran ran = run(exercise, job);
+  result.cases = checks_in(ran.output, ran.well);
   result.status = overall_status(result.cases);
   return result;
 }

@@ -16,8 +16,8 @@ namespace grader::inline tool {
 
 class PublicChecks {
  public:
-  // `programs` has folders ordinary/ and sanitised/ with a program for each exercise, which looks for objects
-  // in /objects; `golden` is their data, which they find in `golden_inside`. Keeps references.
+  // `programs` has a program for each exercise, which looks for objects in /objects; `golden` is their data,
+  // which they find in `golden_inside`. Keeps references.
   PublicChecks(const Compiler& compiler, const std::filesystem::path& programs,
                const std::filesystem::path& golden, std::filesystem::path golden_inside, Isolation isolation);
 
@@ -31,7 +31,7 @@ class PublicChecks {
   };
   ExerciseResult check_exercise(const Exercise& exercise, const Submission& submission,
                                 const std::filesystem::path& job) const;
-  Ran run(const Exercise& exercise, Build build, const std::filesystem::path& job) const;
+  Ran run(const Exercise& exercise, const std::filesystem::path& job) const;
 
   const Compiler& compiler_;
   const StagedKit& kit_;

@@ -7,7 +7,7 @@
 //   product_result(...)       product(operator, x), during the request
 //   stop, for the request     denied(system call), during the request
 //                             done(...) | stopped | not_implemented | threw | out_of_memory
-//                             | memory_error, of a worker with sanitizers | left(exit code)
+//                             | left(exit code)
 //
 // During the request the worker may also call a function of a prerequisite, which the suite provides
 // (grader/judge/student/provided.h). Then the suite may ask for products with the caller's object:
@@ -46,7 +46,6 @@ enum class Kind : std::uint32_t {
   callback,         // int operator, doubles x
   callback_result,  // doubles
   callback_threw,   // an exception leaves the call; the request goes on
-  memory_error,     // see grader/wire/memory_error.h; the worker ends
   left,             // int, an exit code above 127; the worker ends
 };
 

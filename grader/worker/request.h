@@ -15,9 +15,4 @@ struct Current {
 
 inline Current current;
 
-// Runs it on a stack whose ends AddressSanitizer knows: if an exception unwinds it, the runtime must clear
-// its marks there. The main thread's ends are in /proc, which no sandbox has. Only the worker with sanitizers
-// has this function.
-__attribute__((weak)) void run_on_known_stack(void (*run)());
-
 }  // namespace grader::worker

@@ -8,12 +8,6 @@
 #include <cstring>
 #include <new>
 
-// These belong to the sanitizers' runtime, if there is one.
-extern "C" __attribute__((weak)) void __asan_poison_memory_region(const volatile void* begin,
-                                                                  std::size_t bytes);
-extern "C" __attribute__((weak)) void __asan_unpoison_memory_region(const volatile void* begin,
-                                                                    std::size_t bytes);
-
 namespace grader::inline worker {
 namespace {
 
@@ -98,14 +92,9 @@ GuardedBuffer::GuardedBuffer(const std::vector<double>& values) {
   std::fill(before.begin(), before.end(), std::byte{0});
   values_ = {reinterpret_cast<double*>(pages_.data() + before.size()), values.size()};
   std::copy(values.begin(), values.end(), values_.begin());
-  // The bytes around the values can be watched, too.
-  if (__asan_poison_memory_region == nullptr) return;
-  __asan_poison_memory_region(pages_.data(), usable - bytes);
-  __asan_poison_memory_region(pages_.data() + usable, page);
 }
 
 GuardedBuffer::~GuardedBuffer() {
-  if (__asan_unpoison_memory_region != nullptr) __asan_unpoison_memory_region(pages_.data(), pages_.size());
   keep_or_unmap(pages_);
 }
 

@@ -3,10 +3,9 @@
 //
 //   hairworker CPU_SECONDS MEMORY_BYTES THREADS OBJECT... SERVER
 //
-// MEMORY_BYTES limits the address space; 0: the control group bounds memory, and the sanitizers have the
-// address space that they need. THREADS limits the threads of its user; 0: a control group alone may bound
-// them. Objects are loaded in their order, each finding the functions of those before it. Nothing here is
-// trusted after they are loaded.
+// MEMORY_BYTES limits the address space. THREADS limits the threads of its user; 0: a control group alone may
+// bound them. Objects are loaded in their order, each finding the functions of those before it. Nothing here
+// is trusted after they are loaded.
 #include <dlfcn.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -46,7 +45,7 @@ void tell(int number) {
 void lock_down(int cpu_seconds, rlim_t memory, rlim_t threads) {
   if (syscall(SYS_close_range, kOut + 1, ~0U, 0U) != 0) _exit(120);
   limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
-  if (memory > 0) limit(RLIMIT_AS, memory, memory);
+  limit(RLIMIT_AS, memory, memory);
   if (threads > 0) limit(RLIMIT_NPROC, threads, threads);
   limit(RLIMIT_FSIZE, 1 << 20, 1 << 20);  // standard output is a file
   limit(RLIMIT_NOFILE, 32, 32);
@@ -107,15 +106,9 @@ void answer(Channel& channel, const Loaded& loaded, Message& request) {
   }
 }
 
-struct Arguments {
-  int count = 0;
-  char** files = nullptr;
-};
-Arguments arguments;
-
-void serve_requests() {
+void serve_requests(int count, char* files[]) {
   Channel channel(kIn, kOut);
-  const Loaded loaded = load(channel, arguments.count, arguments.files);
+  const Loaded loaded = load(channel, count, files);
   channel.send(Kind::hello, 0);
   while (std::optional<Message> request = channel.receive(kLargestRequest)) {
     current.nonce = request->nonce;
@@ -131,7 +124,5 @@ int main(int argc, char* argv[]) {
   using namespace grader;
   if (argc < 5) return 2;
   lock_down(std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  arguments = {argc - 4, argv + 4};
-  // The filter is on already, so that it holds for all threads.
-  run_on_known_stack != nullptr ? run_on_known_stack(serve_requests) : serve_requests();
+  serve_requests(argc - 4, argv + 4);
 }

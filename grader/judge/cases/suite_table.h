@@ -10,7 +10,7 @@
 
 namespace grader::inline judge {
 
-// Returns all declared categories, also those without cases: whole run, pictures, memory errors. Throws
+// Returns all declared categories, also one without cases: the whole run. Throws
 // BadInput for an exercise without a suite.
 const std::vector<checks::Category>& declared_categories(const std::string& exercise);
 

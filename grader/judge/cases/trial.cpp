@@ -137,8 +137,6 @@ MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
     case Outcome::cannot_load:
       fail(Status::does_not_compile, "a function is missing, or its declaration differs from the header's",
            answer.note);
-    case Outcome::memory_error:
-      fail(Status::wrong, "the code has a memory error", answer.note);
   }
   fail(Status::wrong, "no answer", "unknown outcome");
 }

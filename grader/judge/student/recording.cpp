@@ -1,12 +1,7 @@
-// STAFF ONLY. Keeps requests and products of each category.
+// STAFF ONLY. Keeps requests and products.
 #include "grader/judge/student/recording.h"
 
 namespace grader::inline judge {
-
-void Recording::begin_category(const std::string& name) {
-  category_ = name;
-  bytes_ = 0;
-}
 
 void Recording::begin_case() {
   if (keeps_ == Keeps::all_cases) return;
@@ -15,34 +10,28 @@ void Recording::begin_case() {
   cut_ = false;
 }
 
-bool Recording::has_room_for(std::size_t bytes, std::size_t most) {
-  const bool has_room = bytes <= most;
+bool Recording::has_room_for(std::size_t bytes) {
+  const bool has_room = bytes_ + bytes <= kMostBytes;
+  if (has_room) bytes_ += bytes;
   cut_ |= !has_room;
   return has_room;
 }
 
 void Recording::begin(const MessageWriter& message) {
-  product_bytes_ = 0;
-  open_ = has_room_for(bytes_ + message.bytes().size(), kMostBytes);
-  if (!open_) return;
-  bytes_ += message.bytes().size();
-  requests_.push_back({category_, message, {}, Outcome::crashed});
+  open_ = has_room_for(message.bytes().size());
+  if (open_) requests_.push_back({message});
 }
 
 void Recording::add_product(int which, const std::vector<double>& question, const std::vector<double>& result,
                             bool go_on) {
   const bool with_question = keeps_ == Keeps::last_case;
-  const std::size_t bytes = (result.size() + (with_question ? question.size() : 0)) * sizeof(double);
-  const std::size_t most = with_question ? kMostBytes : kMostProductBytes;
-  if (!open_ || !has_room_for(product_bytes_ + bytes, most)) return;
-  product_bytes_ += bytes;
-  bytes_ += bytes;
+  const std::size_t numbers = result.size() + (with_question ? question.size() : 0);
+  if (!open_ || !has_room_for(numbers * sizeof(double))) return;
   requests_.back().products.push_back(
       {which, result, go_on, with_question ? question : std::vector<double>()});
 }
 
 void Recording::end(Outcome outcome, const MessageReader& reply) {
-  if (open_) requests_.back().outcome = outcome;
   if (open_ && keeps_ == Keeps::last_case && outcome == Outcome::done) requests_.back().reply = reply;
   open_ = false;
 }

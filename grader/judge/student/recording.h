@@ -1,8 +1,5 @@
-// STAFF ONLY. Records requests of the cases to a worker, and the suite's products for them, so that another
-// worker can get the same. A second worker then costs the suite no cases, and no computing of its own.
-//
-// A category keeps at most kMostBytes, and the products of one request kMostProductBytes; the rest is not
-// repeated. Cases have few sizes, and each of them comes early.
+// STAFF ONLY. Records requests of the cases to a worker, and the suite's products for them; kMostBytes at
+// most, the rest is left out.
 //
 // A recording of the last case alone also keeps the worker's questions, its replies, and its calls of given
 // functions: all that makes the case once more without the suite.
@@ -10,7 +7,6 @@
 
 #include <deque>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,12 +25,11 @@ enum class Outcome {
   timed_out,
   broke_rules,
   cannot_load,
-  memory_error,  // the reply is a memory error, see grader/wire/memory_error.h
 };
 
 class Recording {
  public:
-  static constexpr std::size_t kMostBytes = std::size_t{4} << 20, kMostProductBytes = std::size_t{1} << 20;
+  static constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
   enum class Keeps { all_cases, last_case };
   explicit Recording(Keeps keeps = Keeps::all_cases) : keeps_(keeps) {}
@@ -51,15 +46,11 @@ class Recording {
     std::optional<MessageReader> result = {};
   };
   struct Request {
-    std::string category;
     MessageWriter message;
-    std::vector<Product> products;
-    Outcome outcome = Outcome::crashed;
+    std::vector<Product> products = {};
     std::optional<MessageReader> reply = {};
     std::deque<GivenCall> calls = {};
   };
-
-  void begin_category(const std::string& name);
 
   void begin_case();
 
@@ -75,13 +66,12 @@ class Recording {
   bool is_cut() const { return cut_; }  // something of the last case was left out
 
  private:
-  bool has_room_for(std::size_t bytes, std::size_t most);
+  bool has_room_for(std::size_t bytes);
 
   Keeps keeps_;
-  std::string category_;
   std::vector<Request> requests_;
   bool open_ = false, cut_ = false;
-  std::size_t bytes_ = 0, product_bytes_ = 0;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace grader::judge

@@ -1,4 +1,4 @@
-// STAFF ONLY. Tests that recorded requests are repeated as they were, up to a bound.
+// STAFF ONLY. Tests that requests are recorded as they were, up to a bound.
 #include "grader/judge/student/recording.h"
 
 #include <gtest/gtest.h>
@@ -14,18 +14,15 @@ MessageWriter numbers(std::size_t bytes) {
   return message;
 }
 
-TEST(Recording, HoldsRequestsWithTheirProductsAndOutcomes) {
+TEST(Recording, HoldsRequestsWithTheirProducts) {
   Recording recording;
-  recording.begin_category("a category");
   recording.begin(numbers(16));
   recording.add_product(1, {}, {1, 2}, true);
   recording.add_product(0, {}, {}, false);
   recording.end(Outcome::stopped, kNoReply);
   ASSERT_EQ(recording.requests().size(), 1u);
   const Recording::Request& request = recording.requests()[0];
-  EXPECT_EQ(request.category, "a category");
   EXPECT_EQ(request.message.bytes().size(), numbers(16).bytes().size());
-  EXPECT_EQ(request.outcome, Outcome::stopped);
   ASSERT_EQ(request.products.size(), 2u);
   EXPECT_EQ(request.products[0].which, 1);
   EXPECT_EQ(request.products[0].result, (std::vector<double>{1, 2}));
@@ -33,31 +30,21 @@ TEST(Recording, HoldsRequestsWithTheirProductsAndOutcomes) {
   EXPECT_FALSE(request.products[1].go_on);
 }
 
-TEST(Recording, HoldsSoMuchOfEachCategory) {
-  Recording recording;
-  for (const char* category : {"first", "second"}) {
-    recording.begin_category(category);
-    for (int i = 0; i < 8; ++i) {
-      recording.begin(numbers(Recording::kMostBytes / 4 - 100));
-      recording.end(Outcome::done, kNoReply);
-    }
-  }
-  ASSERT_EQ(recording.requests().size(), 8u) << "four of each";
-  EXPECT_EQ(recording.requests()[3].category, "first");
-  EXPECT_EQ(recording.requests()[4].category, "second");
-}
-
-TEST(Recording, HoldsSoManyProductsOfEachRequest) {
-  Recording recording;
-  recording.begin_category("a category");
-  const std::vector<double> product(Recording::kMostProductBytes / sizeof(double) / 2);
-  for (int request = 0; request < 2; ++request) {
-    recording.begin(numbers(8));
-    for (int i = 0; i < 5; ++i) recording.add_product(0, {}, product, true);
-    recording.end(Outcome::done, kNoReply);
-  }
-  ASSERT_EQ(recording.requests().size(), 2u);
-  for (const Recording::Request& request : recording.requests()) EXPECT_EQ(request.products.size(), 2u);
+TEST(Recording, HoldsSoMuchAndSaysThatItIsCut) {
+  Recording recording(Recording::Keeps::last_case);
+  const std::vector<double> quarter(Recording::kMostBytes / 4 / sizeof(double));
+  recording.begin_case();
+  recording.begin(numbers(Recording::kMostBytes / 4 - 100));
+  for (int i = 0; i < 2; ++i) recording.add_product(0, {}, quarter, true);
+  EXPECT_FALSE(recording.is_cut());
+  recording.add_product(0, quarter, quarter, true);
+  recording.end(Outcome::done, kNoReply);
+  recording.begin(numbers(Recording::kMostBytes / 2));
+  EXPECT_TRUE(recording.is_cut());
+  ASSERT_EQ(recording.requests().size(), 1u);
+  EXPECT_EQ(recording.requests()[0].products.size(), 2u);
+  recording.begin_case();
+  EXPECT_FALSE(recording.is_cut());
 }
 
 }  // namespace

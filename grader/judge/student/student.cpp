@@ -48,13 +48,7 @@ std::vector<std::filesystem::path> all_objects(const WorkerSetup& setup) {
 Sandbox worker_sandbox(const WorkerSetup& setup) {
   Sandbox sandbox;
   sandbox.mounts = runtime_library_mounts();
-  sandbox.mounts.push_back({setup.kit / (setup.sanitised ? "sanitised/worker" : "worker"), "/worker"});
-  if (setup.sanitised) {
-    for (const auto& library : std::filesystem::directory_iterator(setup.kit / "sanitised/lib"))
-      sandbox.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-    sandbox.limits.memory_of_group = true;
-    sandbox.limits.memory_bytes *= 2;  // the runtime takes its share
-  }
+  sandbox.mounts.push_back({setup.kit / "worker", "/worker"});
   sandbox.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
   for (const auto& object : all_objects(setup))
     sandbox.mounts.push_back({object, "/objects/" + object.filename().string()});
@@ -78,8 +72,7 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
 // also counts the user's other programs.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {
-      "/worker", std::to_string(limits.cpu_seconds),
-      limits.memory_of_group ? "0" : std::to_string(limits.memory_bytes),
+      "/worker", std::to_string(limits.cpu_seconds), std::to_string(limits.memory_bytes),
       setup.isolation != Isolation::none ? std::to_string(limits.processes) : "0"};
   for (const auto& object : all_objects(setup)) command.push_back("/objects/" + object.filename().string());
   command.push_back("/server.so");
@@ -161,10 +154,6 @@ std::optional<Answer> Student::start() {
     switch (message->kind) {
       case Kind::hello:
         return {};
-      case Kind::memory_error:  // is a static object's error
-        if (!setup_.sanitised) return broke_rules("the first message is not the greeting");
-        end(1);
-        return Answer{Outcome::memory_error, MessageReader(message->body), kLoading};
       case Kind::left:
         return left(kLoading, MessageReader(message->body).get<int>());
       case Kind::denied:
@@ -294,10 +283,6 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
         throw Over{{Outcome::threw, MessageReader({}), body.get_text()}};
       case Kind::out_of_memory:
         throw Over{{Outcome::out_of_memory, MessageReader({}), {}}};
-      case Kind::memory_error:
-        if (!setup_.sanitised) throw MalformedMessage("a memory error from a worker without sanitizers");
-        end(1);
-        throw Over{{Outcome::memory_error, std::move(body), {}}};
       case Kind::left:
         throw Over{left(kAsking, body.get<int>())};
       default:

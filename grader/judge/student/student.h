@@ -51,15 +51,14 @@ struct WorkerSetup {
   std::vector<std::filesystem::path> objects;  // in loading order; the student's last
   std::filesystem::path log;                   // the worker's output is appended here
   Isolation isolation = Isolation::namespaces;
-  bool sanitised = false;  // has the sanitizers' runtime; only where a control group bounds its memory
-  int cpu_seconds = 10;    // bounds one worker
+  int cpu_seconds = 10;  // bounds one worker
   // Workers that share it may be copies of one setup.
   std::shared_ptr<Allowance> allowance = std::make_shared<Allowance>();
 };
 
 struct Answer {
   Outcome outcome;
-  MessageReader reply;  // the server's reply, if done; or the memory error
+  MessageReader reply;  // the server's reply, if done
   std::string note;     // says to staff what happened
 };
 

@@ -74,7 +74,7 @@ SubmissionResult for_student(const SubmissionResult& result) {
     const bool stub = is_stub(exercise);
     for (CaseResult& one : exercise.cases) {
       if (!stub) one.status = right_wrong_or_broke_off(one.status);
-      one.feedback = one.memory_error.empty() ? sentence_of(one) : one.memory_error;
+      one.feedback = sentence_of(one);
       one.hint.clear();
       one.detail.clear();
       one.error_in_limits = 0;

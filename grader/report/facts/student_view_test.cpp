@@ -77,15 +77,6 @@ TEST(StudentView, CallsAStubAStub) {
   EXPECT_EQ(for_student(result).exercises[0].cases[1].status, Status::not_implemented);
 }
 
-TEST(StudentView, TellsOfAMemoryErrorAndTheFunction) {
-  SubmissionResult result;
-  result.exercises = {exercise_with({Status::wrong, Status::passed})};
-  const std::string told = "The code follows a null pointer, in a call of ConjGrad.";
-  result.exercises[0].cases[0].memory_error = told;
-  EXPECT_EQ(for_student(result).exercises[0].cases[0].feedback, told);
-  EXPECT_NE(student_page(result).find(told), std::string::npos);
-}
-
 TEST(StudentView, TellsWhatNumbersLookLike) {
   SubmissionResult result;
   result.exercises = {exercise_with({Status::wrong, Status::passed})};

@@ -25,13 +25,6 @@ std::vector<std::string> lines_of(const std::string& text) {
 // Maps a line's place, from 0, to messages.
 using AtLines = std::map<std::size_t, std::vector<std::string>>;
 
-void add_named(const std::string& message, const std::string& function, const std::vector<std::string>& lines,
-               AtLines& all) {
-  const auto line = std::ranges::find_if(
-      lines, [&](const std::string& one) { return one.find(function + "(") != std::string::npos; });
-  if (line != lines.end()) all[static_cast<std::size_t>(line - lines.begin())].push_back(message);
-}
-
 // Returns the text between `begin` and `end`; empty if they are not there.
 std::string between(const std::string& text, const std::string& begin, char end) {
   const std::size_t at = text.find(begin);
@@ -50,11 +43,12 @@ AtLines messages_of(const ExerciseResult& exercise, const std::vector<std::strin
       std::vector<std::string>& there = all[number - 1];
       if (std::ranges::count(there, message) == 0) there.push_back(message);
     } else if (const std::string name = between(message, "undefined reference to ", '('); name.size() > 1) {
-      add_named(message, name.substr(name.find_last_of("`':") + 1), lines, all);
+      const std::string call = name.substr(name.find_last_of("`':") + 1) + "(";
+      const auto line =
+          std::ranges::find_if(lines, [&](const std::string& one) { return one.find(call) != one.npos; });
+      if (line != lines.end()) all[static_cast<std::size_t>(line - lines.begin())].push_back(message);
     }
   }
-  for (const CaseResult& one : exercise.cases)
-    if (!one.memory_error_in.empty()) add_named(one.memory_error, one.memory_error_in, lines, all);
   return all;
 }
 

@@ -76,14 +76,6 @@ std::optional<ControlGroup> ControlGroup::create(std::size_t memory_bytes, int p
   return ControlGroup(std::move(folders), bounds_memory);
 }
 
-bool memory_can_be_bounded() {
-  static const bool can = [] {
-    const std::optional<ControlGroup> group = ControlGroup::create(std::size_t{1} << 30, 8);
-    return group && group->bounds_memory();
-  }();
-  return can;
-}
-
 ControlGroup::~ControlGroup() {
   for (const fs::path& folder : folders_) {
     std::error_code error;

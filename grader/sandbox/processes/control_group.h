@@ -32,7 +32,4 @@ class ControlGroup {
   bool bounds_memory_;
 };
 
-// Tries once, by making a control group, whether one can bound memory here.
-bool memory_can_be_bounded();
-
 }  // namespace grader::sandbox

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A compiler with sanitizers takes 600 MB; hairgrade and its suite take the rest.
+// A compiler takes 600 MB; hairgrade and its suite take the rest.
 constexpr std::size_t kMemoryOfAJob = 750'000'000;
 
 bool lists(const std::string& words, const std::string& word) {

@@ -155,8 +155,6 @@ int grade(GradeOptions options) {
   if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
   if (grading.isolation() == Isolation::container) std::cout << ", with a container's sandbox";
   if (options.settings.no_images) std::cout << ", without pictures";
-  if (!grading.looks_for_memory_errors())
-    std::cout << ", without a look for memory errors (no control group bounds memory)";
   std::cout << "\n" << fs::absolute(record.pages() / "index.html").lexically_normal().string() << "\n";
   if (options.batch.regrade && !batch.staged) say_changes(record);
   for (const std::string& problem : batch.problems)

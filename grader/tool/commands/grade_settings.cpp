@@ -57,9 +57,7 @@ GradingSettings settings_of(const GradeSettings& options) {
   const Budget& budget = settings.course.budget;
   // Without a sandbox this error comes first, before those about archives.
   settings.isolation = isolation_here(StagedKit(settings.kit, settings.course), options.isolation);
-  settings.memory_errors |= settings.isolation == Isolation::container;
-  require_hard_limits({.sanitizers = settings.memory_errors,
-                       .jobs = options.jobs,
+  require_hard_limits({.jobs = options.jobs,
                        .cpu_seconds = std::max({budget.worker_cpu_seconds, budget.compiler_cpu_seconds,
                                                 budget.suite_cpu_seconds})});
   settings.cache = options.cache ? *options.cache : default_cache();

@@ -62,7 +62,8 @@ OneRecorded find_one(Again options, const std::string& exercise) {
   return one;
 }
 
-// Folders, options and libraries are those of grading (compile/toolchain.cpp), but for the debugger's.
+// Folders, options and libraries are those of grading (compile/toolchain.cpp), but for the debugger's and the
+// sanitizers'. These find a memory error that changes no number in grading, too.
 constexpr const char* kBuild = R"(# STAFF ONLY. Builds a case of grading that fails.
 cmake_minimum_required(VERSION 3.16)
 project(reproduced LANGUAGES CXX)
@@ -71,7 +72,9 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 file(GLOB sources student/*.cpp)
 add_executable(case main.cpp given.cpp ${sources})
 target_include_directories(case PRIVATE solver/lecture given . given/student)
-target_compile_options(case PRIVATE -g -Og -ffp-contract=off -ftrivial-auto-var-init=pattern)
+target_compile_options(case PRIVATE -g -Og -ffp-contract=off -ftrivial-auto-var-init=pattern
+                                    -fsanitize=address,undefined -U__SANITIZE_ADDRESS__)
+target_link_options(case PRIVATE -fsanitize=address,undefined -no-pie)
 target_compile_definitions(case PRIVATE ANSWERS="${CMAKE_CURRENT_SOURCE_DIR}/answers.txt")
 target_link_libraries(case PRIVATE Eigen3::Eigen ${CMAKE_CURRENT_SOURCE_DIR}/lib/eigen.a
                                    ${CMAKE_CURRENT_SOURCE_DIR}/lib/standard.a)
