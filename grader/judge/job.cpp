@@ -32,6 +32,7 @@ struct Fields<SuiteJob> {
                                 field("pictures", &T::pictures),
                                 field("whole_run", &T::whole_run),
                                 field("reproduce", &T::reproduce),
+                                field("exercises", &T::exercises),
                                 field("left_out", &T::left_out),
                                 field("unavailable", &T::unavailable),
                                 field("reference_objects", &T::reference_objects),

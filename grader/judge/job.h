@@ -41,6 +41,7 @@ struct SuiteJob {
   // Is the title of a category that is asked alone, to write its first failing case (reproduction.h); "": all
   // are asked.
   std::string reproduce = {};
+  std::filesystem::path exercises = {};  // is exercises.json, for `reproduce`
 
   // Only hairstudy reads these, see study/submission_study.h.
   std::set<std::string> left_out = {};

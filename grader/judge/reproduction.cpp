@@ -59,7 +59,7 @@ std::map<std::string, std::string> reproduce(const SuiteJob& job, Student& stude
   const auto refuse = [](const std::string& why) {
     return std::map<std::string, std::string>{{kNotReproduced, why}};
   };
-  const Course course = read_course(HAIR_EXERCISES_JSON);
+  const Course course = read_course(job.exercises);
   const Exercise& exercise = *course.find(job.exercise);
   const std::vector<Category> all = categories(job.exercise);
   const auto category = std::ranges::find(all, job.reproduce, &Category::title);

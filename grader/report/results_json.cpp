@@ -1,6 +1,8 @@
 // STAFF ONLY. Writes results.json.
 #include "grader/report/results_json.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "grader/compare/montage.h"
@@ -33,11 +35,15 @@ std::string text_of(const std::string& text) {
              : hair::valid_utf8(shown.substr(0, kMostText)) + "\n(the rest is left out)";
 }
 
+std::string data_address(const std::string& png) {
+  const hair::Image small = shrunk(hair::decode_png(png, "a picture"), kPictureWidth);
+  return "data:image/png;base64," + base64(hair::encode_png(small));
+}
+
 Html picture(const std::string& png, const std::string& shows) {
   if (png.empty()) return {};
-  const hair::Image small = shrunk(hair::decode_png(png, "a picture"), kPictureWidth);
-  return html("<img width=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">\n",
-              {std::size_t{kPictureWidth}, shows, base64(hair::encode_png(small))});
+  return html("<img width=\"{}\" alt=\"{}\" src=\"{}\">\n",
+              {std::size_t{kPictureWidth}, shows, data_address(png)});
 }
 
 Html moments(const std::vector<PictureResult>& pictures) {
@@ -124,11 +130,53 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
   return all;
 }
 
+Json prairielearn_test(const CaseResult& one) {
+  return {{"name", text_of(one.name)},
+          {"points", rounded_points(one.points)},
+          {"max_points", rounded_points(one.max_points)},
+          {"message", text_of(one.feedback)}};
+}
+
+Json prairielearn_pictures(const std::vector<PictureResult>& pictures) {
+  Json all = Json::array();
+  const auto add = [&](const std::string& label, const std::string& png) {
+    if (!png.empty()) all.push_back({{"label", text_of(label)}, {"url", data_address(png)}});
+  };
+  for (const PictureResult& one : pictures) {
+    add(one.name + ": yours", one.student);
+    if (one.heat.empty()) continue;
+    add(one.name + ": the reference's", one.reference);
+    add(one.name + ": where they differ", one.heat);
+  }
+  return all;
+}
+
+std::string json_text(const Json& all) {
+  return all.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
+
+std::string prairielearn_json(const SubmissionResult& result, const std::string& id, bool pictures) {
+  const SubmissionResult shown = for_student(result);
+  const auto exercise = std::ranges::find(shown.exercises, id, &ExerciseResult::id);
+  if (exercise == shown.exercises.end())
+    return json_text({{"gradable", false}, {"format_errors", {text_of(said_of_the_whole(shown))}}});
+  const std::string said = text_of(joined(said_of_exercise(*exercise), exercise->compiler_messages));
+  if (exercise->cases.empty()) return json_text({{"gradable", false}, {"format_errors", {said}}});
+  Json all = {{"gradable", true},
+              {"score", std::clamp(exercise->points / exercise->max_points, 0.0, 1.0)},
+              {"message", said},
+              {"tests", Json::array()}};
+  std::ranges::transform(exercise->cases, std::back_inserter(all["tests"]), prairielearn_test);
+  if (pictures) all["images"] = prairielearn_pictures(exercise->pictures);
+  const std::string text = json_text(all);
+  return text.size() <= kMostResultsBytes || !pictures ? text : prairielearn_json(result, id, false);
+}
 
 std::string student_json(const SubmissionResult& whole, const ResultsOptions& options) {
   const SubmissionResult result = options.public_checks ? whole : for_student(whole);
-  const std::string text = json_of(result, options).dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
+  const std::string text = json_text(json_of(result, options));
   if (!options.pictures || text.size() <= kMostResultsBytes) return text;
   ResultsOptions without = options;
   without.pictures = false;

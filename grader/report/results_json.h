@@ -25,4 +25,10 @@ inline constexpr std::size_t kMostResultsBytes = 1'000'000;
 
 std::string student_json(const SubmissionResult& result, const ResultsOptions& options = {});
 
+// Returns the same of one exercise in PrairieLearn's schema (docs/externalGrading.md, "Grading results"). An
+// exercise without categories (it is missing, it does not compile) is not gradable, nor is a result without
+// the exercise, which is our fault: neither costs an attempt.
+std::string prairielearn_json(const SubmissionResult& result, const std::string& exercise,
+                              bool pictures = true);
+
 }  // namespace grader::report

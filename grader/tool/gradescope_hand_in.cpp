@@ -54,8 +54,7 @@ void GradescopeResults::write(SubmissionResult result) const {
 }
 
 void GradescopeResults::could_not_grade() const {
-  write_with_note(
-      {}, "The grader could not grade this, and that is not your fault. Tell the staff, who see why.");
+  write_with_note({}, kCouldNotGrade);
 }
 
 void GradescopeResults::write_with_note(SubmissionResult result, const std::string& note) const {

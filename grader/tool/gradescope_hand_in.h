@@ -18,6 +18,9 @@
 
 namespace grader::inline tool {
 
+inline constexpr const char* kCouldNotGrade =
+    "The grader could not grade this, and that is not your fault. Tell the staff, who see why.";
+
 struct Metadata {
   std::string student;     // "4711"
   std::string created_at;  // "2026-03-04T10:15:00.000000-08:00": the time of the hand-in

@@ -8,6 +8,7 @@
 #include "grader/grading/secret.h"
 #include "grader/package/gradescope_package.h"
 #include "grader/package/handout.h"
+#include "grader/package/prairielearn_course.h"
 #include "grader/record/points/hand_ins.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/course_folder.h"
@@ -26,6 +27,13 @@ int package_for_gradescope(const GradescopePackage& options) {
   write_gradescope_package(sources, options.checks_only ? "" : read_secret(options.secret), course, options);
   std::cout << options.out.string() << "\n";
   if (!options.checks_only) std::cout << advice_for_gradescope(course, options.minutes) << "\n";
+  return 0;
+}
+
+int package_for_prairielearn(const PrairieLearnCourse& options) {
+  write_prairielearn_course(read_secret(options.secret), read_course(HAIR_EXERCISES_JSON, options.course),
+                            options);
+  std::cout << options.out.string() << "\n";
   return 0;
 }
 
@@ -49,7 +57,18 @@ Command add_package(CLI::App& hairgrade) {
   gradescope->add_flag(
       "--checks-only", options->checks_only,
       "For the days before the deadline: the public checks, without points, secret and reference");
-  return {command, [options] { return package_for_gradescope(*options); }};
+  const auto questions = std::make_shared<PrairieLearnCourse>();
+  CLI::App* prairielearn = command->add_subcommand("prairielearn", "Make a question of each exercise");
+  prairielearn->add_option("--out", questions->out, "A new folder")->required();
+  if_there(questions->course, kCourseFile);
+  prairielearn->add_option("--course", questions->course, "The course file: roles of the exercises");
+  prairielearn->add_option("--secret", questions->secret,
+                           "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
+  prairielearn->add_option("--image", questions->image, "The container's image (default: hairgrade)");
+  return {command, [options, questions, prairielearn] {
+            return prairielearn->parsed() ? package_for_prairielearn(*questions)
+                                          : package_for_gradescope(*options);
+          }};
 }
 
 }  // namespace grader::tool

@@ -93,6 +93,7 @@ std::map<std::string, std::string> case_of(const OneRecorded& one, const std::st
   if (compiled.object.empty()) throw BadInput(one.result.file + ": does not compile");
   SuiteJob job = jobs.cases(exercise, one.record->drawn_from(one.name), compiled.object, folder);
   job.reproduce = category;
+  job.exercises = HAIR_EXERCISES_JSON;
   ExerciseTiming timing;
   return jobs.run(job, timing).reproduced;
 }

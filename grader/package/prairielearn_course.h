@@ -1,0 +1,24 @@
+// STAFF ONLY. A question of PrairieLearn for each exercise that a course asks for, to be copied into the
+// platform's course: questions/hair-S1/, ..., and serverFilesCourse/hairgrade/ with the secret, which students
+// don't see there.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "grader/course/course.h"
+
+namespace grader::inline package {
+
+struct PrairieLearnCourse {
+  std::filesystem::path out;
+  std::optional<std::filesystem::path> course, secret;
+  std::string image = "hairgrade";  // the container's image that has the package (debian/Dockerfile)
+};
+
+// Throws BadInput if `out` is there, or can't be written.
+void write_prairielearn_course(const std::string& secret, const Course& course,
+                               const PrairieLearnCourse& options);
+
+}  // namespace grader::package
