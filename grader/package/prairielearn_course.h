@@ -1,6 +1,6 @@
-// STAFF ONLY. A question of PrairieLearn for each exercise that a course asks for, to be copied into the
-// platform's course: questions/hair-S1/, ..., and serverFilesCourse/hairgrade/ with the secret, which students
-// don't see there.
+// STAFF ONLY. A question of PrairieLearn for each exercise that a course asks for, to be copied into its
+// course: questions/hair-S1/, ..., and serverFilesCourse/hairgrade/ with the secret, which students don't see
+// there.
 #pragma once
 
 #include <filesystem>
