@@ -53,8 +53,8 @@ install(DIRECTORY ../solver ../particles ../hair ../handout ../reference ../grad
 list(TRANSFORM labs PREPEND student_hairlab OUTPUT_VARIABLE unsolved)
 list(TRANSFORM HAIR_EXERCISES PREPEND student_ OUTPUT_VARIABLE stubs)
 set_target_properties(${unsolved} ${stubs} PROPERTIES INSTALL_RPATH "$ORIGIN")
-install(TARGETS ${stubs} ${unsolved} RUNTIME DESTINATION lib/hairlab/build LIBRARY DESTINATION lib/hairlab/build
-        PERMISSIONS ${plain})
+install(TARGETS ${stubs} ${unsolved} RUNTIME DESTINATION lib/hairlab/build
+        LIBRARY DESTINATION lib/hairlab/build PERMISSIONS ${plain})
 install(FILES "${debian}/overrides" DESTINATION share/lintian/overrides RENAME hairgrade)
 install(FILES ../handout/exercises.json DESTINATION lib/hairlab/handout)
 install(DIRECTORY ../hair/scenes DESTINATION lib/hairlab/hair FILES_MATCHING PATTERN "*.json")

@@ -2,7 +2,6 @@
 #include "grader/package/prairielearn_course.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "grader/compile/hash.h"
@@ -42,7 +41,7 @@ Json info_of(const Exercise& exercise, double seconds, const PrairieLearnCourse&
             {"image", options.image},
             {"entrypoint", entry},
             {"serverFilesCourse", {std::string(kServerFiles) + "/"}},
-            {"timeout", std::ceil(std::min(kLongest, seconds))}}}};
+            {"timeout", static_cast<int>(std::min(kLongest, seconds))}}}};
 }
 
 std::string question_of(const Exercise& exercise) {
