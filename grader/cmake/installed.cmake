@@ -3,7 +3,7 @@
 #
 #   /usr/bin/                     hairlab and hairgrade start programs of the following folders
 #   /usr/lib/hairlab/             for everybody: hairlab with unwritten exercises, scenes, motions
-#   /usr/lib/hairgrade/build/     for the group hairgrade: hairgrade and all that it starts, golden data, and a
+#   /usr/lib/hairgrade/build/     for the group hairgrade: hairgrade and all that it starts, golden data, a
 #                                 hairlab with the reference solution
 #   /usr/lib/hairgrade/source/    for this group: the project, of which hairgrade packs the handout
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
@@ -12,7 +12,7 @@ set(plain OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
 set(debian "${PROJECT_SOURCE_DIR}/grader/package/debian")
 set(grades lib/hairgrade)
 
-# The programs look for their files where they are installed: hairlab in FOLDER, hairgrade in build/ and source/.
+# The programs look for files of a build and of the sources in these folders below the prefix.
 function(hair_looks_in BUILD SOURCE)
   foreach(target ${ARGN})
     get_target_property(places ${target} COMPILE_DEFINITIONS)
@@ -26,8 +26,8 @@ function(hair_looks_in BUILD SOURCE)
   endforeach()
 endfunction()
 hair_looks_in(${grades}/build ${grades}/source hairgrade)
-hair_looks_in(lib/hairlab lib/hairlab hair_lab hair_lab_main hair_grooms_main hair_shows_main hair_studies_main
-              hair_live_main)
+hair_looks_in(lib/hairlab lib/hairlab hair_lab hair_lab_main hair_grooms_main hair_shows_main
+              hair_studies_main hair_live_main)
 
 # For the group.
 set(labs "" _shows _studies _grooms _live)
@@ -46,8 +46,8 @@ foreach(folder "${HAIR_KIT_DIR}" "${HAIR_RUNNERS}" "${HAIR_HIDDEN_SCENES}" "${HA
           PATTERN "*.so*" PERMISSIONS ${plain})
 endforeach()
 install(FILES ../CMakeLists.txt ../CMakePresets.json DESTINATION ${grades}/source)
-install(DIRECTORY ../solver ../particles ../hair ../handout ../reference ../grader DESTINATION ${grades}/source USE_SOURCE_PERMISSIONS
-        PATTERN ".*" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY ../solver ../particles ../hair ../handout ../reference ../grader
+        DESTINATION ${grades}/source USE_SOURCE_PERMISSIONS PATTERN ".*" EXCLUDE PATTERN "__pycache__" EXCLUDE)
 
 # For everybody.
 list(TRANSFORM labs PREPEND student_hairlab OUTPUT_VARIABLE unsolved)
@@ -75,9 +75,10 @@ endforeach()
 add_custom_command(OUTPUT changelog.gz COMMAND gzip -9nc "${debian}/changelog" > changelog.gz
                    DEPENDS "${debian}/changelog" VERBATIM)
 install(FILES ${manuals} DESTINATION share/man/man1)
-install(FILES "${debian}/copyright" "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz" DESTINATION share/doc/hairgrade)
-add_custom_target(packaged ALL DEPENDS ${manuals} changelog.gz hairgrade_parts hairstudy hair_golden hair_motions
-                  ${solved} ${unsolved})
+install(FILES "${debian}/copyright" "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz"
+        DESTINATION share/doc/hairgrade)
+add_custom_target(packaged ALL DEPENDS ${manuals} changelog.gz hairgrade_parts hairstudy hair_golden
+                  hair_motions ${solved} ${unsolved})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hairgrade)
@@ -94,7 +95,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_PREDEPENDS adduser)
 # hairgrade starts these, or loads them later.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "g++ (>= 4:12), libeigen3-dev, libosmesa6, bubblewrap, similarity-tester")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, nodejs, katex, node-marked, fonts-lmodern, fonttools, python3-brotli")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS 
+    "ffmpeg, nodejs, katex, node-marked, fonts-lmodern, fonttools, python3-brotli")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${debian}/preinst;${debian}/postrm")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)
