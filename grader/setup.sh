@@ -84,6 +84,9 @@ libc++abi-dev        # its low level, for students' builds
 clang-tidy           # common mistakes, names
 python3              # runs clang-tidy
 shellcheck           # these scripts
+dpkg-dev             # the Debian package: the libraries that it needs,
+help2man             # manuals,
+lintian              # and its rules
 LIST
 }
 
