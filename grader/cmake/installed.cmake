@@ -47,7 +47,8 @@ foreach(folder "${HAIR_KIT_DIR}" "${HAIR_RUNNERS}" "${HAIR_HIDDEN_SCENES}" "${HA
 endforeach()
 install(FILES ../CMakeLists.txt ../CMakePresets.json DESTINATION ${grades}/source)
 install(DIRECTORY ../solver ../particles ../hair ../handout ../reference ../grader
-        DESTINATION ${grades}/source USE_SOURCE_PERMISSIONS PATTERN ".*" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+        DESTINATION ${grades}/source USE_SOURCE_PERMISSIONS PATTERN ".git*" EXCLUDE
+        PATTERN "__pycache__" EXCLUDE)
 
 # For everybody.
 list(TRANSFORM labs PREPEND student_hairlab OUTPUT_VARIABLE unsolved)

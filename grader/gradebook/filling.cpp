@@ -91,7 +91,8 @@ const Grade* Filling::of(const Csv::Row& row) const {
 
 const Grade* Filling::at(const Csv::Row& row) {
   const Grade* grade = of(row);
-  without_ += grade == nullptr;
+  if (grade == nullptr)
+    without_.push_back("line " + std::to_string(row.line) + " (" + printable(row.at(0)) + ")");
   return grade;
 }
 
@@ -141,9 +142,10 @@ std::optional<std::string> Filling::feedback(const Csv::Row& row, const std::str
 }
 
 Gradebook Filling::book(std::string csv) {
-  if (without_ > 0)
-    book_.said.push_back(std::to_string(without_) + (without_ == 1 ? " person has" : " people have") +
-                         " no grade here; their cells stay as they were");
+  if (!without_.empty())
+    book_.said.push_back(std::to_string(without_.size()) +
+                         (without_.size() == 1 ? " person has" : " people have") +
+                         " no grade here, and their cells stay as they were: " + some_of(without_));
   book_.said.insert(book_.said.end(), notes_.begin(), notes_.end());
   book_.csv = std::move(csv);
   return std::move(book_);

@@ -70,7 +70,7 @@ class Filling {
   const Roster rows_;
   std::map<std::size_t, std::vector<const Grade*>> by_person_;
   std::vector<std::string> notes_;
-  std::size_t without_ = 0;
+  std::vector<std::string> without_;  // rows without a grade, for people
   Gradebook book_;
 };
 

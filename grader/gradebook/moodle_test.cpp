@@ -52,7 +52,7 @@ TEST(MoodleWorksheet, ImportsTheGrades) {
   EXPECT_EQ(imported.refused, Cells{});
   EXPECT_EQ(book.written, 2u);
   EXPECT_TRUE(says(book, "line 4: hand_in_4713's grade is not entered: Moodle has locked it"));
-  EXPECT_TRUE(says(book, "1 person has no grade here"));
+  EXPECT_TRUE(says(book, "1 person has no grade here, and their cells stay as they were: line "));
   EXPECT_TRUE(says(book.csv, "<p>3 tests failed</p>\n"));
   for (const Csv::Row& row : parse_csv(book.csv, "x").rows)
     for (const string& cell : row.cells) EXPECT_FALSE(starts_formula(cell)) << cell;

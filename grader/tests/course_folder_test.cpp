@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "grader/record/published.h"
 #include "grader/record/record.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/temporary_folder.h"
@@ -58,25 +59,30 @@ class CourseFolder : public testing::Test {
 };
 
 TEST_F(CourseFolder, NamesTheNextCommand) {
-  expect_next("hairgrade handout", "students need");
+  expect_next("hairgrade handout", "course.json is still as new-course wrote it");
   write("handout.tar.gz");
   EXPECT_TRUE(says(run_hairgrade({"next"}).output, "Nothing waits")) << "its downloads/ is empty";
   write("downloads/lab 1.zip");
   expect_next("hairgrade grade 'downloads/lab 1.zip'", "not graded");
   put("");
   expect_next("hairgrade gradebook canvas --fill EXPORTED.csv --out filled.csv",
-              "1 hand-in: graded, and not told yet");
+              "1 hand-in: graded, and in no gradebook yet");
   EXPECT_EQ(run_hairgrade({"request", "alice", "H2", "Look again"}).code, 0) << "no --out";
-  expect_next("hairgrade review", "0 conflicts and 1 request");
+  expect_next("hairgrade review", "a student asks for another look: 1");
   EXPECT_EQ(run_hairgrade({"answer", "1", "I did"}).code, 0);
   write("exported.csv", "Student,ID,SIS Login ID,Section,Lab (7)\n    Points Possible,,,,8\nAmes,1,aa,A,\n");
   const ProgramRun filled =
       run_hairgrade({"gradebook", "canvas", "--fill", "exported.csv", "--out", "f.csv", "--column", "7"});
   EXPECT_EQ(filled.code, 0) << filled.errors;
+  expect_next("hairgrade feedback canvas 'downloads/lab 1.zip' --out feedback.zip",
+              "1 hand-in: without feedback");
+  Record record("grades");
+  Published told = *record.published("alice");
+  told.by = "feedback canvas";
+  record.put_published({{"alice", told}});
   EXPECT_TRUE(says(run_hairgrade({"next"}).output, "Nothing waits"));
   EXPECT_EQ(run_hairgrade({"set", "alice", "H2", "8", "--why", "right"}).code, 0);
   expect_next("hairgrade diff --published changed.csv", "told another total than now: 1 student;");
-  Record record("grades");
   ran(record, "2000-01-01 00:00:00");
   expect_next("hairgrade grade 'downloads/lab 1.zip' --resume", "newer");
   write("downloads/lab 1, section b.zip");

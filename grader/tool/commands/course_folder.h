@@ -5,11 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace grader::inline tool {
 
 inline constexpr const char *kCourseFile = "course.json", *kGrades = "grades", *kDownloads = "downloads",
                             *kRoster = "roster.csv", *kHandout = "handout.tar.gz";
+
+// Returns course.json as `hairgrade new-course` writes it.
+std::string unwritten_course_file();
 
 inline bool in_course_folder() {
   return std::filesystem::exists(kCourseFile);

@@ -14,9 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string course_file() {
-  std::string text =
-      R"(// The course: what students hand in, and when. All keys: "The course file" in grader/docs/reference.md.
+}  // namespace
+
+std::string unwritten_course_file() {
+  std::string text = R"(// The course: what students hand in, and when. All keys: "The course file" in )" +
+                     (fs::path(HAIR_SOURCE_DIR) / "grader/docs/reference.md").string() + R"(
 {
   // assigned; optional: extra credit; given: handed out solved; absent
   "exercises": {
@@ -37,6 +39,8 @@ std::string course_file() {
 }
 )";
 }
+
+namespace {
 
 constexpr const char* kIgnored = R"(# Hand-ins, grades and people stay out of the repository.
 /downloads/
@@ -69,7 +73,7 @@ int new_course(const fs::path& folder) {
   fs::create_directories(folder / kDownloads);
   write_file(folder / ".gitignore", kIgnored);
   write_file(folder / "README.md", kTheTerm);
-  write_file(folder / kCourseFile, course_file());
+  write_file(folder / kCourseFile, unwritten_course_file());
   std::cout << (folder / kCourseFile).string() << ": write your course into it, then run hairgrade next in "
             << folder.string() << "\n";
   return 0;

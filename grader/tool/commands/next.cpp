@@ -6,6 +6,7 @@
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -15,9 +16,12 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/record/published.h"
 #include "grader/record/record.h"
+#include "grader/result/json_fields.h"
+#include "grader/review/item_list.h"
 #include "grader/text/shell_word.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/course_folder.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {
 namespace {
@@ -70,19 +74,48 @@ std::optional<Download> download_of(const std::string& hand_in) {
   return newest;
 }
 
-Step give_back(Record& record, const std::string& of_hand_in, const std::optional<Download>& download,
-               const std::string& why) {
+// Counts those who were not told by this command, whom nobody holds.
+std::size_t not_told(Record& record, const std::string& command) {
+  return static_cast<std::size_t>(std::ranges::count_if(record.names(), [&](const std::string& name) {
+    const auto told = [&](const LogEntry& entry) {
+      return entry.did == "published" &&
+             from_json_text<Published>(entry.detail, "the log").by.starts_with(command);
+    };
+    return std::ranges::none_of(record.log(name), told) &&
+           std::ranges::count(record.decisions(name), DecisionKind::hold, &Decision::kind) == 0;
+  }));
+}
+
+std::optional<Step> give_back(Record& record, const std::string& of_hand_in,
+                              const std::optional<Download>& download) {
   const std::vector<HandIn> hand_ins = record.hand_ins();
   const std::string system = hand_ins.empty() ? "" : hand_ins.front().system;
   static const std::set<std::string> kFilled{"canvas", "moodle", "brightspace", "blackboard"};
-  if (kFilled.contains(system))
-    return {"hairgrade gradebook " + system + " --fill EXPORTED.csv --out filled.csv" + of_hand_in,
-            why + (system == "canvas" && download
-                       ? "; then hairgrade feedback canvas " + shell_word(download->path.string()) +
-                             " --out feedback.zip" + of_hand_in
-                       : std::string())};
-  return {"hairgrade gradebook gradescope --out grades.csv" + of_hand_in,
-          why + "; each student's page is " + record.pages().string() + "/NAME/report.html"};
+  if (const std::size_t untold = not_told(record, "gradebook"); untold > 0) {
+    const std::string why = amount(untold, "hand-in") + ": graded, and in no gradebook yet";
+    if (kFilled.contains(system))
+      return Step{"hairgrade gradebook " + system + " --fill EXPORTED.csv --out filled.csv" + of_hand_in,
+                  why};
+    return Step{"hairgrade gradebook gradescope --out grades.csv" + of_hand_in,
+                why + "; each student's page is " + record.pages().string() + "/NAME/report.html"};
+  }
+  if (const std::size_t untold = not_told(record, "feedback"); untold > 0 && system == "canvas" && download)
+    return Step{"hairgrade feedback canvas " + shell_word(download->path.string()) + " --out feedback.zip" +
+                    of_hand_in,
+                amount(untold, "hand-in") + ": without feedback yet"};
+  return {};
+}
+
+// Counts what the desk has for a person to decide before points are told: from what could not be taken to
+// requests.
+std::string undecided(Record& record) {
+  std::map<ItemKind, std::size_t> waiting;
+  for (const Item& item : ItemList(record, "next").items())
+    if (item.kind <= ItemKind::request && !item.is_decided()) ++waiting[item.kind];
+  std::string all;
+  for (const auto& [kind, count] : waiting)
+    all += (all.empty() ? "" : ", ") + heading_of(kind) + ": " + std::to_string(count);
+  return all;
 }
 
 std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
@@ -99,7 +132,6 @@ std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
   if (!is_recorded)
     return download ? std::optional(grade("", "a download lies here that is not graded")) : std::nullopt;
   Record record(kGrades, hand_in.name);
-  const std::vector<std::string> names = record.names();
   const ClassCosts costs = record.costs();
   if (download && costs.last_run && !costs.last_run->is_whole())
     return grade(" --resume", "the last run ended before all were graded");
@@ -107,20 +139,9 @@ std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
     return grade(" --resume", "this download is newer than the grades");
   if (download && !costs.ended_by_the_clock.empty())
     return grade(" --resume", amount(costs.ended_by_the_clock.size(), "hand-in") + " ended by the clock");
-  std::size_t conflicts = 0, untold = 0;
-  for (const std::string& name : names) {
-    conflicts += record.conflicts(name).size();
-    const std::vector<Decision> decisions = record.decisions(name);
-    untold +=
-        !record.published(name) && std::ranges::count(decisions, DecisionKind::hold, &Decision::kind) == 0;
-  }
-  const std::vector<Request> requests = record.requests();
-  const auto open = static_cast<std::size_t>(std::ranges::count_if(requests, &Request::is_open));
-  if (conflicts > 0 || open > 0)
-    return Step{"hairgrade review" + of_hand_in,
-                amount(conflicts, "conflict") + " and " + amount(open, "request") + " wait for a decision"};
-  if (untold > 0)
-    return give_back(record, of_hand_in, download, amount(untold, "hand-in") + ": graded, and not told yet");
+  if (const std::string waiting = undecided(record); !waiting.empty())
+    return Step{"hairgrade review" + of_hand_in, "a person must decide: " + waiting};
+  if (const std::optional<Step> step = give_back(record, of_hand_in, download)) return step;
   if (const std::size_t changed = published_changes(record).students; changed > 0)
     return Step{
         "hairgrade diff --published changed.csv" + of_hand_in,
@@ -138,7 +159,11 @@ int next() {
     std::cout << step.command << "\n  # " << step.why << "\n";
     return 0;
   };
-  if (!fs::exists(kHandout)) return say({"hairgrade handout", "students need the course's handout"});
+  const bool is_unwritten = hair::bytes_of(kCourseFile) == unwritten_course_file();
+  if (!fs::exists(kHandout) && !Record::is_in(kGrades) && !download_of(""))
+    return say(
+        {"hairgrade handout", std::string("students need the course's handout") +
+                                  (is_unwritten ? "; course.json is still as new-course wrote it" : "")});
   for (const CourseHandIn& hand_in : hand_ins)
     if (const std::optional<Step> step = step_of(hand_in, !hand_in.name.empty())) return say(*step);
   std::cout << "Nothing waits. Put the next download into " << kDownloads << "/"

@@ -74,11 +74,15 @@ std::string hand_in_called(Record& record, const std::string& name) {
   const NameKeys keys = keys_of(name);
   const std::string id = lowered(plain_id(name));
   std::set<std::string> meant;
+  bool is_known = false;
   const auto add = [&](const NameKeys& theirs, const auto& ids, const std::vector<std::string>& hand_ins) {
-    if (!keys.as_spoken.empty() && (theirs == keys || theirs.as_spoken == keys.as_sorted))
-      meant.insert(hand_ins.begin(), hand_ins.end());
-    for (const std::string& one : ids)
-      if (!one.empty() && lowered(plain_id(one)) == id) meant.insert(hand_ins.begin(), hand_ins.end());
+    const bool by_name = !keys.as_spoken.empty() && (theirs == keys || theirs.as_spoken == keys.as_sorted);
+    const auto is_theirs = [&](const std::string& one) {
+      return !one.empty() && lowered(plain_id(one)) == id;
+    };
+    if (!by_name && std::ranges::none_of(ids, is_theirs)) return;
+    is_known = true;
+    meant.insert(hand_ins.begin(), hand_ins.end());
   };
   if (const std::optional<ClassList> list = record.class_list())
     for (const ClassList::Row& row : list->rows) add(row.person.keys, row.person.ids, row.hand_ins);
@@ -91,6 +95,9 @@ std::string hand_in_called(Record& record, const std::string& name) {
   if (meant.size() > 1)
     throw BadInput(printable(name) + ": may be " + some_of({meant.begin(), meant.end()}) +
                    "; write one of these");
+  if (meant.empty() && is_known)
+    throw BadInput(printable(name) +
+                   ": handed in nothing, so there are no points to change; write them into the gradebook");
   return meant.empty() ? name : *meant.begin();
 }
 
