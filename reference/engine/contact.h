@@ -8,6 +8,7 @@
 #define HAIR_REFERENCE_ENGINE_CONTACT_H_
 #endif
 
+#include <array>
 #include <bit>
 
 #include "reference/engine/head_surface.h"
@@ -23,25 +24,54 @@ HWY_INLINE Floats3 friction(const Floats3& vector, const Floats3& n, Floats limi
   return hn::Min(floats(1), limit * per_length(across)) * across;
 }
 
+// The lanes of `which` move to the front. For eight lanes and AVX2, Highway's Compress copies its table, a
+// kilobyte, to the stack at each call (g++ 12).
+template <class D, class V, class M>
+HWY_INLINE V to_front([[maybe_unused]] D tag, V a, M which) {
+#if HWY_TARGET == HWY_AVX2
+  if constexpr (hn::MaxLanes(tag) == 8) {
+    static constexpr auto kTable = [] {
+      std::array<std::array<std::uint8_t, 8>, 256> lanes{};
+      for (unsigned bits = 0; bits < 256; ++bits)
+        for (unsigned lane = 0, next = 0; lane < 8; ++lane)
+          if (bits >> lane & 1) lanes[bits][next++] = static_cast<std::uint8_t>(lane);
+      return lanes;
+    }();
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, which, bits);
+    const auto lanes = hn::PromoteTo(hn::Rebind<std::int32_t, D>(),
+                                     hn::LoadU(hn::Rebind<std::uint8_t, D>(), kTable[*bits].data()));
+    return hn::TableLookupLanes(a, hn::IndicesFromVec(tag, lanes));
+  }
+#endif
+  return hn::Compress(a, which);
+}
+
 // The points of a group that are near the head, in the grid's units and the head's axes.
 class NearHead {
  public:
   HWY_INLINE NearHead(const StepConstants& step, const Scratch& scratch)
-      : step_(step), rows_(scratch.near), index_in_group_(scratch.near_index), row_(scratch.near_row) {}
+      : step_(step),
+        to_cells_(step.cells_after),
+        before_to_cells_(step.cells_before),
+        cells_(step.grid),
+        rows_(scratch.near),
+        index_in_group_(scratch.near_index),
+        row_(scratch.near_row) {}
 
   // Adds points that moved from `old` to `now`. `at` is the index of the first lane's x in the group.
   HWY_INLINE void add(const Vec3& old, const Vec3& now, std::int32_t at) {
     const HalfTag tag;
     const hn::Rebind<std::int32_t, Tag> integers;
-    const GridView& grid = step_.grid;
-    const Vec3 p = placed(step_.cells_after, now);
+    const Vec3 p = to_cells_(now);
     const Three<Half> place = half(p);
-    const auto index = Cells<HalfTag>(grid, place).index;
-    const auto word = hn::GatherIndex(integers, grid.reaches_inside, hn::ShiftRight<5>(index));
+    Three<Half> along;
+    const auto index = cells_.index(place, along);
+    const auto word = hn::GatherIndex(integers, step_.grid.reaches_inside, hn::ShiftRight<5>(index));
     const auto bit = hn::And(word >> hn::And(index, hn::Set(integers, 31)), hn::Set(integers, 1));
     const auto near = bit != hn::Zero(integers);
     if (hn::AllFalse(integers, near)) return;
-    const Three<Half> way = half(p - placed(step_.cells_before, old));
+    const Three<Half> way = half(p - before_to_cells_(old));
     const auto which = hn::RebindMask(tag, near);
     keep(tag, which, place, kPlace, count_);
     keep(tag, which, way, kWay, count_);
@@ -54,10 +84,19 @@ class NearHead {
     const FloatTag tag;
     const Floats zero = hn::Zero(tag), mu = floats(step_.friction), per_h = floats(step_.per_h);
     const Floats rest = floats(step_.contact_depth * step_.grid.per_cell);
+    const Floats most_per_slope = floats(step_.grid.per_cell * step_.grid.unit / kLeastSlope);
+    const Cells<FloatTag> cells(step_.grid);
+    Floats3 turn[3];
+    for (int row = 0; row < 3; ++row) {
+      const auto part = [&](int column) {
+        return floats(step_.after.turn[row][column] / step_.grid.per_cell);
+      };
+      turn[row] = {part(0), part(1), part(2)};
+    }
     for (int push = 0; push < kMostPushes && count_ > 0; ++push) {
       std::size_t left = 0;
       Floats3 next_place = read(kPlace, 0);
-      CellCorners next_corners(step_.grid, next_place);
+      CellCorners next_corners(step_.grid, cells, next_place);
       for (std::size_t k = 0; k < count_; k += kFloats) {
         const Floats3 place = next_place;
         const CellCorners corners = next_corners;
@@ -65,9 +104,9 @@ class NearHead {
         // pushed.
         if (k + kFloats < count_) {
           next_place = read(kPlace, k + kFloats);
-          next_corners = CellCorners(step_.grid, next_place);
+          next_corners = CellCorners(step_.grid, cells, next_place);
         }
-        const HeadSurface surface(step_.grid, corners);
+        const HeadSurface surface(most_per_slope, corners);
         const auto inside = hn::And(surface.depth > (push == 0 ? zero : rest), hn::FirstN(tag, count_ - k));
         if (hn::AllFalse(tag, inside)) continue;
         const Floats3 &n = surface.normal, way = read(kWay, k);
@@ -75,7 +114,7 @@ class NearHead {
         const Floats3 shift = surface.depth * n - friction(way, n, mu * surface.depth);
         const Floats speed = hn::Max(zero - dot(n, u), zero);
         const Floats3 change = speed * n - friction(u, n, mu * speed);
-        add_to(group, k, inside, shift, change);
+        add_to(group, k, inside, turn, shift, change);
         // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in
         // slope by less than a tenth. Each point ends by itself.
         const auto again = hn::And(inside, surface.depth > floats(10) * rest);
@@ -84,7 +123,8 @@ class NearHead {
         keep(tag, again, u + change, kSpeed, left);
         const hn::Rebind<std::int32_t, FloatTag> integers;
         const auto indices = hn::LoadU(integers, index_in_group_ + k);
-        hn::StoreU(hn::Compress(indices, hn::RebindMask(integers, again)), integers, index_in_group_ + left);
+        hn::StoreU(to_front(integers, indices, hn::RebindMask(integers, again)), integers,
+                   index_in_group_ + left);
         left += hn::CountTrue(tag, again);
       }
       count_ = left;
@@ -107,9 +147,9 @@ class NearHead {
   // hundreds of cycles to store the lanes that a mask picks.
   template <class D, class M>
   HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
-    hn::StoreU(hn::Compress(a.x, which), tag, number(first, k));
-    hn::StoreU(hn::Compress(a.y, which), tag, number(first + 1, k));
-    hn::StoreU(hn::Compress(a.z, which), tag, number(first + 2, k));
+    hn::StoreU(to_front(tag, a.x, which), tag, number(first, k));
+    hn::StoreU(to_front(tag, a.y, which), tag, number(first + 1, k));
+    hn::StoreU(to_front(tag, a.z, which), tag, number(first + 2, k));
   }
   static HWY_INLINE Three<Half> half(const Vec3& a) {
     const HalfTag tag;
@@ -129,17 +169,12 @@ class NearHead {
 
   // Adds to x and v of the points from k on, in the lanes `which`.
   template <class M>
-  HWY_INLINE void add_to(const Group& group, std::size_t k, M which, const Floats3& shift,
-                         const Floats3& change) {
+  HWY_INLINE void add_to(const Group& group, std::size_t k, M which, const Floats3 (&turn)[3],
+                         const Floats3& shift, const Floats3& change) {
     const FloatTag tag;
     HWY_ALIGN double numbers[6][kFloats];
     const auto turned = [&](const Floats3& a, double(*to)[kFloats]) {
-      for (int row = 0; row < 3; ++row) {
-        const double* const turn = step_.after.turn[row];
-        const double size = 1 / step_.grid.per_cell;
-        store_doubles(dot(Floats3{floats(size * turn[0]), floats(size * turn[1]), floats(size * turn[2])}, a),
-                      to[row]);
-      }
+      for (int row = 0; row < 3; ++row) store_doubles(dot(turn[row], a), to[row]);
     };
     turned(shift, numbers);
     turned(change, numbers + 3);
@@ -157,6 +192,8 @@ class NearHead {
   }
 
   const StepConstants& step_;
+  const Axes to_cells_, before_to_cells_;
+  const Cells<HalfTag> cells_;
   float* rows_;
   std::int32_t* index_in_group_;
   std::size_t row_, count_ = 0;

@@ -70,7 +70,7 @@ struct StepConstants {
 };
 
 // A thread's memory for strands of so many points.
-inline constexpr std::size_t kFactorRow = 21, kNearRows = 9;
+inline constexpr std::size_t kFactorRow = 24, kNearRows = 9;
 struct Scratch {
   double* factor;            // kFactorRow kGroup numbers a point
   double *moved, *other;     // positions, 3 kGroup numbers a point

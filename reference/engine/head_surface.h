@@ -41,31 +41,38 @@ HWY_INLINE Floats per_length(const Floats3& a) {
 template <class D>
 struct Cells {
   using V = hn::Vec<D>;
-  using Integers = hn::Vec<hn::Rebind<std::int32_t, D>>;
+  using IntegerTag = hn::Rebind<std::int32_t, D>;
+  using Integers = hn::Vec<IntegerTag>;
 
-  HWY_INLINE Cells(const GridView& grid, const Three<V>& point) {
-    const D tag;
-    const hn::Rebind<std::int32_t, D> integers;
-    const auto within = [&](V p, int axis) {
-      return hn::Min(hn::Max(p, hn::Zero(tag)), hn::Set(tag, grid.last[axis]));
-    };
-    const Three<V> inside{within(point.x, 0), within(point.y, 1), within(point.z, 2)};
+  HWY_INLINE explicit Cells(const GridView& grid)
+      : last{hn::Set(D(), grid.last[0]), hn::Set(D(), grid.last[1]), hn::Set(D(), grid.last[2])},
+        count_x(hn::Set(IntegerTag(), grid.count[0])),
+        count_y(hn::Set(D(), static_cast<float>(grid.count[1]))) {}
+
+  // The number of a cell's lowest point. `along` becomes the place in the cell, 0 to 1 from there.
+  HWY_INLINE Integers index(const Three<V>& point, Three<V>& along) const {
+    const auto within = [](V p, V most) { return hn::Min(hn::Max(p, hn::Zero(D())), most); };
+    const Three<V> inside{within(point.x, last.x), within(point.y, last.y), within(point.z, last.z)};
     const Three<V> low{hn::Floor(inside.x), hn::Floor(inside.y), hn::Floor(inside.z)};
-    const auto count = [&](int axis) { return hn::Set(integers, grid.count[axis]); };
-    index = (hn::ConvertTo(integers, low.z) * count(1) + hn::ConvertTo(integers, low.y)) * count(0) +
-            hn::ConvertTo(integers, low.x);
     along = inside - low;
+    // Single precision holds the number of a row, which is less than 2^24.
+    return hn::ConvertTo(IntegerTag(), hn::MulAdd(low.z, count_y, low.y)) * count_x +
+           hn::ConvertTo(IntegerTag(), low.x);
   }
 
-  Integers index;  // the number of a cell's lowest point
-  Three<V> along;  // 0 to 1, from there
+  Three<V> last;
+  Integers count_x;
+  V count_y;
 };
 
 // The distances at the corners of some points' cells: four gathers, each of two neighbours along x.
 class CellCorners {
  public:
-  HWY_INLINE CellCorners(const GridView& grid, const Floats3& point)
-      : CellCorners(grid, Cells<FloatTag>(grid, point)) {}
+  HWY_INLINE CellCorners(const GridView& grid, const Cells<FloatTag>& cells, const Floats3& point) {
+    const Integers index = cells.index(point, along_);
+    for (int dk = 0; dk < 2; ++dk)
+      for (int dj = 0; dj < 2; ++dj) pairs_[2 * dk + dj] = pair(grid, index, dj, dk);
+  }
 
   // The first of two neighbours' distances, and the second's difference from it.
   struct Edge {
@@ -82,11 +89,6 @@ class CellCorners {
 
  private:
   using Integers = hn::Vec<hn::Rebind<std::int32_t, FloatTag>>;
-
-  HWY_INLINE CellCorners(const GridView& grid, const Cells<FloatTag>& cells)
-      : along_(cells.along),
-        pairs_{pair(grid, cells.index, 0, 0), pair(grid, cells.index, 1, 0), pair(grid, cells.index, 0, 1),
-               pair(grid, cells.index, 1, 1)} {}
 
   static HWY_INLINE Integers pair(const GridView& grid, Integers index, int dj, int dk) {
     const std::int16_t* const from = grid.distance + (dk * grid.count[1] + dj) * grid.count[0];
@@ -108,7 +110,7 @@ struct HeadSurface {
   Floats depth;    // in cells, > 0 inside; else 0
   Floats3 normal;  // has length 1 where depth > 0
 
-  HWY_INLINE HeadSurface(const GridView& grid, const CellCorners& corners) {
+  HWY_INLINE HeadSurface(Floats most_per_slope, const CellCorners& corners) {
     const Floats3& t = corners.along();
     const auto mix = [](Floats a, Floats slope, Floats s) { return hn::MulAdd(s, slope, a); };
     const CellCorners::Edge e00 = corners.edge(0, 0), e10 = corners.edge(1, 0), e01 = corners.edge(0, 1),
@@ -122,7 +124,7 @@ struct HeadSurface {
     const Floats per_slope = per_length(gradient);
     // The gradient is in differences between the grid's points.
     depth = hn::Max(hn::Zero(FloatTag()) - mix(c0, z, t.z), hn::Zero(FloatTag())) *
-            hn::Min(per_slope, floats(grid.per_cell * grid.unit / kLeastSlope));
+            hn::Min(per_slope, most_per_slope);
     normal = per_slope * gradient;
   }
 };

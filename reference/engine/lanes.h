@@ -47,6 +47,13 @@ HWY_INLINE Lanes reciprocal(Lanes a) {
   return all(1) / a;
 #endif
 }
+HWY_INLINE Lanes quotient(Lanes a, Lanes b) {
+#if HWY_TARGET <= HWY_AVX3
+  return a * reciprocal(b);
+#else
+  return a / b;
+#endif
+}
 HWY_INLINE Lanes reciprocal_root(Lanes a) {
 #if HWY_TARGET <= HWY_AVX3
   const Lanes r{_mm512_rsqrt14_pd(a.raw)}, e = hn::NegMulAdd(a * r, r, all(1));
@@ -153,7 +160,7 @@ HWY_INLINE Sym3 plus(const Sym3& a, const Vec3& b, const Vec3& c) {
 }
 
 struct Mat3 {
-  Vec3 x, y, z;  // columns
+  Vec3 x, y, z;  // rows
 };
 
 HWY_INLINE Mat3 operator+(const Mat3& a, const Mat3& b) {
@@ -162,9 +169,6 @@ HWY_INLINE Mat3 operator+(const Mat3& a, const Mat3& b) {
 HWY_INLINE Mat3 operator-(const Mat3& a, const Mat3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-HWY_INLINE Mat3 zero33() {
-  return {zero3(), zero3(), zero3()};
-}
 HWY_INLINE Mat3 full(const Sym3& a) {
   return {{a.xx, a.yx, a.zx}, {a.yx, a.yy, a.zy}, {a.zx, a.zy, a.zz}};
 }
@@ -172,15 +176,25 @@ HWY_INLINE Mat3 full(const Sym3& a) {
 HWY_INLINE Vec3 turned(const double (&turn)[3][3], const Vec3& a) {
   return {dot(all3(turn[0]), a), dot(all3(turn[1]), a), dot(all3(turn[2]), a)};
 }
-// A vector after a change of axes: a root's place on the head, for instance.
-HWY_INLINE Vec3 placed(const Pose& pose, const Vec3& a) {
-  const auto along = [&](int row) {
-    const double* const turn = pose.turn[row];
-    return hn::MulAdd(all(turn[0]), a.x,
-                      hn::MulAdd(all(turn[1]), a.y, hn::MulAdd(all(turn[2]), a.z, all(pose.at[row]))));
-  };
-  return {along(0), along(1), along(2)};
-}
+// A change of axes: a root's place on the head, for instance. Its numbers are already in all lanes, so that a
+// loop need not spread them over and over.
+struct Axes {
+  Lanes turn[3][3], at[3];
+
+  HWY_INLINE explicit Axes(const Pose& pose) {
+    for (int row = 0; row < 3; ++row) {
+      at[row] = all(pose.at[row]);
+      for (int column = 0; column < 3; ++column) turn[row][column] = all(pose.turn[row][column]);
+    }
+  }
+  HWY_INLINE Vec3 operator()(const Vec3& a) const {
+    const auto along = [&](int row) {
+      return hn::MulAdd(turn[row][0], a.x,
+                        hn::MulAdd(turn[row][1], a.y, hn::MulAdd(turn[row][2], a.z, at[row])));
+    };
+    return {along(0), along(1), along(2)};
+  }
+};
 
 }  // namespace hair::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

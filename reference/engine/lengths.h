@@ -23,6 +23,7 @@
 #define HAIR_REFERENCE_ENGINE_LENGTHS_H_
 #endif
 
+#include <cstddef>
 #include <utility>
 
 #include "reference/engine/lanes.h"
@@ -52,8 +53,8 @@ class LengthCorrection {
 
   // Measures x.
   HWY_INLINE LengthErrors measure(bool to_tip, const MeasuredStrands& strands) const {
-    return to_tip ? sweep<true, false>(strands, strands, all(0), all(0) == all(0))
-                  : sweep<false, false>(strands, strands, all(0), all(0) == all(0));
+    return to_tip ? sweep<true, false>(strands, strands, all(0))
+                  : sweep<false, false>(strands, strands, all(0));
   }
 
   // Prepares the measured strands for an attempt.
@@ -61,11 +62,10 @@ class LengthCorrection {
     return to_tip ? eliminate_along<true>(strands.rows) : eliminate_along<false>(strands.rows);
   }
 
-  // Sets x of `to` to x + part W J^T lambda in active lanes, to x in the others, and measures it. `from` was
-  // measured by a sweep the other way.
-  HWY_INLINE LengthErrors attempt(bool to_tip, const MeasuredStrands& from, Lanes part, Which active,
+  // Sets x of `to` to x + part W J^T lambda, and measures it. `from` was measured by a sweep the other way.
+  HWY_INLINE LengthErrors attempt(bool to_tip, const MeasuredStrands& from, Lanes part,
                                   const MeasuredStrands& to) const {
-    return to_tip ? sweep<true, true>(from, to, part, active) : sweep<false, true>(from, to, part, active);
+    return to_tip ? sweep<true, true>(from, to, part) : sweep<false, true>(from, to, part);
   }
 
   // Puts each point at its distance from the one before, in its old direction, in the lanes `which`.
@@ -84,53 +84,61 @@ class LengthCorrection {
  private:
   // Points and segments count along the sweep.
   template <bool kToTip, bool kMove>
-  HWY_NOINLINE LengthErrors sweep(const MeasuredStrands& from, const MeasuredStrands& to, Lanes part,
-                                  Which active) const {
-    const auto point = [&](double* x, int k) { return x + 3 * (kToTip ? k : last_ - k) * kWidth; };
-    const auto segment = [&](double* rows, int k) {
-      return rows + (kToTip ? k : last_ - 1 - k) * kSegmentRow * kWidth;
-    };
+  HWY_NOINLINE LengthErrors sweep(MeasuredStrands from, MeasuredStrands to, Lanes part) const {
+    // The ways from a point, and from a segment's row, to the next one.
+    constexpr std::ptrdiff_t kWay = kToTip ? 1 : -1, kPoint = 3 * kWay * kWidth,
+                             kRow = kWay * kSegmentRow * kWidth;
+    const int last = last_;
+    if (!kToTip)
+      for (MeasuredStrands* const end : {&from, &to}) {
+        end->x -= last * kPoint;
+        end->rows -= (last - 1) * kRow;
+      }
     constexpr double kFirstWeight = kToTip ? 0 : 2, kLastWeight = kToTip ? 2 : 0;
     LengthErrors errors{all(0), all(0)};
 
-    Vec3 here = load3<kWidth>(point(from.x, 0)), pull = zero3();
+    Vec3 here = load3<kWidth>(from.x), pull = zero3();
     Lanes lambda = all(0);
     if constexpr (kMove) {
-      lambda = load(segment(from.rows, 0) + 3 * kWidth);
-      pull = part * lambda * load3<kWidth>(segment(from.rows, 0));
-      if constexpr (!kToTip) here = choose(active, plus(here, all(kFirstWeight), pull), here);
-      store3<kWidth>(here, point(to.x, 0));
+      lambda = load(from.rows + 3 * kWidth);
+      pull = part * lambda * load3<kWidth>(from.rows);
+      if constexpr (!kToTip) here = plus(here, all(kFirstWeight), pull);
+      store3<kWidth>(here, to.x);
     }
-    Vec3 before = kToTip ? tangent_ : zero3() - tangent_;
-    for (int k = 0; k < last_; ++k) {
-      const bool is_last = k == last_ - 1;
-      Vec3 next = load3<kWidth>(point(from.x, k + 1));
+    for (int k = 0; k < last; ++k) {
+      const bool is_last = k == last - 1;
+      Vec3 next = load3<kWidth>(from.x += kPoint);
       if constexpr (kMove) {
         // Directions point against the sweep.
         Vec3 pull_next = zero3();
         if (!is_last) {
-          const double* const row = segment(from.rows, k + 1);
-          lambda = hn::MulAdd(load(segment(from.rows, k) + 4 * kWidth), lambda, load(row + 3 * kWidth));
-          pull_next = part * lambda * load3<kWidth>(row);
+          const Lanes c_per_d = load(from.rows + 4 * kWidth);
+          from.rows += kRow;
+          lambda = hn::MulAdd(c_per_d, lambda, load(from.rows + 3 * kWidth));
+          pull_next = part * lambda * load3<kWidth>(from.rows);
         }
         Vec3 move = pull_next - pull;
         if (is_last) move = all(kLastWeight) * move;
-        next = choose(active, next + move, next);
+        next = next + move;
         pull = pull_next;
-        store3<kWidth>(next, point(to.x, k + 1));
+        store3<kWidth>(next, to.x += kPoint);
       }
       const Vec3 e = next - here;
       const Length length = length_of(e);
-      const Vec3 u = choose(length.value > all(0), length.reciprocal * e, before);
+      Vec3 u = length.reciprocal * e;
+      const Which none = length.value <= all(0);
+      if (HWY_UNLIKELY(!hn::AllFalse(Tag(), none))) {
+        const Vec3 tangent = kToTip ? tangent_ : zero3() - tangent_;
+        u = choose(none, k == 0 ? tangent : load3<kWidth>(to.rows - kRow), u);
+      }
       const Lanes wrong = rest_ - length.value, error = wrong * per_rest_;
       errors.largest = hn::Max(errors.largest, hn::Abs(error));
       errors.squared = hn::MulAdd(error, error, errors.squared);
 
-      double* const row = segment(to.rows, k);
-      store3<kWidth>(u, row);
-      store(wrong, row + 3 * kWidth);
+      store3<kWidth>(u, to.rows);
+      store(wrong, to.rows + 3 * kWidth);
+      to.rows += kRow;
       here = next;
-      before = u;
     }
     return errors;
   }
@@ -192,11 +200,11 @@ HWY_NOINLINE double* correct_lengths(const StepConstants& step, const Group& gro
     if (hn::AllFalse(Tag(), active)) return now.x;
     correction.eliminate(to_tip, now);
     to_tip = !to_tip;
-    Lanes part = all(1);
+    Lanes part = hn::IfThenElseZero(active, all(1));  // the others do not move
     const Lanes before = errors.squared;
     Which failed = hn::Not(active);
     for (;;) {
-      errors = correction.attempt(to_tip, now, part, active, tried);
+      errors = correction.attempt(to_tip, now, part, tried);
       failed = hn::AndNot(errors.squared < before, active);
       const Which halve = hn::And(failed, part > all(kSmallestPart));
       if (HWY_LIKELY(hn::AllFalse(Tag(), halve))) break;

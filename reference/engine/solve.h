@@ -33,7 +33,7 @@ struct Sweep {
 
   HWY_INLINE Sweep(const StepConstants& step, const Group& group, std::size_t lane, double* rows)
       : n(group.points), x(group.x + lane), v(group.v + lane), factor(rows) {
-    root = placed(step.after, load3<kGroup>(group.root + lane));
+    root = Axes(step.after)(load3<kGroup>(group.root + lane));
     v0 = all(step.per_h) * (root - load3<kGroup>(x));
     push = all3(step.push) - all(1 + step.drag) * v0;
     rest_length = load(group.rest_length + lane);
@@ -72,8 +72,8 @@ HWY_INLINE void solve_back(const StepConstants& step, const Sweep& sweep, Which 
   for (int i = sweep.n - 1; i > 0; --i) {
     const double* const row = sweep.row(i);
     Vec3 y = load3<kWidth>(moved + 3 * i * kWidth);
-    if constexpr (kBend) y = y + transposed_product(row + 9 * kWidth, far);
-    y = back(row, y - transposed_product(row, near));
+    if constexpr (kBend) y = less_transposed(y, row + kFar * kWidth, far);
+    y = back(row, less_transposed(y, row + kNear * kWidth, near));
     store3<kWidth>(plus(sweep.place(i), all(step.h), v0 + y), moved + 3 * i * kWidth);
     far = near;
     near = y;
@@ -99,12 +99,17 @@ HWY_NOINLINE void solve_stretch(const StepConstants& step, const Group& group, s
     const Sym3 block = diagonal(across) + (sweep.stretch - across) * square(segment.u);
     if (s >= 1) {  // point s is complete; the root is not solved for
       const Pivot pivot(bb + block, plus(b, tension, segment.u), definite);
-      const Below near(zero33() - full(block), pivot);
-      store33(near.factor, sweep.row(s));
       store_pivot(pivot, sweep.row(s), moved + 3 * s * kWidth);
-      bb = block;
-      take(near, bb);
-      b = zero3() - product(near, pivot);
+      const Mat3 below = full(block);
+      Vec3 ld[3], l[3];
+      eliminate(
+          pivot, [&](int k) { return k == 0   ? below.x
+                                     : k == 1 ? below.y
+                                              : below.z; }, ld,
+          sweep.row(s) + kNear * kWidth, [&](int k, const Vec3& row) { l[k] = row; });
+      bb = {less(block.xx, l[0], ld[0]), less(block.yx, l[1], ld[0]), less(block.yy, l[1], ld[1]),
+            less(block.zx, l[2], ld[0]), less(block.zy, l[2], ld[1]), less(block.zz, l[2], ld[2])};
+      b = {dot(l[0], pivot.rhs), dot(l[1], pivot.rhs), dot(l[2], pivot.rhs)};
     } else {
       bb = block;
     }
