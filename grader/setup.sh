@@ -79,6 +79,8 @@ ccache               # remembers compiled files
 clang                # the second compiler for the handout
 libclang-rt-dev      # clang's sanitisers and libFuzzer
 clang-format         # layout
+g++-aarch64-linux-gnu # builds the checks for ARM
+qemu-user            # runs them
 libc++-dev           # macOS's standard library
 libc++abi-dev        # its low level, for students' builds
 clang-tidy           # common mistakes, names
