@@ -1,6 +1,8 @@
 // STAFF ONLY. Measures the cost of a step of the engine, compared with given code, and prints Markdown. It
 // takes the least CPU time of some steps, so that other programs on the machine matter less. Usage:
 // engine_bench [STRANDS].
+#include <hwy/targets.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -156,6 +158,23 @@ void by_parts(int strands, const hair::Groom& grown) {
   }
 }
 
+void by_instruction_set(const hair::Groom& grown) {
+  std::printf("\n| everything, one thread | ns | strand steps a second |\n|---|--:|--:|\n");
+  const struct {
+    const char* name;
+    std::int64_t target;
+  } sets[] = {{"AVX-512", HWY_AVX3}, {"AVX2", HWY_AVX2}, {"neither", HWY_SCALAR}};
+  for (const auto& [name, target] : sets) {
+    hwy::DisableTargets(target - 1);  // better targets have smaller numbers
+    const std::int64_t supported = hwy::SupportedTargets();
+    if (!(supported & target)) continue;
+    hwy::GetChosenTarget().Update(supported);
+    const double ns = engine_ns(with(true, true, true), 4'000, grown);
+    std::printf("| %s | %.1f | %.0f |\n", name, ns, 1e9 / (ns * kPoints));
+  }
+  hwy::DisableTargets(0);
+}
+
 void by_strands(const hair::Groom& grown) {
   std::printf("\n| everything, strands | 1,000 | 10,000 | 50,000 | 200,000 |\n|---|--:|--:|--:|--:|\n| ns |");
   std::string memory = "| bytes per particle |";
@@ -193,6 +212,7 @@ int main(int count, char** arguments) {
   }
   const hair::Groom grown = combed_groom(std::min(strands, 20'000));
   by_parts(strands, grown);
+  by_instruction_set(grown);
   by_strands(grown);
   by_threads(strands, grown);
 }
