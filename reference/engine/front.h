@@ -25,8 +25,8 @@ struct Pivot {
     const Lanes minor = hn::MulSub(a.xx, a.yy, a.yx * a.yx), minor_zy = hn::MulSub(a.xx, a.zy, a.zx * a.yx),
                 minor_zz = hn::MulSub(a.xx, a.zz, a.zx * a.zx);
     const Lanes last = hn::MulSub(minor, minor_zz, minor_zy * minor_zy);
-    const Lanes rx = reciprocal(a.xx), ry = quotient(a.xx, minor);
-    per_d = {rx, ry, quotient(a.xx * minor, last)};
+    const Lanes rx = reciprocal(a.xx), ry = a.xx * reciprocal(minor);
+    per_d = {rx, ry, a.xx * minor * reciprocal(last)};
     yx = a.yx * rx;
     zx = a.zx * rx;
     zy = minor_zy * rx * ry;

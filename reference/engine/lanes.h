@@ -47,13 +47,6 @@ HWY_INLINE Lanes reciprocal(Lanes a) {
   return all(1) / a;
 #endif
 }
-HWY_INLINE Lanes quotient(Lanes a, Lanes b) {
-#if HWY_TARGET <= HWY_AVX3
-  return a * reciprocal(b);
-#else
-  return a / b;
-#endif
-}
 HWY_INLINE Lanes reciprocal_root(Lanes a) {
 #if HWY_TARGET <= HWY_AVX3
   const Lanes r{_mm512_rsqrt14_pd(a.raw)}, e = hn::NegMulAdd(a * r, r, all(1));
@@ -147,10 +140,6 @@ HWY_INLINE Sym3 operator+(const Sym3& a, const Sym3& b) {
 }
 HWY_INLINE Sym3 operator*(Lanes s, const Sym3& a) {
   return {s * a.xx, s * a.yx, s * a.yy, s * a.zx, s * a.zy, s * a.zz};
-}
-HWY_INLINE Sym3 minus(const Sym3& a, Lanes s, const Sym3& b) {
-  return {hn::NegMulAdd(s, b.xx, a.xx), hn::NegMulAdd(s, b.yx, a.yx), hn::NegMulAdd(s, b.yy, a.yy),
-          hn::NegMulAdd(s, b.zx, a.zx), hn::NegMulAdd(s, b.zy, a.zy), hn::NegMulAdd(s, b.zz, a.zz)};
 }
 
 // a + b c^T, where it is symmetric.
