@@ -14,7 +14,7 @@ class BlockBand;
 namespace particles {
 
 // Columns of 3n numbers that add_band uses.
-inline constexpr int kBandScratch = 2;
+inline constexpr int kBandScratch = 8;
 
 class Force {
  public:

@@ -19,7 +19,7 @@
 namespace particles {
 
 // `scratch` has this many columns of 3n numbers.
-inline constexpr int kPreconditionerScratch = solver::BlockBand::kColumns + 2;
+inline constexpr int kPreconditionerScratch = solver::BlockBand::kColumns + kBandScratch;
 
 class Preconditioner {
  public:

@@ -22,16 +22,21 @@ using reference_tests::allocations;
 
 using reference_tests::kUnit;
 
-// f = -K x, with a positive definite K that is 0 beyond `reach` particles.
+// f = -K x, where K = E' T E is that of segments e = E x, with a positive definite T that couples segments
+// less than `reach` apart.
 class Banded : public Force {
  public:
-  Banded(int n, int reach) : reach_(reach), K_(MatrixXd::Zero(3 * n, 3 * n)) {
+  Banded(int n, int reach) : reach_(reach) {
+    MatrixXd T = MatrixXd::Zero(3 * n - 3, 3 * n - 3), E = MatrixXd::Zero(3 * n - 3, 3 * n);
     srand(n);
-    for (int i = 0; i < n; ++i)
-      for (int j = std::max(0, i - reach); j <= std::min(n - 1, i + reach); ++j)
-        K_.block<3, 3>(3 * i, 3 * j) = Eigen::Matrix3d::Random();
-    K_ = (K_ + K_.transpose()).eval();
-    K_ += 30 * MatrixXd::Identity(3 * n, 3 * n);  // more than the 15 numbers of a row, each at most 2
+    for (int i = 0; i + 1 < n; ++i) {
+      for (int j = std::max(0, i - reach + 1); j <= i; ++j) T.block<3, 3>(3 * i, 3 * j).setRandom();
+      E.block<3, 3>(3 * i, 3 * i) = -Eigen::Matrix3d::Identity();
+      E.block<3, 3>(3 * i, 3 * i + 3).setIdentity();
+    }
+    T = (T + T.transpose()).eval();
+    T.diagonal().array() += 18;  // more than the 9 numbers of a row, each at most 2
+    K_ = E.transpose() * T * E;
   }
   double energy(Input x) const override { return x.dot(K_ * x) / 2; }
   void add_force(Input x, Input, Output f) const override { f -= K_ * x; }
@@ -48,8 +53,7 @@ class Banded : public Force {
         band, work);
   }
 
-  // Makes an entry differ from the one on the other side of the diagonal.
-  void make_unsymmetric() { K_(0, 4) += 0.1; }
+  void add(Eigen::Index row, Eigen::Index column, double what) { K_(row, column) += what; }
 
   mutable int products = 0;
   const MatrixXd& stiffness() const { return K_; }
@@ -81,20 +85,34 @@ MatrixXd factored(const Preconditioner& preconditioner, Eigen::Index size) {
   return solver::dense_solve(inverse, MatrixXd::Identity(size, size));
 }
 
-TEST(ProductsToBand, TakesThreeProductsForEachOfTheParticlesThatMeet) {
-  for (int reach : {0, 1, 2})
-    for (int n : {1, 2, 3, 4, 11}) {
-      const Banded force(n, reach);
+MatrixXd matrix_of(const solver::BlockBand& band) {
+  MatrixXd A = MatrixXd::Zero(3 * band.rows(), 3 * band.rows());
+  for (int i = 0; i < band.rows(); ++i)
+    for (int back = 0; back <= std::min(i, 2); ++back) {
+      A.block<3, 3>(3 * i, 3 * (i - back)) = band.block(i, back);
+      A.block<3, 3>(3 * (i - back), 3 * i) = band.block(i, back).transpose();
+    }
+  return A;
+}
+
+TEST(ProductsToBand, TakesThreeProductsForEachSetOfSegmentsAndOneToTestThem) {
+  for (int reach : {1, 2})
+    for (int n : {1, 2, 3, 4, 11, 60}) {
+      Banded force(n, reach);
       MatrixXd memory(3 * n, solver::BlockBand::kColumns), work(3 * n, kBandScratch);
       solver::BlockBand band(memory);
       band.set_zero();
+      work.setConstant(std::numeric_limits<double>::quiet_NaN());
       const VectorXd x = VectorXd::Zero(3 * n);
       EXPECT_TRUE(force.add_band(x, x, -2, 0, band, work));
-      EXPECT_EQ(force.products, 3 * std::min(n, 2 * reach + 1));
-      for (int i = 0; i < n; ++i)
-        for (int back = 0; back <= std::min(i, 2); ++back)
-          EXPECT_EQ(band.block(i, back), 2 * force.stiffness().block(3 * i, 3 * (i - back), 3, 3))
-              << "of " << n;
+      EXPECT_EQ(force.products, 3 * reach + 1);
+      EXPECT_LE((matrix_of(band) - 2 * force.stiffness()).norm(),
+                8 * n * n * kUnit * force.stiffness().norm());
+      for (const auto& [row, column] : {std::pair(0, 4), {4, 0}, {3 * n - 1, 3 * n - 2}, {3 * n - 1, 7}}) {
+        Banded other(n, reach);
+        if (n > 3) other.add(row, column, 1e-4);
+        EXPECT_EQ(other.add_band(x, x, -2, 0, band, work), n <= 3) << row << " " << column << " of " << n;
+      }
     }
 }
 
@@ -139,7 +157,7 @@ TEST(PreconditionerTest, DoesNotExistWithoutABandOrADefiniteMatrix) {
   EXPECT_FALSE(c.of(hidden).exists());
 
   Banded unsymmetric(3, 1);
-  unsymmetric.make_unsymmetric();
+  unsymmetric.add(0, 4, 0.1);
   EXPECT_FALSE(c.of(unsymmetric).exists());
 
   const Banded force(3, 1);

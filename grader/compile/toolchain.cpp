@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOutput = 64 << 10;  // bounds a compiler's output
 constexpr double kLeastSeconds = 0.05;         // is left when a share is used up
 
-const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-contract=off", "-pipe",
+const std::vector<std::string> kCompile = {"-std=c++20", "-O3", "-fPIC", "-ffp-contract=off", "-pipe",
                                            "--param=ggc-min-heapsize=524288",  // kB: collects no garbage
                                            "-frandom-seed=exercise",
                                            // A student's build has them (handout/cmake/exercises.cmake).

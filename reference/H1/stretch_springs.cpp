@@ -18,7 +18,7 @@ struct Segment {
         stiffness(strand.stretch_rigidity / rest_length) {
     const Vector3d e = x.segment<3>(second) - x.segment<3>(first);
     length = e.norm();
-    if (length > 0) direction = e / length;
+    if (length > 0) direction = e * (1 / length);
   }
 
   int first, second;  // its particles' numbers begin here

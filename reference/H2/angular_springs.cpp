@@ -16,49 +16,52 @@ using particles::Vector3d;
 
 // A segment, as one of the two arms of its joint.
 struct Arm {
-  double length = 0;
+  double length, per_length = 0;
   Vector3d direction = Vector3d::Zero();  // stays 0 for a segment of length 0
 
   explicit Arm(const Vector3d& e) : length(e.norm()) {
-    if (length > 0) direction = e / length;
+    if (length == 0) return;
+    per_length = 1 / length;
+    direction = e * per_length;
   }
 
   Vector3d turn(const Vector3d& de) const {  // the change of the direction with that of e
-    return (de - direction * direction.dot(de)) / length;
+    return (de - direction * direction.dot(de)) * per_length;
   }
 };
 
 struct Joint {
-  Joint(double stiffness, const Vector3d& e1, const Vector3d& e2) : k(stiffness), arm1(e1), arm2(e2) {
+  Joint(double stiffness, const Arm& above, const Arm& below) : k(stiffness), arm1(above), arm2(below) {
     if (arm1.length == 0 || arm2.length == 0) return;
     u1_x_u2 = arm1.direction.cross(arm2.direction);
     sine = u1_x_u2.norm();
     cosine = arm1.direction.dot(arm2.direction);
-    phi = std::atan2(sine, cosine);
     folded = sine == 0 && cosine < 0;
-    if (sine > 0) w = u1_x_u2 * (phi / sine);
+    phi = cosine > 0.9 ? std::asin(sine) : std::atan2(sine, cosine);  // asin takes a third of the time
+    if (sine > 0) q = phi / sine;                                     // 1 at phi = 0
+    w = q * u1_x_u2;
   }
 
   bool rigid() const { return arm1.length == 0 || arm2.length == 0 || folded; }  // no force, no products
   // phi cot(phi).
-  double p() const { return sine > 0 ? phi * cosine / sine : 1; }
+  double p() const { return q * cosine; }
 
   // The axis of the bend. Next to phi = 0 u1 x u2 is a rounding error, and points anywhere, but b must always
   // be perpendicular to the strand.
   Vector3d axis() const {
-    const Vector3d along = (arm1.direction + arm2.direction).stableNormalized();
-    const Vector3d across = u1_x_u2 - along * along.dot(u1_x_u2);
+    const Vector3d along = arm1.direction + arm2.direction;
+    const Vector3d across = u1_x_u2 - along * (along.dot(u1_x_u2) / along.squaredNorm());
     const double size = across.norm();
-    return size > 0 ? Vector3d(across / size) : along.unitOrthogonal();
+    return size > 0 ? Vector3d(across * (1 / size)) : along.unitOrthogonal();
   }
 
-  Vector3d de1() const { return -k / arm1.length * w.cross(arm1.direction); }  // dE/de1
-  Vector3d de2() const { return k / arm2.length * w.cross(arm2.direction); }   // dE/de2
+  Vector3d de1() const { return -k * arm1.per_length * w.cross(arm1.direction); }  // dE/de1
+  Vector3d de2() const { return k * arm2.per_length * w.cross(arm2.direction); }   // dE/de2
 
   double k;
-  Arm arm1, arm2;
+  const Arm &arm1, &arm2;
   Vector3d u1_x_u2 = Vector3d::Zero(), w = Vector3d::Zero();
-  double sine = 0, cosine = 1, phi = 0;
+  double sine = 0, cosine = 1, phi = 0, q = 1;
   bool folded = false;
 };
 
@@ -71,24 +74,24 @@ struct Pair {
 // 0 and 1.
 template <typename Visit>
 void for_each_joint(const Strand& strand, Input x, Visit visit) {
-  auto segment = [&](int i) -> Vector3d { return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i); };
-  if (strand.clamped && strand.segments() > 0)
-    visit(0, Joint(2 * strand.bend_rigidity / strand.rest_length[0], strand.root_tangent, segment(0)));
-  for (int i = 1; i < strand.segments(); ++i) {
-    const double l = (strand.rest_length[i - 1] + strand.rest_length[i]) / 2;
-    visit(i, Joint(strand.bend_rigidity / l, segment(i - 1), segment(i)));
+  Arm above(strand.root_tangent);
+  for (int i = 0; i < strand.segments(); ++i) {
+    const Arm below(x.segment<3>(3 * i + 3) - x.segment<3>(3 * i));
+    const double l = (i > 0 ? strand.rest_length[i - 1] + strand.rest_length[i] : strand.rest_length[0]) / 2;
+    if (i > 0 || strand.clamped) visit(i, Joint(strand.bend_rigidity / l, above, below));
+    above = below;
   }
 }
 
 // The change of the two vectors of joint i along dx.
-Pair change(int i, Input dx) {
+inline Pair change(int i, Input dx) {
   Pair de = {Vector3d::Zero(), dx.segment<3>(3 * i + 3) - dx.segment<3>(3 * i)};
   if (i > 0) de.first = dx.segment<3>(3 * i) - dx.segment<3>(3 * i - 3);
   return de;
 }
 
 // Subtracts from f the derivative by x of a function with the derivatives `by` by the vectors of joint i.
-void subtract(int i, const Pair& by, Output f) {
+inline void subtract(int i, const Pair& by, Output f) {
   f.segment<3>(3 * i) += by.second;
   f.segment<3>(3 * i + 3) -= by.second;
   if (i == 0) return;
@@ -123,13 +126,13 @@ void add_bend_product(const Strand& strand, Input x, Input dx, Output df) {
     if (joint.sine > 0) {
       const Vector3d b = joint.u1_x_u2 / joint.sine;
       const double dphi = b.cross(u2).dot(du2) - b.cross(u1).dot(du1);
-      dw = dw * (joint.phi / joint.sine) + b * ((1 - joint.p()) * dphi);
+      dw = dw * joint.q + b * ((1 - joint.p()) * dphi);
     }
     auto second_derivative = [&](const Arm& arm, const Vector3d& du,
                                  const Vector3d& change_of_e) -> Vector3d {
       const Vector3d turned = dw.cross(arm.direction) + joint.w.cross(du);
-      const double longer = arm.direction.dot(change_of_e) / arm.length;
-      return joint.k / arm.length * (turned - longer * joint.w.cross(arm.direction));
+      const double longer = arm.direction.dot(change_of_e) * arm.per_length;
+      return joint.k * arm.per_length * (turned - longer * joint.w.cross(arm.direction));
     };
     subtract(i, {-second_derivative(arm1, du1, de.first), second_derivative(arm2, du2, de.second)}, df);
   });
@@ -139,10 +142,10 @@ void add_bend_product_spd(const Strand& strand, Input x, Input dx, Output df) {
   for_each_joint(strand, x, [&](int i, const Joint& joint) {
     if (joint.rigid()) return;
     const Pair de = change(i, dx);
-    const double l1 = joint.arm1.length, l2 = joint.arm2.length;
+    const double l1 = joint.arm1.per_length, l2 = joint.arm2.per_length;
     const Vector3d b = joint.axis();
-    const Pair phi = {-b.cross(joint.arm1.direction) / l1, b.cross(joint.arm2.direction) / l2};  // dphi/de
-    const Pair g = {-b / l1, b / l2};
+    const Pair phi = {-l1 * b.cross(joint.arm1.direction), l2 * b.cross(joint.arm2.direction)};  // dphi/de
+    const Pair g = {-l1 * b, l2 * b};
     const double bend = joint.k * (phi.first.dot(de.first) + phi.second.dot(de.second));
     const double turn =
         joint.k * std::max(joint.p(), 0.0) * (g.first.dot(de.first) + g.second.dot(de.second));

@@ -75,9 +75,9 @@ TEST(SwingingHair, LinearlyImplicitEulerStretchesIt) {
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(swing(term, steps[i], implicit).length, lengths[i], 0.02 * lengths[i]) << steps[i];
   }
-  // A hair that gets far too long moves chaotically.
-  EXPECT_NEAR(swing(GeometricTerm::dropped, steps[0], implicit).length, 42, 0.2 * 42);
-  EXPECT_NEAR(swing(GeometricTerm::dropped, steps[1], implicit).length, 4.44, 0.1 * 4.44);
+  // A hair that gets far too long moves chaotically: rounding decides how long.
+  EXPECT_GT(swing(GeometricTerm::dropped, steps[0], implicit).length, 10);
+  EXPECT_GT(swing(GeometricTerm::dropped, steps[1], implicit).length, 1);
   EXPECT_NEAR(swing(GeometricTerm::dropped, steps[2], implicit).length, 0.1534, 0.02 * 0.1534);
 }
 
