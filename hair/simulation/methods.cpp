@@ -34,6 +34,7 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 1,
      .limit = "the least of 2 zeta/omega and 2/|lambda|",
+     .energy = "gains energy with each step, of first order",
      .springs = &kExplicitStep<particles::forward_euler>,
      .toy = ToyMethod::forward_euler},
     {.id = "symplectic_euler",
@@ -43,6 +44,7 @@ constexpr MethodRow kMethods[] = {
      .evaluations = 1,
      .is_explicit = true,
      .limit = "2 (sqrt(1 + zeta^2) - zeta)/omega",
+     .energy = "has an energy that swings about the true one and does not drift",
      .springs = &kExplicitStep<particles::symplectic_euler>,
      .toy = ToyMethod::symplectic_euler},
     {.id = "midpoint",
@@ -53,6 +55,7 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 2,
      .limit = "|1 + z + z^2/2| = 1",
+     .energy = "gains energy with each step, of third order",
      .springs = &kExplicitStep<particles::midpoint>,
      .toy = ToyMethod::midpoint},
     {.id = "runge_kutta_4",
@@ -63,6 +66,7 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 4,
      .limit = "RK4's |R(h lambda)| = 1",
+     .energy = "loses energy with each step, of fifth order",
      .springs = &kExplicitStep<particles::runge_kutta_4>,
      .toy = ToyMethod::runge_kutta_4},
     {.id = "implicit_euler",
@@ -71,6 +75,7 @@ constexpr MethodRow kMethods[] = {
      .order = 1,
      .evaluations = 1,
      .limit = "what its matrix leaves out",
+     .energy = "loses energy with each step, of first order: its error is damping",
      .springs = &kImplicitEuler,
      .toy = ToyMethod::implicit_euler},
     {.id = "predictor_corrector",
@@ -80,6 +85,7 @@ constexpr MethodRow kMethods[] = {
      .evaluations = 2,  // one for each of its two solves
      .keeps_lengths = true,
      .limit = "across the hair",
+     .energy = "loses energy with each step, less than implicit Euler, as lengths are kept",
      .springs = &kPredictorCorrector},
 };
 

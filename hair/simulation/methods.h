@@ -34,6 +34,7 @@ struct MethodRow {
   bool keeps_lengths = false;
   int polynomial = 0;  // the power up to which its amplification is the Taylor series of exp; 0: other
   const char* limit;   // the theoretical limit of its steps, in words
+  const char* energy;  // "gains energy": the error of its energy, in words
 
   const StepMethod* springs;  // moves masses and springs: hair/mass_spring/step_methods.h
 

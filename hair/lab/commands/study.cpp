@@ -7,7 +7,7 @@
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/stub.h"
 #include "hair/lab/study/study_record.h"
-#include "hair/lab/study/sweep.h"
+#include "hair/lab/study/written_down.h"
 
 namespace hair {
 
@@ -91,6 +91,7 @@ int run(const StudyOptions& options, const Course& course) {
   shell.say("the space error");
   study.space_error = space_error(problem, interrupted);
   const bool finished = finish_study(problem, *motion, settings, study, interrupted);
+  if (finished) add_written_down(problem, *motion, study, interrupted);
   shell.say("");
 
   if (has_runs(study)) {

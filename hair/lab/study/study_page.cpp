@@ -134,6 +134,9 @@ Page study_page(const Study& study) {
       "Each line is a method, each point a run of it with one step. The lower and the further left, the "
       "better. Runs that broke stand at the upper edge, where the whole run would have been. Rest the "
       "pointer on a point to read it."};
+  if (std::ranges::any_of(study.sweeps, [](const Sweep& one) { return one.method.id.ends_with("-written"); }))
+    page.paragraphs.emplace_back(
+        "\"Written down\" is the same method in a program for one strand alone: what it costs by itself.");
   std::string missing;
   for (const Sweep& sweep : study.sweeps) {
     if (!sweep.left_out.empty())
@@ -171,6 +174,13 @@ Page study_page(const Study& study) {
     const std::string says = name_of(norm).says;
     others.paragraphs.push_back(std::string(name_of(norm).title) + ": " + says + ".");
     others.figures.push_back(figure(study, norm, Against::time));
+    if (norm != Norm::energy) continue;
+    const MethodRow* said = nullptr;
+    for (const Sweep& sweep : study.sweeps)
+      if (const MethodRow& row = row_of(sweep.method.method); &row != said) {
+        said = &row;
+        others.paragraphs.back() += std::string(" On the line, ") + row.name + " " + row.energy + ".";
+      }
   }
   if (!others.figures.empty()) page.sections.push_back(std::move(others));
   const Table failed = failed_table(study);

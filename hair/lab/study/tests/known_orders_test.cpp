@@ -8,6 +8,7 @@
 
 #include "hair/lab/study/observed_order.h"
 #include "hair/lab/study/study_record.h"
+#include "hair/lab/study/written_down.h"
 #include "studies.h"
 
 namespace reference_tests {
@@ -54,6 +55,20 @@ TEST(KnownOrders, OfSoftHair) {
   expect_order(study, "midpoint", 2);
   expect_order(study, "h4-filtered", 1);
   expect_order(study, "h4-dropped", 1);
+}
+
+// The program of the staff arrives where the exercises do: add_written_down leaves out other runs.
+TEST(WrittenDown, HasTheStudysErrors) {
+  const std::vector<std::string> ids = {"symplectic-euler", "runge-kutta-4", "h4-filtered", "h4-dropped",
+                                        "h6"};
+  std::vector<std::string> all = ids;
+  all.insert(all.end(), {"midpoint", "h4-filtered-plain", "h4-filtered-exact"});
+  const Studied soft = studied(kSoftHair, 0.02, all, 3e5);
+  hair::Study study = soft.whole();
+  hair::add_written_down(soft.problem, soft.motion, study, false);
+  EXPECT_EQ(study.sweeps.size(), all.size() + ids.size());
+  for (const std::string& id : ids)
+    EXPECT_EQ(sweep_of(study, id + "-written").runs.size(), sweep_of(study, id).runs.size()) << id;
 }
 
 TEST(KnownOrders, OfAPendulum) {
