@@ -1,5 +1,5 @@
-// STAFF ONLY. Masses and springs as one program: stretch springs (H1), angular springs (H2) and a root that is
-// held, by four methods. Nothing in it can be replaced, so it shows what a method costs. It shares no code
+// STAFF ONLY. Masses and springs as one program: stretch springs (H1), angular springs (H2) and a root that
+// is held, by four methods. Nothing in it can be replaced, so it shows what a method costs. It shares no code
 // with the exercises.
 #include "hair/lab/study/written_down.h"
 
@@ -218,7 +218,8 @@ bool can_write_down(const Problem& problem, const StudyMethod& method) {
   const StrandStart& start = problem.scene.hair.strands[0];
   return start.rest_curvature.size() == 0 && start.strand.skip_rigidity == 0 && method.preconditioner &&
          method.bend_product == (method.is_explicit() ? Products::exact : Products::definite) &&
-         method.method != Method::forward_euler && method.method != Method::midpoint;
+         method.method != Method::forward_euler && method.method != Method::midpoint &&
+         (method.is_explicit() || method.geometric_term != GeometricTerm::full);
 }
 
 }  // namespace
