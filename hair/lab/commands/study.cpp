@@ -91,7 +91,7 @@ int run(const StudyOptions& options, const Course& course) {
   shell.say("the space error");
   study.space_error = space_error(problem, interrupted);
   const bool finished = finish_study(problem, *motion, settings, study, interrupted);
-  if (finished) add_written_down(problem, *motion, study, interrupted);
+  if (finished && options.methods.empty()) add_written_down(problem, *motion, study, interrupted);
   shell.say("");
 
   if (has_runs(study)) {
