@@ -44,7 +44,7 @@ struct Setting {
 std::vector<Setting> settings() {
   const auto seeds = [](const char* otherwise) { return std::stoi(environment("HAIR_SEEDS", otherwise)); };
   std::vector<Setting> all = {
-      {"as graded", "", {}, seeds("30")}, {"-O0", "", {"-O0"}, seeds("5")}, {"-O3", "", {"-O3"}, seeds("5")}};
+      {"as graded", "", {}, seeds("30")}, {"-O0", "", {"-O0"}, seeds("5")}, {"-O2", "", {"-O2"}, seeds("5")}};
   if (fs::exists("/usr/bin/clang++"))
     all.push_back({"clang++", "/usr/bin/clang++", {}, seeds("5")});
   else

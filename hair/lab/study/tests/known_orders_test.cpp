@@ -63,7 +63,7 @@ TEST(WrittenDown, HasTheStudysErrors) {
                                         "h6"};
   std::vector<std::string> all = ids;
   all.insert(all.end(), {"midpoint", "h4-filtered-plain", "h4-filtered-exact"});
-  const Studied soft = studied(kSoftHair, 0.02, all, 3e5);
+  const Studied soft = studied(kSoftHair, 0.02, all, 1e5);
   hair::Study study = soft.whole();
   hair::add_written_down(soft.problem, soft.motion, study, false);
   EXPECT_EQ(study.sweeps.size(), all.size() + ids.size());
