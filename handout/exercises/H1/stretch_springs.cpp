@@ -1,5 +1,5 @@
 // H1: stretch springs. The contract is in hair/stretch_springs.h, the text in
-// assignment/H1-stretch-springs.md.
+// exercises/H1/text.md.
 
 #include "hair/stretch_springs.h"
 

@@ -1,5 +1,5 @@
 // H10: strand synthesis. The contract is in hair/strand_synthesis.h, the text in
-// assignment/H10-strand-synthesis.md.
+// exercises/H10/text.md.
 
 #include "hair/strand_synthesis.h"
 

@@ -1,5 +1,5 @@
 // H2: angular springs. The contract is in hair/angular_springs.h, the text in
-// assignment/H2-angular-springs.md.
+// exercises/H2/text.md.
 
 #include "hair/angular_springs.h"
 

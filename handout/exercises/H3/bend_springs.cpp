@@ -1,5 +1,5 @@
 // H3: springs that skip a particle. The contract is in hair/bend_springs.h, the text in
-// assignment/H3-bend-springs.md.
+// exercises/H3/text.md.
 
 #include "hair/bend_springs.h"
 

@@ -1,5 +1,5 @@
 // H4: linearly implicit Euler. The contract is in particles/implicit_euler.h, the text in
-// assignment/H4-implicit-euler.md.
+// exercises/H4/text.md.
 
 #include "particles/implicit_euler.h"
 

@@ -1,5 +1,5 @@
 // H5: the non-linear post correction. The contract is in hair/length_correction.h, the text in
-// assignment/H5-length-correction.md.
+// exercises/H5/text.md.
 
 #include "hair/length_correction.h"
 

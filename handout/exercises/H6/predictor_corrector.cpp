@@ -1,5 +1,5 @@
 // H6: the lecture's predictor-corrector. The contract is in hair/predictor_corrector.h, the text in
-// assignment/H6-predictor-corrector.md.
+// exercises/H6/text.md.
 
 #include "hair/predictor_corrector.h"
 

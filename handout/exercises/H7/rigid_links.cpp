@@ -1,4 +1,4 @@
-// H7: rigid links. The contract is in hair/rigid_links.h, the text in assignment/H7-rigid-links.md.
+// H7: rigid links. The contract is in hair/rigid_links.h, the text in exercises/H7/text.md.
 
 #include "hair/rigid_links.h"
 

@@ -1,4 +1,4 @@
-// H8: super-helices. The contract is in hair/super_helix.h, the text in assignment/H8-super-helix.md.
+// H8: super-helices. The contract is in hair/super_helix.h, the text in exercises/H8/text.md.
 
 #include "hair/super_helix.h"
 

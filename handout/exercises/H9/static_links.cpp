@@ -1,5 +1,5 @@
 // H9: static links and triangle strips. The contract is in hair/static_links.h, the text in
-// assignment/H9-static-links.md.
+// exercises/H9/text.md.
 
 #include "hair/static_links.h"
 

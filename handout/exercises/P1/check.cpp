@@ -128,7 +128,7 @@ TEST_P(Integrator, TakesOneStepAsByHand) {
   Spring1 spring(4, 1);
   State state{VectorXd::Constant(3, 1), VectorXd::Constant(3, 2)};
   steps(GetParam(), spring, 0.5, 1, state);
-  SCOPED_TRACE("one step of h = 0.5 from x = 1, v = 2 with a = -4x - v: see step 1 of the text's hints");
+  SCOPED_TRACE("one step of h = 0.5 from x = 1, v = 2 with a = -4x - v: see step 1 of the text");
   const std::string source = "16 roundings of numbers that are at most 8";
   expect_entries(state.x, VectorXd::Constant(3, GetParam().x), 16 * 8 * kUnit, "x", source);
   expect_entries(state.v, VectorXd::Constant(3, GetParam().v), 16 * 8 * kUnit, "v", source);

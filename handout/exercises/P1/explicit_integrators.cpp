@@ -1,5 +1,5 @@
 // P1: explicit integrators. The contract is in particles/explicit_integrators.h, the text in
-// assignment/P1-explicit-integrators.md.
+// exercises/P1/text.md.
 
 #include "particles/explicit_integrators.h"
 

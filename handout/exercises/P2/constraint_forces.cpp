@@ -1,5 +1,5 @@
 // P2: constraint forces. The contract is in particles/constraint_forces.h, the text in
-// assignment/P2-constraint-forces.md.
+// exercises/P2/text.md.
 
 #include "particles/constraint_forces.h"
 

@@ -1,5 +1,5 @@
 // S1: the method of conjugate gradients. The contract is in solver/linearSolver.h, the text in
-// assignment/S1-conjugate-gradients.md.
+// exercises/S1/text.md.
 
 #include "solver/linearSolver.h"
 #include "solver/not_implemented.h"

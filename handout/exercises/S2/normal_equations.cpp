@@ -1,5 +1,5 @@
 // S2: the normal equations. The contract is in solver/normal_equations.h, the text in
-// assignment/S2-normal-equations.md.
+// exercises/S2/text.md.
 
 #include "solver/normal_equations.h"
 
