@@ -10,9 +10,9 @@ namespace {
 // A strand has at least this many pieces, so that its bends are round.
 constexpr int kPieces = 60;
 
-// The number of pieces of a segment. Two points are a straight line.
+// The number of pieces of a segment. Two points are a straight line, whose last fifth tapers.
 int pieces_of(int points) {
-  return points <= 2 ? 1 : std::clamp((kPieces + points - 2) / (points - 1), 1, 12);
+  return points <= 2 ? 5 : std::clamp((kPieces + points - 2) / (points - 1), 1, 12);
 }
 
 // A number from -1 to 1 for each strand, without a pattern. The steps are those of the finaliser of

@@ -13,9 +13,9 @@ vec4 on_grid(vec4 clip) {
 }
 )";
 
-// A strand's point becomes two vertices, half a width to either side, across the direction of view; never
-// less than half a sample, so that thin hair does not break up. seen_from is the eye, or the direction to the
-// light with a 0.
+// A strand's point becomes two vertices, half a width to either side, across the direction of view; in the
+// last fifth the width falls. It is never less than half a sample, so that thin hair does not break up.
+// seen_from is the eye, or the direction to the light with a 0.
 const std::string kRibbonVertex = kOnGrid + R"(
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec3 tangent;
@@ -32,7 +32,8 @@ void main() {
   float size = length(across);
   across = size > 0.0 ? across / size : vec3(1, 0, 0);
   float least = half_sample * (seen_from.w == 0.0 ? 1.0 : max(-at.z, 0.0));
-  place = at + side * max(half_width, least) * across;
+  float width = half_width * min(5.0 * (1.0 - along_tone.x), 1.0);
+  place = at + side * max(width, least) * across;
   direction = tangent;
   along_tone_side = vec3(along_tone, side);
   gl_Position = on_grid(to_clip * vec4(place, 1));
