@@ -90,7 +90,7 @@ class Runner {
         frame_seconds_(1 / as_it_is.frames_per_second),
         whole_(as_it_is.frames * frame_seconds_),
         scene_run_(scene_),
-        drawing_(scene_, scene_run_.strands(), cache_folder()),
+        drawing_(scene_, scene_run_.strands(), cache_folder(), kCellsOfPage),
         hand_(middle_of_roots(scene_run_)),
         motion_(1, kMostLivePoints),
         lines_(lines) {
