@@ -117,6 +117,7 @@ main:has(.class) > :is(.fold, [id=submissions], [id=hand-ins], [id=pictures]) { 
 }
 .view #picture { display: block; width: 100%; aspect-ratio: 16 / 9; max-height: 62vh; border-radius: .375rem; touch-action: none; cursor: grab; }
 .view #picture:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; } .view #note:empty { display: none; } body:has(.view) { max-width: 72rem; }
+.framed body { padding: 0; background: none; } .framed :is(h1, h2, #plots, #words, #words ~ p) { display: none; }
 .controls { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: center; margin: .6rem 0; } .controls input[type=range] { flex: 1 1 12rem; min-width: 8rem; }
 .controls button { min-width: 4.5rem; } .controls label { max-width: 100%; overflow-wrap: anywhere; } .controls button, .controls select { font: inherit; } .controls select { max-width: 14rem; }
 #moment { max-width: none; font-variant-numeric: tabular-nums; } #plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); gap: .5rem 1.5rem; }

@@ -1,6 +1,7 @@
 // The live page: it shows the results of a running process (hair/live/runner.h), and controls it.
 
 const WORDS_WAIT = 1000; // ms between words that follow the motion
+const PLOTS_WAIT = 250; // ms between plots, which grow
 const HAND_WAIT = 16; // ms between two commands of the hand
 const AGAIN_WAIT = 1500; // ms until hair that broke in the hand starts anew
 const KEPT_FRAMES = 1800; // of a motion that the hand leads without an end
@@ -126,11 +127,14 @@ function watchSimulation() {
   events.addEventListener("message", (event) => { const message = JSON.parse(event.data); hear[message.kind](message); });
   events.addEventListener("error", () => state(events.readyState === EventSource.CLOSED ? "The server refuses this page: too many of them are open, or the address is not whole." : "hairlab live does not answer: it has ended, or the machine is busy."));
 
-  let worded = -WORDS_WAIT;
+  let worded = -WORDS_WAIT, plotted = -PLOTS_WAIT;
   const draw = (at) => {
     const [run] = runs, k = shown < 0 ? run.frames - 1 : shown, dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    stage.draw([{ run: 0, k, between: 0, tint: tintOf(runs, 0, k) }], false, dark);
-    for (const plot of plots) plot.draw(run.times[k], Math.max(whole, run.duration), dark);
+    stage.draw([{ run: 0, k, between: 0, tint: tintOf(runs, 0, k) }], false, dark, going);
+    if (!going || at - plotted > PLOTS_WAIT) {
+      plotted = at;
+      for (const plot of plots) plot.draw(run.times[k], Math.max(whole, run.duration), dark);
+    }
     $("time").max = run.frames - 1;
     $("time").value = k;
     const words = wordsOfMoment(run, k);

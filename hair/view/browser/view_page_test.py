@@ -40,6 +40,18 @@ class ViewPage(PageTest):
         self.wait_for("return document.getElementById('moment').textContent.startsWith(arguments[0])", f"Frame {FRAMES} of {FRAMES}")
         self.assertEqual(self.text("play"), "Play")
 
+    def test_is_coarser_while_it_moves_if_pictures_take_long(self):
+        self.run_script("""const read = WebGL2RenderingContext.prototype.readPixels;
+            WebGL2RenderingContext.prototype.readPixels = function(...all) {
+              for (const end = performance.now() + 100; performance.now() < end;);
+              return read.apply(this, all);
+            };
+            hairView.clock.rate = 0.01; hairView.seek(0); hairView.clock.play();""")
+        wide = "return picture.width / Math.round(picture.clientWidth * devicePixelRatio)"
+        self.wait_for(wide + " < 0.6")
+        self.stop()
+        self.wait_for(wide + " === 1")
+
     def test_plays_again_at_the_end_of_the_longer_run(self):
         short, page = Path(self.folder.name) / "short", Path(self.folder.name) / "both.html"
         hairlab("run", "strand-swing", "--no-render", "--frames", FRAMES // 2, "--out", short)

@@ -1,6 +1,7 @@
 // The time of the motion. It follows wall time, however many pictures a second the screen shows.
 
-function makeClock(duration) {
+// loops: it begins again at the end.
+function makeClock(duration, loops) {
   return {
     time: 0, // s, of the motion
     rate: 1, // seconds of the motion in a second
@@ -18,7 +19,8 @@ function makeClock(duration) {
       if (this.playing) {
         this.seek(this.time + (this.rate * Math.max(0, at - this.last)) / 1000);
         this.last = at;
-        if (this.time >= duration) this.playing = false;
+        if (this.time >= duration && loops) this.time = 0;
+        else if (this.time >= duration) this.playing = false;
       }
       return this.time;
     },

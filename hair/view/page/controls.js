@@ -19,7 +19,8 @@ function tintOf(runs, run, k) {
   const way = $("colour").value, motion = runs[run], other = runs[1 - run] || null;
   // The tint's name contains the frame if the colours depend on it.
   const moves = way === "stretch" || way === "distance" || (motion.blow_up && k >= motion.frames - 2);
-  return { name: `${way} ${moves ? k : ""}`, write: (bytes) => colourPoints(bytes, motion, k, way, run, other) };
+  const rods = way === "run" && motion.strands.length === 0 ? RUNS[run] : null; // toys have no strands
+  return { name: `${way} ${moves ? k : ""}`, rods, write: (bytes) => colourPoints(bytes, motion, k, way, run, other) };
 }
 
 // A list of sentences about each run; with several each has its name.

@@ -1,7 +1,7 @@
 // Draws motions with WebGL2: strands as ribbons, and all other objects.
 
 const POINTS_OF_POSE = 4;
-const SMOOTH_STRANDS = 300; // with software rendering, more strands get edges without smoothing
+const SMOOTH_STRANDS = 100; // with software rendering, more strands get edges without smoothing
 
 function sphereMesh() {
   const around = 20, half = 8, down = 2 * half + 1, directions = [], triangles = [];
@@ -78,7 +78,7 @@ function drawnByProgram() {
 
 // Throws an Error if the browser has no WebGL2.
 function makeDrawing(canvas, strands) {
-  // With software rendering, smooth edges take three times as long.
+  // With software rendering, smooth edges take five times as long.
   const smooth = strands <= SMOOTH_STRANDS || !drawnByProgram();
   const gl = canvas.getContext("webgl2", { antialias: smooth, alpha: false });
   if (!gl) throw new Error("no WebGL2");
@@ -128,7 +128,7 @@ function makeDrawing(canvas, strands) {
     noAttributes();
   };
 
-  const rods = (held, scene, places) => {
+  const rods = (held, scene, places, paint) => {
     const { motion } = held, at = use(programs.rods);
     gl.uniformMatrix4fv(at.camera, false, scene.camera);
     gl.uniform3fv(at.eye, scene.eye);
@@ -138,7 +138,7 @@ function makeDrawing(canvas, strands) {
       gl.uniform3fv(at.a, place(places, motion.first_rod + 2 * i));
       gl.uniform3fv(at.b, place(places, motion.first_rod + 2 * i + 1));
       gl.uniform1f(at.radius, rod.radius);
-      gl.uniform3fv(at.paint, rod.colour);
+      gl.uniform3fv(at.paint, paint || rod.colour);
       gl.drawElements(gl.TRIANGLES, sphere.triangles.length, gl.UNSIGNED_SHORT, 0);
     });
     noAttributes();
@@ -189,11 +189,13 @@ function makeDrawing(canvas, strands) {
     endGlass();
   };
 
+  const pixel = new Uint8Array(4);
   return {
     upload: (motion) => uploadMotion(gl, motion),
+    wait: () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel), // until all is drawn
     // scene: camera, eye, target, fieldOfView, pixels (of the screen for one of the page), background; runs:
-    // held, k, between, and `tint`, which names the colours and writes them. few: of many strands a share is
-    // drawn
+    // held, k, between, and `tint`, which names the colours, writes them, and may have one for all rods. few:
+    // of many strands a share is drawn
     draw(scene, runs, few) {
       gl.viewport(0, 0, canvas.width, canvas.height);
       gl.clearColor(...scene.background, 1);
@@ -203,7 +205,7 @@ function makeDrawing(canvas, strands) {
         recolour(held, tint); // it asks for other places
         const places = held.motion.places(k, between);
         surfaces(held, scene, places);
-        rods(held, scene, places);
+        rods(held, scene, places, tint.rods);
         ribbons(held, scene, places, few);
       }
       for (const { held, k } of runs) planes(held, scene, k);

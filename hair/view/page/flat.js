@@ -12,6 +12,7 @@ function makeFlatDrawing(canvas) {
     return [((x / w + 1) / 2) * canvas.width, ((1 - y / w) / 2) * canvas.height];
   };
   return {
+    wait() {},
     upload: (motion) => ({ motion, coloured: "", colourBytes: new Uint8Array(4 * motion.points) }),
     draw(scene, runs) {
       pen.fillStyle = `rgb(${scene.background.map((c) => Math.round(255 * c)).join(" ")})`;

@@ -6,7 +6,7 @@ const WORDS_WAIT = 250; // ms between words that follow the motion: a screen rea
 function show() {
   const runs = ["motion", "other"].filter($).map((id) => Object.assign(readMotion($(id).textContent), { name: $(id).dataset.name }));
   const lead = runs.reduce((one, other) => (other.duration > one.duration ? other : one)), { duration, frames } = lead;
-  const clock = makeClock(duration), orbit = makeOrbit(runs[0].camera), shown = runs.map(() => true);
+  const framed = window !== top, clock = makeClock(duration, framed), orbit = makeOrbit(runs[0].camera), shown = runs.map(() => true);
   const apart = runs.length > 1 ? seriesApart(...runs) : null;
   if (apart) runs[0].series.push(apart);
   let dirty = true, seconds = 0; // seconds: from a picture of all strands to the next one
@@ -16,7 +16,8 @@ function show() {
   const plots = [...new Set(runs.flatMap((run) => run.series.map((one) => one.name)))].map((name) => makePlot(name, runs, seek));
   $("plots").append(...plots.map((plot) => plot.figure));
 
-  told("shows", runs[0].shows);
+  told("shows", [...new Set(runs.map((run) => run.shows))].join(". "));
+  document.documentElement.classList.toggle("framed", framed);
   writeWords(runs);
   offerColours(runs, again);
   if (runs.length > 1)
@@ -58,7 +59,7 @@ function show() {
     const moves = at - orbit.moved < 300, few = moves && seconds > SLOW;
     const now = runs.map((run, i) => ({ run: i, ...frameAt(run, time) })).filter((one) => shown[one.run]);
     for (const one of now) one.tint = tintOf(runs, one.run, one.k);
-    stage.draw(now, few, dark);
+    stage.draw(now, few, dark, moves || clock.playing);
     for (const plot of plots) plot.draw(time, duration, dark);
     writeMoment(at, time, few);
     return moves;

@@ -5,6 +5,7 @@
 const SHARES = 3; // parts of the strands: if all are too many, one is drawn
 const LIGHT = [0.48, -0.6, 0.64]; // light along a hair is invisible
 const FLOATS_OF_CORNER = 4, BYTES_OF_CORNER = 16; // x, y, z on the screen, -1 to 1; red, green, blue, opacity
+const TAPER = 0.2; // the last part of a strand, over which its width falls to nothing
 const FAINTEST = 0.2; // the opacity of strands that are far thinner than a pixel
 
 const MATT = { white: 0, coloured: 0 };
@@ -50,7 +51,7 @@ function makeRibbons(starts) {
           x[i] = (width * (m[0] * a + m[4] * b + m[8] * c + m[12])) / w;
           y[i] = (height * (m[1] * a + m[5] * b + m[9] * c + m[13])) / w;
           z[i] = (m[2] * a + m[6] * b + m[10] * c + m[14]) / w;
-          trueHalf[i] = wide / w;
+          trueHalf[i] = (wide / w) * Math.min(1, (starts[s + 1] - 1 - i) / (TAPER * (starts[s + 1] - 1 - starts[s]) || 1));
           half[i] = Math.max(thin, trueHalf[i]);
           if (seen < 0) for (const list of [x, y, z, half, trueHalf]) list.fill(list[i], starts[s], i);
           seen = i;

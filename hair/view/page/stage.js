@@ -1,6 +1,7 @@
 // The canvas: it draws with WebGL2, or with plain lines if there is none, or if the card is lost for good.
 
 const WAIT = 1000; // ms for a lost card to come back
+const PICTURE = 20, MEASURED = 8, COARSEST = 0.4; // ms for a picture that moves; each eighth is measured
 const PLAIN = "strands are drawn as plain lines.", LOST = "The graphics card was lost";
 
 // motions: in the order of the runs; tell(text): a note for the reader; again(): asks for a picture.
@@ -53,16 +54,24 @@ function makeStage(motions, orbit, tell, again) {
     };
     drawing.draw(scene, now.map((one) => ({ ...one, held: held[one.run] })), few);
   };
+  // Pictures that take long are coarser while things move.
+  let coarse = 1, pictures = 0;
+  const measure = (begun) => {
+    drawing.wait();
+    const times = Math.sqrt(PICTURE / (performance.now() - begun));
+    if (times < 0.9 || times > 1.2) coarse = Math.max(COARSEST, Math.min(1, coarse * times));
+  };
   watch();
   begin("This browser shows no WebGL2");
   return {
     hold, // after a motion became another one
     get plain() { return plain; },
     label(text) { if (canvas.getAttribute("aria-label") !== text) canvas.setAttribute("aria-label", text); },
-    // now: run, k, between, tint; few: a share of the strands
-    draw(now, few, dark) {
-      const ratio = window.devicePixelRatio || 1;
+    // now: run, k, between, tint; few: a share of the strands; moves: the next picture is another one
+    draw(now, few, dark, moves) {
+      const ratio = (window.devicePixelRatio || 1) * (moves ? coarse : 1), begun = performance.now();
       paint(now, few, dark, Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio), ratio);
+      if (moves && ++pictures % MEASURED === 0) measure(begun);
     },
     // ImageData of a picture of this size
     pixels(now, dark, width, height) {
