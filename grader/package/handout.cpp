@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "grader/archive/archive_writer.h"
@@ -17,6 +18,7 @@
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/files/write_file.h"
+#include "hair/view/view_page.h"
 
 namespace grader::inline package {
 namespace {
@@ -93,6 +95,12 @@ Paths without_exercises(Paths paths, const Course& course) {
           exercise.folder + "/check.cpp", stub_of(exercise), exercise.header})
       paths.erase(own);
   return paths;
+}
+
+// Puts the player around a list of two motions.
+std::string view_of(const std::string& runs) {
+  const auto list = nlohmann::json::parse(runs);
+  return hair::view_page({{"right", list.at(0).dump()}, {"wrong", list.at(1).dump()}});
 }
 
 fs::path packed_list(const HandoutSources& sources) {
@@ -213,6 +221,7 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
         categories = course_categories(
             read_file(sources.root / source.parent_path() / "categories.json", line.where), *own);
     }
+    if (source.filename() == kRuns) bytes = view_of(bytes);
     if (line.destination.ends_with(".md"))
       bytes = course_text(bytes, line, course, shipped, missing, categories);
     files[line.destination] = bytes;

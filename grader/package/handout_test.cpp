@@ -195,6 +195,14 @@ TEST_F(SmallProject, ShipsAPageOfEachTextOrSaysWhyNot) {
   setenv("PATH", path.c_str(), 1);
 }
 
+TEST_F(SmallProject, ShipsTwoRunsAsAPageThatPlaysThem) {
+  write("handout/exercises/E1/view.json", R"([{"a":1},{"b":2}])");
+  const Files shipped = files();
+  EXPECT_FALSE(shipped.contains("exercises/E1/view.json"));
+  for (const char* run : {R"(data-name="right">{"a":1}</script>)", R"(data-name="wrong">{"b":2})"})
+    EXPECT_TRUE(says(shipped.at("exercises/E1/view.html"), run));
+}
+
 TEST_F(SmallProject, GivesTheSameBytesAgain) {
   make_handout(sources_, course_, out_);
   make_handout(sources_, course_, root_ / "again.tar.gz");

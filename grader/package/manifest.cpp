@@ -75,8 +75,10 @@ void add_exercise(Lines& lines, const fs::path& root, const Exercise& exercise) 
   for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, error))
     names.insert(entry.path().filename().string());
   for (const std::string& name : names) {
-    const bool stub = name == exercise.file;
-    lines.add({folder + "/" + name, stub ? stub_of(exercise) : exercise.folder + "/" + name, where}, absent);
+    const std::string ships = name == kRuns ? "view.html" : name;
+    lines.add({folder + "/" + name, name == exercise.file ? stub_of(exercise) : exercise.folder + "/" + ships,
+               where},
+              absent);
   }
   if (!exercise.header.empty()) lines.add({exercise.header, exercise.header, where}, false);
 }

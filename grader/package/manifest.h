@@ -16,6 +16,9 @@ struct ManifestLine {
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
+// An exercise's right run and a usual mistake's ship as a page that plays them, view.html.
+inline const std::string kRuns = "view.json";
+
 // Returns an exercise's file in the handout, "stubs/conj_grad.cpp.stub": the build copies it to student/ if
 // it is missing there. Its name is no exercise file's, since a hand-in may hold the whole handout.
 std::string stub_of(const Exercise& exercise);

@@ -28,7 +28,9 @@ std::string add_pages(Files& handout, const fs::path& script) {
   for (const auto& [path, bytes] : handout) {
     paths.insert(path);
     if (path.ends_with(".md")) words.push_back(path);
-    if (!path.ends_with(".md") && !path.ends_with(".png") && !path.ends_with(".svg")) continue;
+    if (!path.ends_with(".md") && !path.ends_with(".png") && !path.ends_with(".svg") &&
+        !path.ends_with(".html"))
+      continue;
     fs::create_directories((folder.path() / path).parent_path());
     hair::write_file(folder.path() / path, bytes);
   }

@@ -29,7 +29,8 @@ function mathml(tex, displayMode) {
     .replace(/<mo>\u2061<\/mo>(?!<mo|<\/)/g, '<mspace width=".17em"></mspace>')
     .replace(/<mi mathvariant="normal">∣<\/mi>/g, '<mo stretchy="false">∣</mo>')
     .replace(/<mo( [^>]+)>(?=[∥∣])/g, '<mo$1 lspace="0" rspace="0">')
-    .replace(/<mo mathvariant="normal"[^>]*>(?=′)/g, '<mo class="prime" lspace="0" rspace="0">')
+    .replace(/<mo mathvariant="normal"[^>]*>′<\/mo>/g,
+      '<mpadded voffset="-.45em"><mi class="prime" mathvariant="normal">′</mi></mpadded>')
     .replace(/\u20d7/g, "→").replace(/[\u02c9\u203e]/g, "¯")
     .replace(/<mo>([−+])<\/mo><mo>=/g, "<mo>$1=")
     .replace(/<mi mathvariant="double-struck">([A-Z])/g, (_, letter) => "<mi>" + ("CHNPQRZ".includes(letter)
@@ -44,6 +45,9 @@ const kFormula = new RegExp(["^ *(```+|~~~+)[^]*?^ *\\1", "(`+)(?:(?!\\n\\n)[^])
   "\\$\\$([^]+?)\\$\\$", "\\$(?![\\s$])((?:(?!\\n\\n)[^$\\\\]|\\\\[^])*?)(?:(?<!\\s)|(?=\\$\\W))\\$(?!\\d)"].join("|"), "gm");
 const kMark = /\ue000(\d+)\ue001/g, kMarkAndSigns = /(\(*)\ue000(\d+)\ue001([.,;:?!)]*)/g;
 
+const kView = `<iframe src="view.html" loading="lazy" title="A right run, and one with a usual mistake"></iframe>
+<p><a href="view.html">The same with curves of its measures</a>.</p>
+`;
 const quoted = (words) => words.replace(/"/g, "&quot;").replace(/</g, "&lt;");
 
 function body_of(text) {
@@ -72,7 +76,8 @@ function body_of(text) {
         svg ? "svg+xml" : "png"};base64,${bytes.toString("base64")}"></span>`;
     },
   });
-  return marked.parse(markdown, { renderer, mangle: false }).replace(kMarkAndSigns, (_, before, i, after) =>
+  const view = fs.existsSync(here(beside("view.html"))) ? kView : "";
+  return marked.parse(markdown, { renderer, mangle: false }).replace(/<h2 id="look-at-it">.*\n/, "$&" + view).replace(kMarkAndSigns, (_, before, i, after) =>
     before + after ? `<span class="whole">${before}${formulas[i].html}${after}</span>` : formulas[i].html);
 }
 

@@ -17,7 +17,8 @@ FAULTS = """const [dark] = arguments, all = (what) => [...document.querySelector
   words.querySelectorAll("code").forEach((one) => one.remove());
   for (const [mark] of words.textContent.matchAll(/[\\\\$\\ue000].{0,20}/g)) faults.push("in the text: " + mark);
   // No browser reports what a page of a file asks for: nothing in it may.
-  for (const one of all("[src], [srcset], link, object")) if (!/^data:/.test(one.getAttribute("src"))) faults.push("asks for " + one.outerHTML);
+  for (const one of all("[src], [srcset], link, object"))
+    if (!/^data:|^view[.]html$/.test(one.getAttribute("src"))) faults.push("asks for " + one.outerHTML);
   for (const [url] of all("style")[0].textContent.matchAll(/(url.|@import)(?!data:).{20}/g)) faults.push("asks for " + url);
   if (document.documentElement.scrollWidth > innerWidth) faults.push("is wider than " + innerWidth);
   for (const image of all("img")) if (!image.naturalWidth || !image.alt) faults.push("a picture fails: " + image.alt);
@@ -75,7 +76,7 @@ class TextsPages(PageTest):
             raise unittest.SkipTest(packed.stderr)
         shutil.unpack_archive(archive, cls.folder.name)
         cls.top = Path(cls.folder.name, "hair-assignment")
-        cls.pages = {page: page.read_text(encoding="utf-8") for page in sorted(cls.top.rglob("*.html"))}
+        cls.pages = {page: page.read_text(encoding="utf-8") for page in sorted(cls.top.rglob("*.html")) if page.name != "view.html"}
 
     def check_all(self, browser):
         frame = Path(self.folder.name, "frame.html")
@@ -97,6 +98,32 @@ class TextsPages(PageTest):
         if not shutil.which("firefox-esr"):
             self.skipTest("firefox-esr is missing: pages are not opened in it")
         self.check_all(Firefox(Path(self.folder.name, "firefox"), self.addCleanup))
+
+    def test_plays_a_mistake_beside_the_right_run_of_each_exercise_with_a_scene(self):
+        views = sorted(self.top.rglob("view.html"))
+        exercises = {page.parent for page in self.pages if page.name == "text.html"}
+        self.assertEqual({page.parent for page in views}, exercises - {self.top / "exercises/S2"})
+        for view in views:
+            with self.subTest(exercise=view.parent.name):
+                self.assertIn('<iframe src="view.html"', self.pages[view.with_name("text.html")])
+                self.driver.get(view.as_uri())
+                self.wait_for("return window.hairView && hairView.pictures > 0")
+                self.assertRegex(self.run_script("return hairView.runs[1].shows"), r"^Wrong: .*\.$")
+                self.assertGreater(self.run_script("return Math.max(...hairView.apart.values)"), 1)
+                scene = json.loads(re.search('id="motion".*?>({.*})', view.read_text(encoding="utf-8"))[1])
+                motion = json.loads(Path(self.top, "given/hair/motions", scene["name"] + ".json").read_text("utf-8"))
+                for key in ("shows", "camera", "times"):
+                    self.assertEqual(scene[key], motion[key], "the scene has changed: build the target mistakes")
+                self.assertEqual(self.complaints(), [])
+
+    def test_plays_a_view_in_its_page_again_and_again(self):
+        self.driver.get((self.top / "exercises/H1/text.html").as_uri())
+        self.run_script("document.querySelector('iframe').scrollIntoView()")
+        self.driver.switch_to.frame(self.driver.find_element("css selector", "iframe"))
+        self.wait_for("return window.hairView && hairView.pictures > 0")
+        self.run_script("hairView.seek(1e9)")
+        self.wait_for("return hairView.clock.playing && hairView.clock.time < 1")
+        self.assertEqual(self.run_script("return [...document.querySelectorAll('h1, #plots, #words')].some((one) => one.checkVisibility())"), False)
 
     def test_leads_to_what_is_there_and_stays_small(self):
         self.assertEqual({page.with_suffix(".md") for page in self.pages}, set(self.top.rglob("*.md")))
