@@ -142,6 +142,12 @@ INSTANTIATE_TEST_SUITE_P(
              "toys[0].rods[0].between: is twice the same particle; give two"},
         Slip{R"("between": [1, 2])", R"("between": [1])",
              "toys[0].rods[0].between: does not have two particles; write [0, 1]"},
+        Slip{R"("length": 1})", R"("length": 0})",
+             "toys[0].rods[0].length: 0 is not right; give a number from 1e-07 to 10000"},
+        Slip{R"("position": [2, 0, 0], "mass")", R"("position": [1, 0, 0], "mass")",
+             "toys[0].rods[0].between: are two particles at one place, and a rod needs a direction; move one "
+             "of "
+             "them"},
         Slip{R"("method": "runge_kutta_4")", R"("method": "implicit_euler")",
              "toys[0].method: rods and wires need an explicit method"}));
 

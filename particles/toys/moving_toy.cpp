@@ -41,7 +41,7 @@ void check(const Toy& toy) {
     check_index("a rod's end", rod.i, n);
     check_index("a rod's end", rod.j, n);
     require(rod.i != rod.j, "a rod's other end", rod.j, "another particle");
-    require_at_least("a rod's length", rod.length, 0);
+    require_positive("a rod's length", rod.length);
   }
   for (const Wire& wire : toy.constraints.wires) {
     check_index("a wire's particle", wire.i, n);

@@ -47,8 +47,7 @@ struct RodText {
 
 void keys_of(Keys& keys, RodText& rod) {
   keys.any({.name = "between", .needed = true, .what = "two particles"}, rod.between);
-  keys.number({.name = "length", .unit = "m", .least = 0, .most = kLongest, .otherwise = "as at the start"},
-              rod.length);
+  keys.number(a_length({.name = "length", .otherwise = "as at the start"}), rod.length);
 }
 
 struct WireText {
@@ -179,6 +178,8 @@ void read_rods(const JsonValue& list, Toy& toy) {
   for (const JsonValue& item : list.items()) {
     const auto text = read<RodText>(item);
     const Pair pair = read_pair(*text.between, toy);
+    if (pair.distance < kShortest)
+      text.between->fail("are two particles at one place, and a rod needs a direction; move one of them");
     toy.constraints.rods.push_back(Rod{pair.i, pair.j, text.length.value_or(pair.distance)});
   }
 }
