@@ -7,7 +7,8 @@ namespace hair {
 
 namespace {
 
-constexpr int kMostLimits = 10;  // times that a step is repeated with other limits
+constexpr int kMostLimits = 10;    // attempts in which limits may end, and as many in which they only begin
+constexpr double kSettled = 0.01;  // times a limit: attempts that differ by less are the same
 
 }  // namespace
 
@@ -35,14 +36,15 @@ void TreeSystem::settle(const TreeBase& base, Input q, Input rates, double h, st
   std::fill(limits_.begin(), limits_.end(), Limit{});
   result.setZero();
   motion_.place(base, q);
-  change_limits(q, rates, result, h);
-  for (int again = 0;; ++again) {
+  change_limits(q, rates, result, h, true);
+  for (int again = 1;; ++again) {
     attempt(base, q, rates, h, more, result);
-    if (h == 0 || again == kMostLimits || !change_limits(q, rates, result, h)) return;
+    const bool most = again == 2 * kMostLimits;
+    if (h == 0 || most || !change_limits(q, rates, result, h, again < kMostLimits)) return;
   }
 }
 
-bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double h) {
+bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double h, bool may_end) {
   bool any = false;
   for (std::size_t i = 1; i < motion_.links.size(); ++i) {
     const JointSpring& spring = forces_.springs[i];
@@ -59,8 +61,9 @@ bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double
       end[0] = q[first] + h * (rates[link.first] + h * accelerations[link.first]);
     }
     const bool was = limit.acts;
+    const Vector3d was_at = (limit.bound + limit.beyond) * limit.along;
     if (was) {
-      limit.acts = limit.along.dot(end) >= limit.bound;
+      limit.acts = !may_end || limit.along.dot(end) >= limit.bound;
       if (limit.acts && link.joint == JointType::spherical) limit.along = end.normalized();
     } else {
       const bool below = link.joint != JointType::spherical && end[0] < spring.lower;
@@ -71,7 +74,9 @@ bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double
         limit = {true, spring.upper, end.normalized()};
     }
     limit.beyond = end.norm() - limit.bound;
-    any |= was != limit.acts;
+    const bool moves =
+        limit.acts && link.joint == JointType::spherical && (end - was_at).norm() > kSettled * limit.bound;
+    any |= was != limit.acts || moves;
   }
   return any;
 }

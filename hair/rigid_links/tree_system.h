@@ -10,9 +10,10 @@
 // adds h^2 S. So the recursion stays as it is, and linear.
 //
 // A joint feels a limit if it is beyond it at the end of the step, which is unknown before: the step is
-// repeated with the limits that it met, and without those that would pull, until this set stays the same.
-// Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section
-// 3, there for particles.
+// repeated with the limits that it met, and without those that would pull, until this set and the joints'
+// directions stay the same. A set that does not settle in ten attempts may only grow from then on: a limit
+// that pulls for one step takes energy, and a set that is cut off makes some. Source of the method: D. Baraff
+// and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH 1998), section 3, there for particles.
 //
 // A spherical limit's energy k (|theta| - u)^2 / 2 has the second derivative k n n^T + N / |theta| (1 - n
 // n^T), n along theta, N the limit's torque. Both parts are implicit: twist has so little inertia that each
@@ -88,7 +89,8 @@ class TreeSystem {
   void add_springs(Input q, Input rates, double h);
   void add_limit(int joint, Input rates, double h, const Vector3d& place, const Matrix3d& A);
   // Checks positions after h seconds with these rates and accelerations. Returns false if no limit changed.
-  bool change_limits(Input q, Input rates, Input accelerations, double h);
+  // may_end: limits that would pull end.
+  bool change_limits(Input q, Input rates, Input accelerations, double h, bool may_end);
 
   void add_drag(double h);
   void add_force(const LinkForce& one, double h);
