@@ -63,13 +63,13 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
   auto x_before = memory.col(method_.scratch), v_before = memory.col(method_.scratch + 1);
   const bool looks_at_way = energy_ && method_.keeps_lengths;
   if (collides || looks_at_way) x_before = moving_.state.x;
-  if (energy_ && moving_.drag) v_before = moving_.state.v;
+  if (energy_ && (moving_.drag || looks_at_way)) v_before = moving_.state.v;
   if (moving_.point_forces) moving_.point_forces->set(step.forces);
   if (energy_) energy_->before_step();
 
   const particles::Scratch for_method = memory.leftCols(method_.scratch);
   const StepOutcome outcome = method_.step(moving_, {step.h, step.tolerance}, for_method);
-  if (looks_at_way) energy_->moved(step.h, x_before);
+  if (looks_at_way) energy_->moved(step.h, x_before, v_before);
   return finish(step, x_before, v_before, for_method, outcome, work);
 }
 
@@ -135,11 +135,9 @@ void MassSpringBody::watch(double h, particles::Input v_before, const StepOutcom
   energy_->after_step(h, v_before, collisions.contacts > 0 ? &collisions.work : nullptr);
   add(energy_->watch(), sizes_);
   sizes_[Concern::stretching] = energy_->watch().aside();
-  if (method_.keeps_lengths) {
-    const auto& [x, v] = moving_.state;
-    sizes_[Concern::stretch] = largest_stretch(moving_.strand, x);
-    sizes_[Concern::stretch_rate] = h * largest_stretch_rate(moving_.strand, x, v);
-  }
+  const auto& [x, v] = moving_.state;
+  sizes_[method_.keeps_lengths ? Concern::stretch : Concern::segment] = largest_stretch(moving_.strand, x);
+  if (method_.keeps_lengths) sizes_[Concern::stretch_rate] = h * largest_stretch_rate(moving_.strand, x, v);
   sizes_[Concern::penetration] = collisions.penetration;
   sizes_[Concern::mends] =
       static_cast<double>(unmended_steps_) / static_cast<double>(std::max(steps_, kFewSteps));

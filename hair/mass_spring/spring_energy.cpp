@@ -76,11 +76,11 @@ void SpringEnergy::before_step() {
   turned_ = false;
 }
 
-void SpringEnergy::moved(double h, particles::Input x_before) {
+void SpringEnergy::moved(double h, particles::Input x_before, particles::Input v_before) {
   const auto& [x, v] = moving_.state;
   double twice = 0;
   for (int i = 1; i < moving_.strand.count(); ++i) {
-    const Vector3d velocity = v.segment<3>(3 * i);
+    const Vector3d velocity = (v_before.segment<3>(3 * i) + v.segment<3>(3 * i)) / 2;
     twice +=
         moving_.strand.mass[i] *
         (velocity - root_velocity_).dot(velocity - (x.segment<3>(3 * i) - x_before.segment<3>(3 * i)) / h);

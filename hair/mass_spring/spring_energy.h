@@ -34,8 +34,8 @@ class SpringEnergy {
   // Calls around a step. `v_before`: the velocities at its start, for the drag; `contacts`: null if there
   // were none.
   void before_step();
-  void moved(double h,
-             particles::Input x_before);  // for methods whose particles do not follow their velocities
+  // For methods whose particles do not follow their velocities, the means of a step.
+  void moved(double h, particles::Input x_before, particles::Input v_before);
   void after_step(double h, particles::Input v_before, const ContactWork* contacts);
 
  private:

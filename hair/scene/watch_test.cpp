@@ -2,6 +2,8 @@
 // wrong, and for none of the shipped ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iostream>
 #include <set>
 
 #include "hair/scene/scene_run.h"
@@ -13,7 +15,7 @@ using hair::Concern;
 using hair::Scene;
 using hair::Watch;
 
-constexpr int kFewStrands = 4;
+constexpr int kFewStrands = 100;
 
 // Keeps some of a scene's strands, evenly chosen.
 void thin_out(Scene& scene) {
@@ -58,7 +60,11 @@ TEST(Watch, NoOtherShippedSceneWarns) {
     ++watched;
     thin_out(scene);
     hair::SceneRun scene_run(scene);
-    for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(scene_run.advance()) << scene.name;
+    double stretch = 0;
+    for (int k = 0; k < scene.frames; ++k) {
+      ASSERT_FALSE(scene_run.advance()) << scene.name;
+      stretch = std::max(stretch, scene_run.measure(scene_run.state()).stretch);
+    }
     bool any = false;
     for (const hair::Warning& one : scene_run.warnings()) {
       EXPECT_TRUE(shall_warn(scene.name, one.concern->concern))
@@ -67,6 +73,13 @@ TEST(Watch, NoOtherShippedSceneWarns) {
     }
     EXPECT_EQ(any, std::set<std::string>({"crushed-hair", "extreme", "pendulum"}).contains(scene.name))
         << scene.name;
+    EXPECT_TRUE(any || stretch <= 0.01 || scene.shows.find("stretch") != std::string::npos)
+        << scene.name << " stretches by " << stretch << ", and does not say so";
+    std::cout << scene.name << ": stretch " << stretch;
+    for (const hair::ConcernRow& row : hair::concerns())
+      if (const double size = scene_run.watch().worst(row.concern); size > 0)
+        std::cout << ", " << row.id << " " << size;
+    std::cout << "\n";
   }
   EXPECT_GE(watched, 20);
 }
@@ -130,6 +143,10 @@ TEST(Watch, WarnsOfLevelHairThatIsNotRight) {
            sphere("0.2", "0.07", "0.08") + ", " + sphere("0.2", "-0.07", "0.08") + "]",
        kHinge,
        {Concern::penetration}},
+      {"falls in long steps",
+       R"("frames": 30, "frames_per_second": 60, "steps_per_frame": 1, "method": "implicit_euler")",
+       R"("clamped": false, "material": {"bend_factor": 1e-3}, )",
+       {Concern::segment}},
       {"too stiff to move",
        R"("frames": 30, "steps_per_frame": 1, "method": "implicit_euler")",
        R"("clamped": false, "material": {"stretch_factor": 1e6}, )",
@@ -151,6 +168,19 @@ TEST(Watch, WarnsOfLevelHairThatIsNotRight) {
   for (const auto& [what, keys, of_hair, expected] : rows) {
     SCOPED_TRACE(what);
     expect_warns(level_hair(keys, of_hair), expected);
+  }
+}
+
+// Velocities are those at a step's end, and displacements are those of its middle.
+TEST(Watch, DoesNotWarnOfHairThatGetsFaster) {
+  for (
+      const char* keys :
+      {R"("frames": 30, "gravity": [0, 0, 0], "drag": 1e-4, "wind": [0, 1, 0])",
+       R"("frames": 60, "frames_per_second": 60, "steps_per_frame": 1, "obstacles": [{"sphere": {"centre": [0.12, 0, -0.1],
+           "radius": 0.09}, "friction": 0.3}])"}) {
+    SCOPED_TRACE(keys);
+    const Watch watch = play(level_hair(keys, kHinge));
+    EXPECT_TRUE(watch.warnings().empty()) << watch.worst(Concern::unmoved);
   }
 }
 

@@ -22,6 +22,7 @@ constexpr ConcernRow kRows[] = {
     {Concern::stretch, "stretch", "does not keep its lengths", "|l - l0| / l0", 5e-3},
     {Concern::stretch_rate, "stretch rate", "has velocities that do not keep its lengths",
      "|l - l0| / l0 in a step", 0.5},
+    {Concern::segment, "segment", "has a segment that is far from its length", "|l - l0| / l0", 0.05},
     {Concern::penetration, "penetration", "remains inside an obstacle", "m", 1e-4},
     {Concern::mends, "mends", "is pushed out of obstacles and corrected without end", "of all steps", 0.15},
     {Concern::unconverged, "unconverged", "has solves that end far above their tolerance",

@@ -20,6 +20,7 @@ enum class Concern {
   stretching,
   stretch,
   stretch_rate,
+  segment,
   penetration,
   mends,
   unconverged,
@@ -40,7 +41,7 @@ struct ConcernRow {
 std::span<const ConcernRow> concerns();  // in the order of the enumeration
 
 // The sizes of all concerns, of a body after a step. 0: it does not apply.
-inline constexpr int kConcerns = 12;
+inline constexpr int kConcerns = 13;
 struct Sizes {
   std::array<double, kConcerns> of = {};
 
