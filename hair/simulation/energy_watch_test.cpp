@@ -243,6 +243,31 @@ TEST_P(EnergyOfModels, RelaxationTakesNoLoss) {
   expect_balanced(slow, kOrderOne);
 }
 
+// In a second of falling and swinging, for steps that a picture needs and finer ones.
+TEST_P(EnergyOfModels, ALossTellsHowFarOffPlacesAre) {
+  if (row_.model == std::string("mass_spring") && row_.method == Method::implicit_euler)
+    GTEST_SKIP() << "H4 loses the energy of stretching, too";
+  const auto places = [&](int steps, double* lost) {
+    description_.step = 1.0 / (60 * steps);
+    Simulation fall = simulation();
+    Eigen::MatrixXd x(3 * fall.body(0).points(), 60);
+    for (int k = 0; k < 60; ++k) {
+      EXPECT_FALSE(fall.advance(steps));
+      x.col(k) = Line(fall.body(0)).x;
+    }
+    *lost = fall.watch().worst(Concern::loss);
+    return x;
+  };
+  double lost = 0;
+  const Eigen::MatrixXd fine = places(64, &lost);
+  for (const int steps : {1, 2, 4, 8}) {
+    const Eigen::MatrixXd off = places(steps, &lost) - fine;
+    const double most =
+        Eigen::Map<const Eigen::Matrix3Xd>(off.data(), 3, off.size() / 3).colwise().norm().maxCoeff();
+    EXPECT_NEAR(std::log(kOffByLoss * lost / (most / kLength)), 0, std::log(3)) << lost << ", " << most;
+  }
+}
+
 // A strand that the caller moves between two steps starts a new balance; a strand that is not watched has
 // none.
 TEST_P(EnergyOfModels, BeginAnewWithAnotherState) {

@@ -14,6 +14,9 @@
 // outside since. Two bounds follow (hair/strand/watch.cpp). A gain of 0.05 lifts a hair's middle by a
 // twentieth of its length, which is visible. Hair that is released level and comes to rest has lost a half: a
 // method of order one may take as much. Only a motion that the step does not resolve loses more than 0.6.
+//
+// A loss also tells how far off places are: about kOffByLoss times as much of the strand's length, within a
+// factor of 3 (hair/MEASURED.md). With H4 it does not: stretching, which the balance leaves out, loses more.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,6 +26,8 @@ namespace hair {
 
 // Means and fractions of all steps count from this step on.
 inline constexpr long kFewSteps = 20;
+
+inline constexpr double kOffByLoss = 2;
 
 // J, in the frame that moves with the root.
 struct Energies {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -18,6 +19,8 @@
 #include "solver/timing.h"
 
 namespace hair {
+
+constexpr double kFarOff = 0.1;  // times a strand's length: it is seen
 
 int play_scene(const PlayOptions& options, const Course& course) {
   const timing::Stopwatch reading;
@@ -50,8 +53,15 @@ int play_scene(const PlayOptions& options, const Course& course) {
   std::cout << result.folder.string() << ": " << record.frames.size() << " frames"
             << (record.no_pictures ? ", no pictures"
                 : record.no_film   ? ""
-                                   : ", film.mp4")
-            << "\n";
+                                   : ", film.mp4");
+  if (!record.off_by)
+    std::cout << "; not compared with a finer step";
+  else if (*record.off_by > 1)
+    std::cout << "; steps take most of the energy, so places can't be trusted";
+  else if (*record.off_by > kFarOff)
+    std::cout << std::setprecision(2) << "; steps take energy, so places are off by about " << *record.off_by
+              << " of a strand's length";
+  std::cout << "\n";
   if (!record.warnings.empty())
     std::cerr << "hairlab: " << scene.name << ": warning: " << warning_text(record.warnings) << "\n";
   if (record.ending == Ending::blow_up) {

@@ -18,6 +18,7 @@
 #include "hair/scene/scene_run.h"
 #include "hair/scene_drawing/idle_guides.h"
 #include "hair/scene_drawing/scene_drawing.h"
+#include "hair/strand/energy_watch.h"
 #include "solver/timing.h"
 
 namespace hair {
@@ -242,6 +243,8 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
     record.worn_off = mesh->worn_off;
   }
   record.warnings = scene_run->warnings();
+  if (scene.hair.strands.empty() || scene.hair.method != Method::implicit_euler)
+    record.off_by = kOffByLoss * scene_run->watch().worst(Concern::loss);
   frames.close(unseen.empty());
   if (renderer) {
     if (progress) *progress << "\rfilm                       " << std::flush;

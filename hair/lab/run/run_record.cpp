@@ -152,6 +152,7 @@ std::string run_json(const Scene& scene, const RunRecord& record) {
       {"dense_hair", dense_text(record)},
       {"work", text_of(record.frames.empty() ? Work{} : record.frames.back().work)},
       {"links", links_text(record)},
+      {"off_by", record.off_by ? json_text(*record.off_by) : "null"},
       {"warnings", text_of(record.warnings)},
   };
   std::string text = "{\n";

@@ -40,6 +40,7 @@ struct RunRecord {
   std::vector<Warning> warnings;
   std::optional<LinksFile> links;  // none without a control mesh
   double worn_off = 0;             // J: see MeshRecord
+  std::optional<double> off_by;    // about how far places are off, of a strand's length; none: unknown
 
   // The reason why there are none, or nothing.
   std::optional<std::string> no_pictures, no_film;
