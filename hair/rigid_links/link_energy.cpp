@@ -24,47 +24,44 @@ LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
       watch_(mass_, strand.length.sum(), strand.forces.gravity.norm(), strand.forces.drag) {}
 
 // Reads the energies of the present strand, relative to its base.
-void LinkEnergy::read(const TreeSystem* step) {
+void LinkEnergy::read(TreeSystem& system, bool found) {
+  TreeMotion& motion = system.motion();
   energies_ = {};
   momentum_.setZero();
-  Vector3d x = Vector3d::Zero(), v = Vector3d::Zero(), omega = strand_.base.velocity.angular;
-  Quaterniond axes = strand_.base.orientation;
-  for (Eigen::Index i = 1; i <= strand_.length.size(); ++i) {
-    const LinkShape& shape = strand_.tree.shapes()[static_cast<std::size_t>(i)];
-    const Quaterniond joint(strand_.q.segment<4>(4 * i - 4));
-    axes = axes * shape.rest * joint;
-    omega += strand_.rates.segment<3>(3 * i - 3);
-    const Vector3d half = strand_.length[i - 1] / 2 * (axes * Vector3d::UnitZ());
-    const Vector3d centre = x + half;
-    Vector3d velocity = v + omega.cross(half), spin = axes.conjugate() * omega;
-    if (step) {
-      const SpatialMotion& found = step->momenta().velocities()[static_cast<std::size_t>(i)];
-      velocity = found.linear - base_.linear;
-      spin = step->motion().frames()[static_cast<std::size_t>(i)].axes.transpose() * found.angular;
-    }
-    energies_.kinetic += (shape.mass * velocity.squaredNorm() + spin.cwiseAbs2().dot(shape.moments)) / 2;
-    energies_.weight -= shape.mass * strand_.forces.gravity.dot(centre);
-    energies_.elastic += strand_.forces.springs[static_cast<std::size_t>(i)].energy(turn_of(joint));
-    momentum_ += shape.mass * velocity;
-    x = centre + half;
-    v = velocity + omega.cross(half);
+  if (!found) {
+    motion.place(strand_.base, strand_.q);
+    outward_velocities(motion.links, strand_.rates, motion.passes);
+  }
+  for (std::size_t i = 1; i < motion.links.size(); ++i) {
+    const double mass = strand_.tree.shapes()[i].mass;
+    const SpatialMotion& v = found ? system.momenta().velocities()[i] : motion.passes[i].v;
+    const Vector3d velocity = v.linear - strand_.base.velocity.linear;
+    energies_.kinetic +=
+        (mass * velocity.squaredNorm() + v.angular.dot(motion.links[i].tensor * v.angular)) / 2;
+    momentum_ += mass * velocity;
+  }
+  motion.place(strand_.base, strand_.q);
+  for (std::size_t i = 1; i < motion.links.size(); ++i) {
+    const LinkFrame& frame = motion.frames()[i];
+    energies_.weight -=
+        strand_.tree.shapes()[i].mass * strand_.forces.gravity.dot(frame.position - strand_.base.position);
+    energies_.elastic += strand_.forces.springs[i].energy(frame.turn);
   }
 }
 
-void LinkEnergy::before_step(const SpatialMotion& base) {
+void LinkEnergy::before_step(const SpatialMotion& base, TreeSystem& system) {
   rates_before_ = strand_.rates;
   base_before_ = strand_.base.velocity;
   base_ = base;
   root_velocity_ = mean(base_before_.linear, base.linear);
   if (!watch_.begun()) {
-    read(nullptr);
+    read(system, false);
     watch_.begin(energies_);
   }
   momentum_before_ = momentum_;
 }
 
-void LinkEnergy::after_step(const TreeSystem& system, double h, const ContactWork* contacts) {
-  read(implicit_ ? &system : nullptr);
+void LinkEnergy::after_step(TreeSystem& system, double h, const ContactWork* contacts) {
   const LinkPass& root = system.motion().passes.front();
   const Vector3d torque = (root.inertia * root.a + root.bias).torque;
   const Vector3d changes = base_.linear - base_before_.linear;
@@ -72,6 +69,7 @@ void LinkEnergy::after_step(const TreeSystem& system, double h, const ContactWor
   if (strand_.forces.drag > 0) work += drag_work(system, h);
   work += damping_work(system.motion(), h);
   if (contacts) work += contacts->seen_from(root_velocity_);
+  read(system, implicit_);
   const Vector3d momentum_after = implicit_ ? Vector3d(momentum_before_ - mass_ * changes) : momentum_;
   work -= changes.dot(momentum_before_ + momentum_after) / 2;
   watch_.after_step(energies_, work, contacts != nullptr, h);

@@ -29,14 +29,15 @@ class LinkEnergy {
   void restart() { watch_.restart(); }
 
   // Before a step that gives the base this velocity.
-  void before_step(const SpatialMotion& base);
+  void before_step(const SpatialMotion& base, TreeSystem& system);
 
-  // Call this after the step, when the base has this velocity. `system` has the result of the step's passes.
-  void after_step(const TreeSystem& system, double h, const ContactWork* contacts);
+  // Call this after the step, when the base has this velocity. `system` has the result of the step's passes;
+  // then it is placed at the step's end, as the next step needs it.
+  void after_step(TreeSystem& system, double h, const ContactWork* contacts);
 
  private:
-  // step: its velocities, or null for those of the present rates.
-  void read(const TreeSystem* step);
+  // found: the step's velocities, in place of those of the present rates.
+  void read(TreeSystem& system, bool found);
   double drag_work(const TreeSystem& system, double h) const;
   double damping_work(const TreeMotion& motion, double h) const;
   Vector3d mean(const Vector3d& before, const Vector3d& after) const;

@@ -88,7 +88,7 @@ std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles:
   const bool turned = told_ && strand_.clamped;  // a hinge ignores its root's turn
   const SpatialMotion goal{turned ? root_.angular_velocity : Vector3d::Zero(), root_.velocity};
   base.acceleration = 1 / step.h * (goal + -1.0 * base.velocity);
-  if (energy_) energy_->before_step(goal);
+  if (energy_) energy_->before_step(goal, steps_.system());
   more_.clear();
   for (const PointForce& one : step.forces)
     if (one.point > 0)

@@ -22,6 +22,7 @@ struct LinkFrame {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Quaterniond joint_axes = Eigen::Quaterniond::Identity();  // the orientation at q = 0
   Matrix3d axes = Matrix3d::Identity();                            // the orientation as a matrix
+  Vector3d turn = Vector3d::Zero();                                // rad, of a spherical joint from q = 0
 };
 
 class TreeMotion {
@@ -37,7 +38,8 @@ class TreeMotion {
   std::vector<Link> links;
   std::vector<LinkPass> passes;
 
-  // Sets frames() and the links' geometry and inertia. External forces and stiffening become 0.
+  // Sets frames() and the links' geometry and inertia. External forces and stiffening become 0. It is cheap
+  // where the links are.
   void place(const TreeBase& base, Input q);
 
   // For the placed coordinates q: moves them for h seconds at constant rates, or calculates their derivative
@@ -46,8 +48,11 @@ class TreeMotion {
   void derivative(Input q, Input rates, Output dq) const;
 
  private:
+  void place_link(std::size_t i);
+
   LinkTree tree_;
   std::vector<LinkFrame> frames_;
+  Eigen::VectorXd placed_;  // q
 };
 
 }  // namespace hair

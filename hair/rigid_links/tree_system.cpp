@@ -54,7 +54,7 @@ bool TreeSystem::change_limits(Input q, Input rates, Input accelerations, double
     const int first = tree().coordinate(static_cast<int>(i));
     Vector3d end(0, 0, 0);
     if (link.joint == JointType::spherical) {
-      const Vector3d theta = turn_of(Eigen::Quaterniond(q.segment<4>(first)));
+      const Vector3d& theta = motion_.frames()[i].turn;
       const Vector3d turn = h * (rates.segment<3>(link.first) + h * accelerations.segment<3>(link.first));
       end = theta + rate_of_turn(theta) * (motion_.frames()[i].joint_axes.conjugate() * turn);
     } else {
@@ -125,7 +125,7 @@ void TreeSystem::add_springs(Input q, Input rates, double h) {
     const int first = tree().coordinate(static_cast<int>(i));
     if (link.joint == JointType::spherical) {
       const Matrix3d axes = motion_.frames()[i].joint_axes.toRotationMatrix();
-      const Vector3d theta = turn_of(Eigen::Quaterniond(q.segment<4>(first)));
+      const Vector3d& theta = motion_.frames()[i].turn;
       const Matrix3d A = rate_of_turn(theta), AK = A.transpose() * K, stiffness = AK * A;
       const Vector3d w = axes.transpose() * rates.segment<3>(link.first);
       Q_.segment<3>(link.first) = -axes * (AK * theta + C * w + h * (stiffness * w));
