@@ -49,26 +49,41 @@ std::string in_a_line(const SubmissionResult& result, const NamesForPeople& peop
 
 }  // namespace
 
-Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& current,
+Grader grader_here(const Grading& grading) {
+  return {grading.course(),
+          grading.reference(),
+          to_json(grading.made_by()),
+          grading.studies(),
+          [&](const Submission& submission) { return grading.fingerprint(submission); },
+          [&](const Submission& submission) { return grading.grade(submission); },
+          [&](const Submission& submission, Graded& graded) { grading.grade_again(submission, graded); }};
+}
+
+void enter_plan(Plan& plan, const BatchSettings& settings, Record& record) {
+  if (plan.blind) record.set_blind();
+  record.put_people(hand_ins_of(plan.submissions),
+                    settings.roster ? std::optional(settings.roster->people()) : std::nullopt, plan.only);
+  for (Submission& one : plan.submissions)
+    if (!plan.only || *plan.only == one.name) one.drawn_from = record.drawn_from(one.name);
+}
+
+Batch grade_batch(const Grader& grader, Plan plan, const BatchSettings& settings, Record& current,
                   const std::atomic<bool>& interrupted) {
   Batch batch;
   std::vector<Submission>& submissions = plan.submissions;
   const std::optional<std::string>& only = plan.only;
-  if (plan.blind) current.set_blind();
-  current.put_people(hand_ins_of(submissions),
-                     settings.roster ? std::optional(settings.roster->people()) : std::nullopt, only);
   std::optional<Record> stage;
   if (settings.regrade && !current.names().empty()) {
     stage.emplace(settings.out, current.hand_in() + kStage);
-    stage->begin_stage(to_json(grading.made_by()));
+    stage->begin_stage(grader.made_by);
   }
   Record& record = stage ? *stage : current;
   const bool resume = settings.resume || stage;
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   const auto start = std::chrono::steady_clock::now();
-  batch.problems = grading.reference().problems;
-  TimingByExercise reference = grading.reference().timing;
+  batch.problems = grader.reference.problems;
+  TimingByExercise reference = grader.reference.timing;
   if (settings.merge) reference.merge(record.costs().reference);
   const std::size_t asked = only ? 1 : submissions.size();
   LastRun run{.jobs = settings.jobs, .began = record.now(), .asked = static_cast<int>(asked)};
@@ -107,7 +122,7 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
     const HandedIn handed_in = handed_in_of(submission);
     Recorded one{std::move(graded.result), {}, std::move(graded.timing)};
     if (const std::optional<Recorded> earlier = earlier_of(submission); settings.merge && earlier)
-      keep_other_exercises(one, *earlier, grading.course());
+      keep_other_exercises(one, *earlier, grader.course);
     one.result.studied = graded.study.has_value();
     one.study = std::move(graded.study);
     compare_times(submission.name, record.put(one, handed_in), handed_in.time);
@@ -128,12 +143,11 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   const auto grade_one = [&](std::size_t place) {
     Submission& submission = submissions[place];
     if (only && *only != submission.name) return;
-    submission.drawn_from = record.drawn_from(submission.name);
     const std::optional<Recorded> earlier = earlier_of(submission);
     if (resume && earlier) {
-      const bool complete = earlier->result.studied || !grading.studies();
+      const bool complete = earlier->result.studied || !grader.studies;
       if (complete && earlier->result.origin == submission.origin &&
-          earlier->result.fingerprint == grading.fingerprint(submission)) {
+          earlier->result.fingerprint == grader.fingerprint(submission)) {
         const HandedIn handed_in = handed_in_of(submission);
         compare_times(submission.name, record.set_handed_in(submission.name, handed_in), handed_in.time);
         const Recorded now = record.find_decided(submission.name).value_or(*earlier);
@@ -143,12 +157,12 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
         return;
       }
     }
-    Graded graded = grading.grade(submission);
+    std::optional<Graded> graded = grader.grade(submission);
     // Ctrl-C also ends the suite: its output is no result.
-    if (interrupted) return;
-    if (graded.result.ended_by_the_clock.empty()) return keep(submission, std::move(graded));
+    if (interrupted || !graded) return;
+    if (graded->result.ended_by_the_clock.empty()) return keep(submission, std::move(*graded));
     const std::lock_guard lock(shared);
-    ended_by_the_clock.emplace(place, std::move(graded));
+    ended_by_the_clock.emplace(place, std::move(*graded));
   };
   const auto unless_it_fails = [&](const auto& work) {
     try {
@@ -170,15 +184,15 @@ Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settin
   for (auto& [place, graded] : ended_by_the_clock) {
     if (interrupted || !failure.empty()) break;
     unless_it_fails([&, &place = place, &graded = graded] {
-      grading.grade_again(submissions[place], graded);
+      grader.grade_again(submissions[place], graded);
       if (!interrupted) keep(submissions[place], std::move(graded));
     });
   }
   if (!failure.empty()) throw BadInput(failure);
 
   batch.interrupted = interrupted;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.wall_seconds = seconds;
+  run.wall_seconds = settings.seconds_before +
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.graded = batch.graded;
   if (!is_part) {
     run.done = static_cast<int>(batch.done);

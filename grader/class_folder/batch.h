@@ -4,6 +4,8 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +27,24 @@ struct Batch {
   std::vector<std::string> ungraded;  // are the hand-ins that it waits for, if it was not interrupted
 };
 
-// Carries a plan out, in the folder that it was made for, whose record is `current`. When `interrupted` is
-// set from outside (Ctrl-C), the batch starts nothing new and ends. Throws BadInput if the folder can't be
-// written.
-Batch grade_batch(const Grading& grading, Plan plan, const BatchSettings& settings, Record& current,
+// Grades hand-ins, or has what others graded.
+struct Grader {
+  Course course;
+  ReferenceGraded reference;
+  std::string made_by;  // is JSON of grading/made_by.h
+  bool studies = false;
+  std::function<std::string(const Submission&)> fingerprint;
+  std::function<std::optional<Graded>(const Submission&)> grade;  // returns nothing for one that is to come
+  std::function<void(const Submission&, Graded&)> grade_again;
+};
+Grader grader_here(const Grading& grading);  // keeps a reference to it
+
+// Puts the plan's people into the record. Each submission gets the name that its inputs are drawn from.
+void enter_plan(Plan& plan, const BatchSettings& settings, Record& record);
+
+// Carries a plan out that is in the record `current` of its folder. When `interrupted` is set from outside
+// (Ctrl-C), the batch starts nothing new and ends. Throws BadInput if the folder can't be written.
+Batch grade_batch(const Grader& grader, Plan plan, const BatchSettings& settings, Record& current,
                   const std::atomic<bool>& interrupted);
 
 }  // namespace grader::class_folder

@@ -59,7 +59,9 @@ TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
   batch.jobs = 2;
   fs::create_directory(batch.out);
   Record record(batch.out);
-  const Batch graded = grade_batch(grading, {{quick, slow}}, batch, record, false);
+  Plan plan{{quick, slow}};
+  enter_plan(plan, batch, record);
+  const Batch graded = grade_batch(grader_here(grading), plan, batch, record, false);
   EXPECT_EQ(graded.graded, 2);
   EXPECT_EQ(graded.problems, std::vector<std::string>());
   const SubmissionResult result = record.find("slow").value().result;

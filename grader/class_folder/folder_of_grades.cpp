@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "grader/class_folder/shared_plan.h"
 #include "grader/course/input.h"
 #include "grader/record/points/hand_ins.h"
 
@@ -89,7 +90,7 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
 FolderOfGrades::~FolderOfGrades() {
   if (!record_ || made_.empty()) return;
   try {
-    if (!record_->names().empty()) return;
+    if (!record_->names().empty() || SharedPlan::in(made_)) return;
     record_.reset();
     fs::remove_all(made_);
   } catch (const std::exception&) {  // leaves an empty folder

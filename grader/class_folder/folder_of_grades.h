@@ -26,7 +26,7 @@ class FolderOfGrades {
                                             const std::atomic<bool>& interrupted, std::ostream& says,
                                             const std::string& hand_in = "", bool regrade = false);
 
-  // Removes a folder that it made if its record has no submission.
+  // Removes a folder that it made if its record has no submission, and no cluster grades some.
   ~FolderOfGrades();
   FolderOfGrades(FolderOfGrades&&) = default;
 

@@ -27,6 +27,7 @@ struct BatchSettings {
   HandInRules rules = {};           // come from the course file: lateness, and how much extra credit counts
   bool regrade = false;             // the record's results change places with new ones once all are there
   bool merge = false;               // only one exercise is graded: earlier results of the others stay
+  double seconds_before = 0;        // is the wall time that others have spent on its hand-ins
 };
 
 struct Plan {

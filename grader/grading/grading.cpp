@@ -74,14 +74,14 @@ SuiteJob study_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionR
 
 }  // namespace
 
-Grading::Grading(GradingSettings settings)
+Grading::Grading(GradingSettings settings, std::optional<ReferenceGraded> reference)
     : settings_(std::move(settings)),
       made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
       compiler_(kit_, settings_.cache, settings_.isolation),
       jobs_(settings_, kit_),
       base_fingerprint_(jobs_.fingerprint()),
-      reference_(grade_reference(jobs_, compiler_)) {
+      reference_(reference ? std::move(*reference) : grade_reference(jobs_, compiler_)) {
   jobs_.limit_by(reference_.timing);
 }
 

@@ -34,8 +34,8 @@ std::string hash_of_files(const Submission& submission);
 class Grading {
  public:
   // Throws BadInput if `images` is set and this machine can't draw, or if the reference gets less than full
-  // points.
-  explicit Grading(GradingSettings settings);
+  // points. With `reference`, which another machine has graded, this one does not grade it.
+  explicit Grading(GradingSettings settings, std::optional<ReferenceGraded> reference = {});
 
   // Errors on our side are in the result, which then has no fingerprint. `after_each` sees the result so far
   // after each exercise.

@@ -18,9 +18,21 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLeastBytes = 16;
 
-// Returns false if the file exists. The secret is written in full under another name first: two graders that
+void make_secret(const fs::path& file) {
+  unsigned char random[32];
+  randombytes_buf(random, sizeof random);
+  char text[2 * sizeof random + 1];
+  sodium_bin2hex(text, sizeof text, random, sizeof random);
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  keep_secret(text, file);
+}
+
+}  // namespace
+
+// The secret is written in full under another name first: two graders that
 // start together agree on one.
-bool keep(const std::string& secret, const fs::path& file) {
+bool keep_secret(const std::string& secret, const fs::path& file) {
   const fs::path temporary = file.string() + "." + std::to_string(getpid());
   const int out = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   bool written = out >= 0 && write(out, secret.data(), secret.size()) == static_cast<ssize_t>(secret.size());
@@ -35,18 +47,6 @@ bool keep(const std::string& secret, const fs::path& file) {
                    ": can't keep the staff's secret there; name a file in a folder that can be written");
   return true;
 }
-
-void make_secret(const fs::path& file) {
-  unsigned char random[32];
-  randombytes_buf(random, sizeof random);
-  char text[2 * sizeof random + 1];
-  sodium_bin2hex(text, sizeof text, random, sizeof random);
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  keep(text, file);
-}
-
-}  // namespace
 
 fs::path default_secret_file() {
   if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config != '\0')
@@ -78,7 +78,7 @@ std::string export_secret(const fs::path& file) {
     throw BadInput(mine.string() +
                    ": there is no secret yet; the first grading makes it, or secret import brings one");
   const std::string secret = read_secret(mine);
-  if (!keep(secret, file)) throw BadInput(file.string() + ": a file is there already; name a new one");
+  if (!keep_secret(secret, file)) throw BadInput(file.string() + ": a file is there already; name a new one");
   return fingerprint(secret);
 }
 
@@ -87,7 +87,7 @@ std::string import_secret(const fs::path& file) {
   const fs::path mine = default_secret_file();
   std::error_code error;
   fs::create_directories(mine.parent_path(), error);
-  if (!keep(secret, mine) && read_secret(mine) != secret)
+  if (!keep_secret(secret, mine) && read_secret(mine) != secret)
     throw BadInput(mine.string() + ": another secret is there, with the fingerprint " +
                    fingerprint(read_secret(mine)) +
                    ", and grades may need it; move it to another name first");

@@ -14,6 +14,10 @@ std::filesystem::path default_secret_file();
 // a file that can't be read or has fewer than 16 bytes.
 std::string read_secret(const std::optional<std::filesystem::path>& file);
 
+// Writes a secret into a new file that its owner alone can read. Returns false if the file exists. Throws
+// BadInput if it can't be written.
+bool keep_secret(const std::string& secret, const std::filesystem::path& file);
+
 // Returns sixteen hexadecimal digits that only distinguish secrets: an HMAC whose key is the secret. Records
 // keep it.
 std::string fingerprint(const std::string& secret);

@@ -27,24 +27,17 @@
 #include "grader/roster/groups.h"
 #include "grader/roster/times.h"
 #include "grader/sandbox/processes/own_groups.h"
+#include "grader/text/shell_word.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/course_folder.h"
-#include "grader/tool/commands/grade_settings.h"
+#include "grader/tool/commands/grade_options.h"
 #include "grader/tool/commands/of_a_record.h"
 
 namespace grader::inline tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct GradeOptions {
-  std::vector<fs::path> submissions;
-  std::optional<fs::path> roster, times;
-  GradeSettings settings;
-  BatchSettings batch;
-  bool junit = false;
-};
 
 std::vector<StaffPlace> staff_places(const GradingSettings& settings, const GradeOptions& options) {
   const fs::path source = HAIR_SOURCE_DIR,
@@ -55,6 +48,17 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the secret", secret, secret},
           {"what is cached", settings.cache, settings.cache},
           {"the grades", options.batch.out, options.batch.out}};
+}
+
+// A time's offset does not give lateness if the due date has no offset.
+void check_zone(const HandInRules& rules, const std::vector<Submission>& submissions) {
+  if (rules.due.empty() || !rules.zone.empty()) return;
+  for (const Submission& one : submissions)
+    if (const std::optional<TimeText> time = read_time(one.handed_in); time && time->offset)
+      throw BadInput(printable(one.name) + ": was handed in at " + printable(one.handed_in) +
+                     ", and nobody knows the offset of the due date " + rules.due +
+                     "; write the course's zone beside it in the course file, such as \"zone\": "
+                     "\"Europe/Berlin\"");
 }
 
 // Lists missing people, people on no roster, and unusual matches. False if a person must look.
@@ -76,17 +80,6 @@ bool say_people(Record& record, const std::optional<Roster>& roster) {
   return list->to_look_at.empty();
 }
 
-// A time's offset does not give lateness if the due date has no offset.
-void check_zone(const HandInRules& rules, const std::vector<Submission>& submissions) {
-  if (rules.due.empty() || !rules.zone.empty()) return;
-  for (const Submission& one : submissions)
-    if (const std::optional<TimeText> time = read_time(one.handed_in); time && time->offset)
-      throw BadInput(printable(one.name) + ": was handed in at " + printable(one.handed_in) +
-                     ", and nobody knows the offset of the due date " + rules.due +
-                     "; write the course's zone beside it in the course file, such as \"zone\": "
-                     "\"Europe/Berlin\"");
-}
-
 // Names the difference that a regrade makes.
 void say_changes(Record& record) {
   if (const std::size_t students = class_changes(record).size(); students > 0)
@@ -98,6 +91,7 @@ void say_changes(Record& record) {
 }
 
 int grade(GradeOptions options) {
+  if (!options.slurm.step.empty()) return do_step(std::move(options));
   if (options.roster) options.batch.roster = read_roster(*options.roster);
   std::optional<Times> times;
   if (options.times) times = read_times(*options.times);
@@ -136,24 +130,43 @@ int grade(GradeOptions options) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
     return 130;
   }
+  if (const std::optional<SharedPlan> there = SharedPlan::in(options.batch.out))
+    throw BadInput("its hand-ins are on a cluster; hairgrade collect " +
+                   shell_word(options.batch.out.string()) + " takes what is graded, or remove " +
+                   (*there / "").string());
   Record& record = folder->record();
-  const Plan plan = until_answered(word.class_over_rows, word.replace,
-                                   [&] { return plan_of(intake, record, roster, batch_settings); });
+  Plan plan = until_answered(word.class_over_rows, word.replace,
+                             [&] { return plan_of(intake, record, roster, batch_settings); });
   for (const std::string& line : plan.replaced) std::cerr << "hairgrade: " << line << "\n";
   for (const std::string& line : plan.taken_for) std::cout << line << "\n" << std::flush;
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
-  const Grading grading(std::move(settings));
   batch_settings.rules = rules;
   batch_settings.merge = options.settings.exercise.has_value();
-  const Batch batch = grade_batch(grading, plan, batch_settings, record, interrupted);
+  enter_plan(plan, batch_settings, record);
+  if (options.slurm.asked) {
+    hand_over(options, plan, settings, record);
+    for (const auto* lines : {&plan.remarks, &plan.notices})
+      for (const std::string& line : *lines) std::cerr << "hairgrade: " << line << "\n";
+    return plan.notices.empty() ? 0 : 3;
+  }
+  const Grading grading(std::move(settings));
+  const Batch batch = grade_batch(grader_here(grading), plan, batch_settings, record, interrupted);
+  return report({.isolation = grading.isolation(), .memory_errors = grading.looks_for_memory_errors()},
+                options, plan, batch, record, times, open_to_others);
+}
+
+}  // namespace
+
+int report(const HowGraded& how, const GradeOptions& options, const Plan& plan, const Batch& batch,
+           Record& record, const std::optional<Times>& times, const std::string& open_to_others) {
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   if (options.junit && !batch.staged) write_file(record.pages() / "junit.xml", junit_xml(batch.results));
   if (!batch.staged) print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0 && !batch.staged) std::cout << ", " << batch.kept << " kept from before";
-  if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
-  if (grading.isolation() == Isolation::container) std::cout << ", with a container's sandbox";
+  if (how.isolation == Isolation::none) std::cout << ", without a sandbox";
+  if (how.isolation == Isolation::container) std::cout << ", with a container's sandbox";
   if (options.settings.no_images) std::cout << ", without pictures";
   std::cout << "\n" << fs::absolute(record.pages() / "index.html").lexically_normal().string() << "\n";
   if (options.batch.regrade && !batch.staged) say_changes(record);
@@ -173,7 +186,8 @@ int grade(GradeOptions options) {
   for (const std::string& notice : plan.notices) std::cerr << "hairgrade: " << notice << "\n";
   std::vector<std::string> names;
   for (const Submission& one : plan.submissions) names.push_back(one.name);
-  if (const std::string unknown = without_time(record, names); !rules.due.empty() && !unknown.empty())
+  if (const std::string unknown = without_time(record, names);
+      !options.batch.rules.due.empty() && !unknown.empty())
     std::cerr << "hairgrade: nobody knows whether these are late, for the download has no time of them: "
               << unknown << "; give their times by --times\n";
   for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";
@@ -201,8 +215,6 @@ int grade(GradeOptions options) {
             << (batch.staged ? "" : " with --resume") << " goes on\n";
   return 130;
 }
-
-}  // namespace
 
 Command add_grade(CLI::App& hairgrade) {
   const auto options = std::make_shared<GradeOptions>();
@@ -270,6 +282,16 @@ Command add_grade(CLI::App& hairgrade) {
   command->add_flag("--study", options->settings.study,
                     "Show error against run time beside the reference's, in study.html; gives no points and "
                     "takes none, but some seconds of CPU time for each submission");
+  CLI::Option* slurm = command->add_flag("--slurm", options->slurm.asked,
+                                         "Send them to a Slurm cluster whose nodes share --out's folder");
+  slurm->excludes("--cache");
+  command->add_option("--slurm-options", options->slurm.sbatch, "More options for sbatch, in one word");
+  command->add_option("--slurm-prefix", options->slurm.prefix,
+                      "Words in front of hairgrade's command on a node: \"apptainer exec hairgrade.sif\"");
+  command->add_option("--per-task", options->slurm.per_task,
+                      "With --slurm: hand-ins in a task (default: as many as last ten minutes)");
+  command->add_option("--slurm-step", options->slurm.step)->expected(2, 4)->group("");
+  command->add_option("--node", options->slurm.node)->group("");
   return {command, [options] { return grade(*options); }};
 }
 

@@ -9,6 +9,7 @@
 #include <sodium.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <string_view>
@@ -73,8 +74,11 @@ int run(int argc, char* argv[]) {
 
 int main(int argc, char* argv[]) {
   hair::begin_output();
-  // Other commands start no student code, and keep the limits of their starter.
-  if (const std::string_view command = argc > 1 ? argv[1] : ""; command == "grade" || command == "gradescope")
+  // Other commands start no student code, and keep the limits of their starter. With --slurm, Slurm's
+  // programs need its environment.
+  if (const std::string_view command = argc > 1 ? argv[1] : "";
+      command == "gradescope" ||
+      (command == "grade" && std::count(argv, argv + argc, std::string_view("--slurm")) == 0))
     set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));
 }

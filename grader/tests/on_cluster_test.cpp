@@ -1,0 +1,95 @@
+// STAFF ONLY. Tests grading on a cluster from outside. Programs with the names of Slurm's run each task at
+// once, but for the last job; grader/tests/slurm/test has a real cluster.
+#include "grader/tests/in_a_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using std::string;
+using tests::says;
+
+constexpr const char* kSbatch = R"(#!/bin/bash
+for word; do
+  case $word in
+    --wrap=*) command=${word#--wrap=} ;;
+    --array=0-*) last=${word#--array=0-} ;;
+    --output=*) log=${word#--output=} ;;
+    --dependency=*) last=-1 ;;
+  esac
+done
+echo 7
+export SLURMD_NODENAME=n1 SLURM_ARRAY_TASK_ID
+for SLURM_ARRAY_TASK_ID in $(seq 0 "${last:-0}"); do
+  if [ -e "${0%/*}/broken" ]; then
+    echo "the node is lost" >>"${log/\%a/$SLURM_ARRAY_TASK_ID}"
+    code=1
+  else
+    sh -c "$command" >>"${log/\%a/$SLURM_ARRAY_TASK_ID}" 2>&1
+    code=$?
+  fi
+done
+exit "${code:-0}"
+)";
+
+class OnACluster : public InAFolder {
+ protected:
+  OnACluster() : InAFolder(course_of({"S1"})) {
+    program("sbatch", kSbatch);
+    program("scontrol", "#!/bin/sh\necho MaxArraySize = 1\n");
+    program("squeue", "#!/bin/sh\n");
+    const string right = hair::bytes_of(fs::path(HAIR_PROJECT) / "reference/S1/conj_grad.cpp");
+    write("class/ada/conj_grad.cpp", right);
+    write("class/ben/conj_grad.cpp", right + "int x = ;\n");
+    write("class/eve/conj_grad.cpp", "");
+  }
+  void program(const string& name, const string& text) const {
+    fs::permissions(write("bin/" + name, text), fs::perms::owner_all);
+  }
+  ProgramRun hairgrade(const std::vector<string>& words) const {
+    return run_hairgrade(words, {}, "PATH=" + path("bin") + ":$PATH");
+  }
+  ProgramRun send() const {
+    return hairgrade({"grade", path("class"), "--class", "--out", path("grades"), "--secret", path("secret"),
+                      "--course", path("course.json"), "--no-images", "--slurm", "--per-task", "2"});
+  }
+  std::map<string, string> timeless() const {
+    std::map<string, string> files = files_in(path("grades"));
+    for (const char* name : {"timing.json", "costs.html"}) files.erase(name);
+    return files;
+  }
+};
+
+TEST_F(OnACluster, IsGradedAsOnOneMachineAndSentAgainIfTasksAreLost) {
+  ASSERT_EQ(grade({path("class"), "--class"}).code, 0);
+  const std::map<string, string> here = timeless();
+  fs::remove_all(path("grades"));
+
+  write("bin/broken", "");
+  expect_refused(send(), "and nothing was sent: the node is lost");
+  EXPECT_FALSE(fs::exists(path("grades")));
+
+  fs::remove(path("bin/broken"));
+  const ProgramRun sent = hairgrade({"collect", path("grades")});
+  expect_refused(sent, "none of its hand-ins are on a cluster");
+  ASSERT_EQ(send().code, 0);
+  EXPECT_TRUE(says(send().errors, "are on a cluster; hairgrade collect"));
+  for (const auto& entry : fs::recursive_directory_iterator(path("grades")))
+    if (entry.path().parent_path().filename() == "results" && entry.path().filename() != "0")
+      fs::remove(entry.path());
+  write("bin/broken", "");
+  const ProgramRun lost = hairgrade({"collect", path("grades")});
+  EXPECT_EQ(lost.code, 3) << lost.errors;
+  EXPECT_TRUE(says(lost.errors, "task 7_0 has not graded 1: "));
+  EXPECT_TRUE(says(lost.output, "2 hand-ins in 1 tasks"));
+  fs::remove(path("bin/broken"));
+  const ProgramRun again = hairgrade({"collect", path("grades")});
+  EXPECT_EQ(again.code, 3) << again.errors;
+  EXPECT_TRUE(says(again.errors, "task 7_0 has not graded 2: the node is lost"));
+  const ProgramRun all = hairgrade({"collect", path("grades")});
+  EXPECT_EQ(all.code, 0) << all.errors;
+  EXPECT_EQ(timeless(), here);
+}
+
+}  // namespace
+}  // namespace grader
