@@ -1,9 +1,10 @@
 #!/bin/sh
 # STAFF ONLY. Installs the Debian packages that are missing, then builds TARGETs in build/release.
-# Usage: grader/setup.sh [--with pages|study|check|browser|lint] [TARGET...]
+# Usage: grader/setup.sh [--with pages|study|check|browser|lint|nightly] [TARGET...]
 #   Without --with: packages for grading and hairlab. pages: also for the handout's texts as pages.
 #   study: also for the reference solutions of studies. check: also for tests and benchmarks.
 #   browser: also browsers for tests. lint: also for .ci/run.
+#   nightly: also for .ci/nightly.
 set -eu
 if [ "${1-}" = --help ]; then
   sed -n '/^set /q; s/^# STAFF ONLY\. //p; s/^# / /p' "$0"
@@ -79,16 +80,23 @@ ccache               # remembers compiled files
 clang                # the second compiler for the handout
 libclang-rt-dev      # clang's sanitisers and libFuzzer
 clang-format         # layout
-g++-aarch64-linux-gnu # builds the checks for ARM
-qemu-user            # runs them
 libc++-dev           # macOS's standard library
 libc++abi-dev        # its low level, for students' builds
 clang-tidy           # common mistakes, names
 python3              # runs clang-tidy
 shellcheck           # these scripts
+LIST
+}
+
+to_night() {
+  sed 's/#.*//' <<'LIST'
+g++-aarch64-linux-gnu # builds the checks for ARM
+qemu-user            # runs them
 dpkg-dev             # the Debian package: the libraries that it needs,
 help2man             # manuals,
 lintian              # and its rules
+slurm-wlm            # a cluster on this machine
+munge                # its keys
 LIST
 }
 
@@ -122,8 +130,9 @@ case $with in
   check) wanted="$wanted $(to_study) $(to_check)" ;;
   browser) wanted="$wanted $(to_make_pages) $(to_study) $(to_check) $(to_browse)" ;;
   lint) wanted="$wanted $(to_make_pages) $(to_study) $(to_check) $(to_browse) $(to_lint)" ;;
+  nightly) wanted="$wanted $(to_make_pages) $(to_study) $(to_check) $(to_browse) $(to_lint) $(to_night)" ;;
   *)
-    echo "grader/setup.sh: --with takes pages, study, check, browser or lint, not \"$with\"" >&2
+    echo "grader/setup.sh: --with takes pages, study, check, browser, lint or nightly, not \"$with\"" >&2
     exit 2
     ;;
 esac
