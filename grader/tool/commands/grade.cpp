@@ -151,13 +151,12 @@ int grade(GradeOptions options) {
   }
   const Grading grading(std::move(settings));
   const Batch batch = grade_batch(grader_here(grading), plan, batch_settings, record, interrupted);
-  return report({.isolation = grading.isolation(), .memory_errors = grading.looks_for_memory_errors()},
-                options, plan, batch, record, times, open_to_others);
+  return report(grading.isolation(), options, plan, batch, record, times, open_to_others);
 }
 
 }  // namespace
 
-int report(const HowGraded& how, const GradeOptions& options, const Plan& plan, const Batch& batch,
+int report(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
            Record& record, const std::optional<Times>& times, const std::string& open_to_others) {
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
@@ -165,8 +164,8 @@ int report(const HowGraded& how, const GradeOptions& options, const Plan& plan, 
   if (!batch.staged) print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0 && !batch.staged) std::cout << ", " << batch.kept << " kept from before";
-  if (how.isolation == Isolation::none) std::cout << ", without a sandbox";
-  if (how.isolation == Isolation::container) std::cout << ", with a container's sandbox";
+  if (isolation == Isolation::none) std::cout << ", without a sandbox";
+  if (isolation == Isolation::container) std::cout << ", with a container's sandbox";
   if (options.settings.no_images) std::cout << ", without pictures";
   std::cout << "\n" << fs::absolute(record.pages() / "index.html").lexically_normal().string() << "\n";
   if (options.batch.regrade && !batch.staged) say_changes(record);

@@ -30,13 +30,8 @@ struct GradeOptions {
   bool junit = false;
 };
 
-struct HowGraded {
-  Isolation isolation = Isolation::namespaces;
-  bool memory_errors = true;
-};
-
 // Prints results and all that a person must look at. Returns hairgrade's exit code.
-int report(const HowGraded& how, const GradeOptions& options, const Plan& plan, const Batch& batch,
+int report(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
            Record& record, const std::optional<Times>& times = {}, const std::string& open_to_others = {});
 
 // Writes the plan for a cluster, tries one node, and sends tasks. Throws BadInput, and leaves nothing, if the
