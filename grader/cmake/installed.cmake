@@ -73,10 +73,24 @@ foreach(program hairgrade hairlab)
     COMMAND sh "${debian}/manual.sh" $<TARGET_FILE:${program}> "${PROJECT_VERSION}" "${manual}" VERBATIM)
   list(APPEND manuals "${manual}")
 endforeach()
-add_custom_command(OUTPUT changelog.gz COMMAND gzip -9nc "${debian}/changelog" > changelog.gz
-                   DEPENDS "${debian}/changelog" VERBATIM)
+file(CONFIGURE OUTPUT changelog CONTENT "hairgrade (${PROJECT_VERSION}) unstable; urgency=low
+
+  * The first package.
+
+ -- Course staff <staff@hairgrade.invalid>  Sun, 29 Nov 2026 00:00:00 +0000
+")
+add_custom_command(OUTPUT changelog.gz COMMAND gzip -9nc changelog > changelog.gz DEPENDS changelog VERBATIM)
+file(CONFIGURE OUTPUT copyright CONTENT
+"Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Upstream-Name: hairgrade
+
+Files: *
+Copyright: 2026 The authors of hairgrade
+License: none
+ The owner has not chosen a licence yet. All rights are reserved.
+")
 install(FILES ${manuals} DESTINATION share/man/man1)
-install(FILES "${debian}/copyright" "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz"
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/copyright" "${CMAKE_CURRENT_BINARY_DIR}/changelog.gz"
         DESTINATION share/doc/hairgrade)
 add_custom_target(packaged ALL DEPENDS ${manuals} changelog.gz hairgrade_parts hairstudy hair_golden
                   hair_motions ${solved} ${unsolved})
