@@ -2,11 +2,10 @@
 // as quickly as the forces allow. It is compiled into each file that calls it, because it calls exercises:
 // implicit_matrix, implicit_rhs and solve_plain (H4), and ConjGrad (S1).
 //
-// With a preconditioner (particles/preconditioner.h) whose M is the matrix, M^-1 rhs solves the system, and
-// ConjGrad has nothing to do. Otherwise dv starts at 0. Each solve takes the residual r = rhs - matrix dv,
-// solves (L^-1 matrix L^-T) y = L^-1 r, and adds L^-T y to dv. ConjGrad sees the norm of L^-1 r, but the
-// tolerance bounds the norm of r, so r is computed anew after each solve. There are at most three solves,
-// until the residual reaches the tolerance, rounding allows no less, or it no longer falls.
+// With a preconditioner (particles/preconditioner.h) dv starts at 0. Each solve takes the residual r = rhs -
+// matrix dv, solves (L^-1 matrix L^-T) y = L^-1 r, and adds L^-T y to dv. ConjGrad sees the norm of L^-1 r,
+// but the tolerance bounds the norm of r, so r is computed anew after each solve. There are at most three
+// solves, until the residual reaches the tolerance, rounding allows no less, or it no longer falls.
 //
 // Without a preconditioner, solve_plain solves. Rounding limits the tolerance that a stiff system can reach:
 // it leaves a residual of about 2^-53 ||matrix|| (||dv|| + ||rhs||). For a smaller tolerance, ConjGrad uses
@@ -51,22 +50,7 @@ inline SolveReport with_preconditioner(implicitMatrix& matrix, const Preconditio
   PreconditionedMatrix near_identity(matrix, preconditioner, work.col(2));
   SolveReport report;
   report.preconditioned = true;
-  report.rhs = rhs.norm();
-  const auto measure = [&] {  // left = rhs - matrix dv; returns its norm
-    matrix.matVecMult(dv.data(), left.data());
-    left = rhs - left;
-    const double residual = left.norm();
-    report.converged =
-        residual <= tolerance * report.rhs || preconditioner.rounding_allows(residual, dv.norm(), report.rhs);
-    return residual;
-  };
-  dv = rhs;
-  preconditioner.solve_lower(dv);
-  preconditioner.solve_lower_transposed(dv);
-  report.residual = measure();
-  if (report.converged) return report;
-
-  report.residual = report.rhs;
+  report.rhs = report.residual = rhs.norm();
   dv.setZero();
   left = rhs;
   for (int solve = 0; solve < kMostSolves && !report.converged; ++solve) {
@@ -77,13 +61,16 @@ inline SolveReport with_preconditioner(implicitMatrix& matrix, const Preconditio
     report.steps += steps;
     preconditioner.solve_lower_transposed(y);
     dv += y;
-    const double residual = measure();
+    matrix.matVecMult(dv.data(), left.data());
+    left = rhs - left;
+    const double residual = left.norm();
     if (!(residual < report.residual || residual == 0)) {  // the solve made the residual no smaller
       dv -= y;
-      report.converged = false;
       break;
     }
     report.residual = residual;
+    report.converged =
+        residual <= tolerance * report.rhs || preconditioner.rounding_allows(residual, dv.norm(), report.rhs);
   }
   return report;
 }

@@ -3,6 +3,8 @@
 
 #include "grader/class_folder/class_files.h"
 #include "grader/class_folder/folder_lock.h"
+#include "grader/class_folder/shared_plan.h"
+#include "grader/course/input.h"
 #include "grader/report/report.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
@@ -18,6 +20,9 @@ int forget(const OfARecord& options) {
     return 130;
   }
   if (!options.name.empty()) {
+    if (SharedPlan::in(options.folder))
+      throw BadInput(options.folder.string() + ": its hand-ins are on a cluster, which would bring " +
+                     printable(options.name) + " back; hairgrade collect first");
     hand_ins.front()->forget(options.name);
     for (const std::unique_ptr<Record>& one : hand_ins) remove_reports(one->pages(), options.name);
   }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "grader/class_folder/shared_plan.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/gradebook/recorded_grades.h"
@@ -164,6 +165,8 @@ int next() {
     return say(
         {"hairgrade handout", std::string("students need the course's handout") +
                                   (is_unwritten ? "; course.json is still as new-course wrote it" : "")});
+  if (Record::is_in(kGrades) && SharedPlan::in(kGrades))
+    return say({"hairgrade collect", "a cluster has hand-ins that are not in the grades yet"});
   for (const CourseHandIn& hand_in : hand_ins)
     if (const std::optional<Step> step = step_of(hand_in, !hand_in.name.empty())) return say(*step);
   std::cout << "Nothing waits. Put the next download into " << kDownloads << "/"
