@@ -151,13 +151,13 @@ int grade(GradeOptions options) {
   }
   const Grading grading(std::move(settings));
   const Batch batch = grade_batch(grader_here(grading), plan, batch_settings, record, interrupted);
-  return report(grading.isolation(), options, plan, batch, record, times, open_to_others);
+  return say_graded(grading.isolation(), options, plan, batch, record, times, open_to_others);
 }
 
 }  // namespace
 
-int report(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
-           Record& record, const std::optional<Times>& times, const std::string& open_to_others) {
+int say_graded(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
+               Record& record, const std::optional<Times>& times, const std::string& open_to_others) {
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   if (options.junit && !batch.staged) write_file(record.pages() / "junit.xml", junit_xml(batch.results));

@@ -31,8 +31,9 @@ struct GradeOptions {
 };
 
 // Prints results and all that a person must look at. Returns hairgrade's exit code.
-int report(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
-           Record& record, const std::optional<Times>& times = {}, const std::string& open_to_others = {});
+int say_graded(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
+               Record& record, const std::optional<Times>& times = {},
+               const std::string& open_to_others = {});
 
 // Writes the plan for a cluster, tries one node, and sends tasks. Throws BadInput, and leaves nothing, if the
 // node lacks a part.

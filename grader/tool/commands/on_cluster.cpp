@@ -235,7 +235,7 @@ int collect(GradeOptions options) {
                       [&](const Submission& one) { return shared.graded(numbers.at(one.name)); },
                       [](const Submission&, Graded&) {}};
   const Batch batch = grade_batch(grader, plan, settings, record, interrupted);
-  const int code = report(made_by->isolation, options, plan, batch, record);
+  const int code = say_graded(made_by->isolation, options, plan, batch, record);
   if (interrupted) return 130;
   if (missing.empty()) {
     fs::remove_all(shared / "");
