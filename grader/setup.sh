@@ -169,11 +169,10 @@ case $top in
 esac
 # Builds tests and benchmarks if their packages were installed once.
 tests=
-if [ "$with" = check ] || [ "$with" = browser ] || [ "$with" = lint ]; then
-  tests=ON
-elif [ ! -f "$top/build/release/CMakeCache.txt" ]; then
-  tests=OFF
-fi
+case $with in
+  check | browser | lint | nightly) tests=ON ;;
+  *) [ -f "$top/build/release/CMakeCache.txt" ] || tests=OFF ;;
+esac
 cmake -S "$top" --preset release ${tests:+-DBUILD_TESTING=$tests -DHAIR_BENCHMARKS=$tests} >/dev/null
 if [ -t 1 ]; then
   cmake --build "$top/build/release" --parallel --target "$@"

@@ -160,11 +160,12 @@ int next() {
     std::cout << step.command << "\n  # " << step.why << "\n";
     return 0;
   };
-  const bool is_unwritten = hair::bytes_of(kCourseFile) == unwritten_course_file();
-  if (!fs::exists(kHandout) && !Record::is_in(kGrades) && !download_of(""))
+  if (!fs::exists(kHandout) && !Record::is_in(kGrades) && !download_of("")) {
+    const bool is_unwritten = hair::bytes_of(kCourseFile) == unwritten_course_file();
     return say(
         {"hairgrade handout", std::string("students need the course's handout") +
                                   (is_unwritten ? "; course.json is still as new-course wrote it" : "")});
+  }
   if (Record::is_in(kGrades) && SharedPlan::in(kGrades))
     return say({"hairgrade collect", "a cluster has hand-ins that are not in the grades yet"});
   for (const CourseHandIn& hand_in : hand_ins)
