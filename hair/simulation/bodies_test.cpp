@@ -308,7 +308,7 @@ TEST(HangingBodies, HaveTheElasticasTipToTheSecondOrder) {
       Description description;
       description.method = Method::implicit_euler;
       description.gravity = Vector3d(0, 0, -g);
-      const Eigen::Vector2d exact = L * elastica(gamma).tip();
+      const Eigen::Vector2d exact = L * elastica(gamma).tip;
       double errors[2];
       for (const int fine : {0, 1}) {
         spec.elements = elements << fine;

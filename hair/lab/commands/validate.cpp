@@ -16,12 +16,8 @@ struct ValidateOptions : ShellOptions {
 };
 
 int list_validations(const Course& course) {
-  for (const Validation& one : all_validations(course.absent())) {
-    std::string exercises;
-    for (const std::string& id : one.exercises) exercises += (exercises.empty() ? "" : ", ") + id;
-    std::cout << one.id << ": " << one.title << " (" << (exercises.empty() ? "no exercise" : exercises)
-              << ")\n";
-  }
+  for (const Validation& one : all_validations(course.absent()))
+    std::cout << one.id << ": " << one.title << " (" << calls(one.exercises) << ")\n";
   return 0;
 }
 
@@ -66,14 +62,12 @@ int run(const ValidateOptions& options, const Course& course) {
     shell.keep(json_of(records), page_of(records), {{"validate.csv", check_rows(records)}});
   if (const int code = shell.end(records.size() == validations.size()); code != 0) return code;
 
-  const bool all_hold = std::all_of(records.begin(), records.end(),
-                                    [](const ValidationRecord& one) { return !one.ran() || one.holds(); });
+  const bool all_hold =
+      std::ranges::all_of(records, [](const ValidationRecord& one) { return !one.ran() || one.holds(); });
   // Validations that call no exercise need no stub's message.
-  const bool none_called = std::all_of(records.begin(), records.end(), [](const ValidationRecord& one) {
-    return !one.ran() || one.exercises.empty();
-  });
-  const auto stub =
-      std::find_if(records.begin(), records.end(), [](const ValidationRecord& one) { return !one.ran(); });
+  const bool none_called = std::ranges::all_of(
+      records, [](const ValidationRecord& one) { return !one.ran() || one.exercises.empty(); });
+  const auto stub = std::ranges::find_if(records, [](const ValidationRecord& one) { return !one.ran(); });
   if (stub != records.end() && none_called && all_hold) {
     std::cerr << "hairlab: this needs " << stub->left_out << "\n";
     return kNotWritten;

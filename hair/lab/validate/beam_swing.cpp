@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 #include "hair/lab/validate/clamped_hair.h"
@@ -21,13 +20,6 @@ struct SwingMethod {
   const char *id, *name;
   double (*undo)(double measured, double step);
   double (*decay)(double phase);  // decay of the amplitude in a step that turns by `phase`; or null
-
-  std::vector<std::string> exercises() const {
-    const auto own = row_of(method).exercises;
-    std::vector<std::string> all(own.begin(), own.end());
-    for (const char* force : {"H1", "H2"}) all.emplace_back(force);
-    return all;
-  }
 };
 
 // Both implicit methods multiply the amplitude by the cosine of the phase: see dispersion.h. With Runge-Kutta
@@ -37,16 +29,10 @@ double cosine_decay(double phase) {
 }
 
 constexpr SwingMethod kSwingMethods[] = {
+    {Method::runge_kutta_4, "rk4", "Runge-Kutta 4", undo_runge_kutta_4, nullptr},
     {Method::implicit_euler, "h4", "H4", undo_implicit_euler, cosine_decay},
     {Method::predictor_corrector, "h6", "H6", undo_filters, cosine_decay},
-    {Method::runge_kutta_4, "rk4", "Runge-Kutta 4", undo_runge_kutta_4, nullptr},
 };
-
-const SwingMethod& swing_method(Method method) {
-  for (const SwingMethod& one : kSwingMethods)
-    if (one.method == method) return one;
-  throw std::invalid_argument("no dispersion is known of this method");
-}
 
 struct BeamSwing {
   double step;  // s
@@ -90,11 +76,10 @@ BeamSwing sample_swing(const StrandStart& rest, const BeamModes& modes, Method m
   return result;
 }
 
-ValidationResult swing_beam(Method method, const ValidationSettings& settings) {
-  const SwingMethod known = swing_method(method);
+ValidationResult swing_beam(const SwingMethod& known, const ValidationSettings& settings) {
   const StrandStart rest = clamped_hair({}, kBeamSegments, kBeamLength, Vector3d::UnitX());
   const BeamModes modes = beam_modes(rest);
-  const BeamSwing swung = sample_swing(rest, modes, method, settings);
+  const BeamSwing swung = sample_swing(rest, modes, known.method, settings);
   const double phase = swung.fit.frequency / swung.steps;  // in a step
   const double measured = known.undo(phase / swung.step, swung.step) / modes.frequencies[0];
 
@@ -123,11 +108,18 @@ ValidationResult swing_beam(Method method, const ValidationSettings& settings) {
 
 }  // namespace
 
-Validation beam_swing(Method method) {
-  const SwingMethod known = swing_method(method);
-  return {std::string("beam-swing-") + known.id,
-          std::string("Clamped hair swings in its first mode, ") + known.name, known.exercises(),
-          [method](const ValidationSettings& settings) { return swing_beam(method, settings); }};
+std::vector<Validation> beam_swings() {
+  std::vector<Validation> all;
+  for (const SwingMethod& known : kSwingMethods) {
+    const auto own = row_of(known.method).exercises;
+    Validation& one = all.emplace_back();
+    one.id = std::string("beam-swing-") + known.id;
+    one.title = std::string("Clamped hair swings in its first mode, ") + known.name;
+    one.exercises.assign(own.begin(), own.end());
+    one.exercises.insert(one.exercises.end(), {"H1", "H2"});
+    one.run = [&known](const ValidationSettings& settings) { return swing_beam(known, settings); };
+  }
+  return all;
 }
 
 }  // namespace hair

@@ -1,12 +1,22 @@
-// The height at which standing hair buckles: from its stiffness, and from its motion.
+// The greatest height of standing hair: above a certain length it buckles under its own weight. Source: A. G.
+// Greenhill, "Determination of the greatest height consistent with stability ...", Proc. Cambridge Phil. Soc.
+// 4 (1881).
+//
+// For a clamped rod that leans by theta, with t the arc length from its free end over L: theta'' = -Gamma t
+// theta, theta'(0) = 0, theta(1) = 0. It buckles at Gamma = rho g A L^3 / EI = 7.8373, the first zero of
+//
+//   theta(1) = sum over k of (-Gamma)^k / ((2 . 3) (5 . 6) ... ((3k - 1) 3k)),     theta(0) = 1.
+//
+// For a strand: Rayleigh's quotient of that shape, with sums over joints and segments instead of integrals,
+// is
+//
+//   Gamma_n = Gamma (1 - Gamma (1/20 + 3 / 40 p) / n^2 + O(1/n^4)),   p = theta'(1)^2.
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "hair/lab/validate/clamped_hair.h"
-#include "hair/lab/validate/greenhill.h"
 #include "hair/lab/validate/planar_statics.h"
 #include "hair/lab/validate/validations.h"
 #include "solver/symmetric_eigen.h"
@@ -31,6 +41,44 @@ Lean lean(double gamma) {
   return sum;
 }
 
+double greenhill_number() {
+  double gamma = 8;
+  for (int i = 0; i < 20; ++i) {
+    const Lean at = lean(gamma);
+    gamma -= at.angle / at.by_gamma;
+  }
+  return gamma;
+}
+
+// Gamma (1/20 + 3 / 40 p): 0.5155, relative.
+double greenhill_error() {
+  const double gamma = greenhill_number(), slope = lean(gamma).slope;
+  return gamma * (1.0 / 20 + 3 / (40 * slope * slope));
+}
+
+// Standing hair at rest; each segment is compressed by the weight above its middle.
+StrandStart standing_hair(const Material& material, int segments, double length) {
+  StrandStart start = clamped_hair(material, segments, length, Vector3d::UnitZ());
+  const Strand& strand = start.strand;
+  double weight = kEarthGravity * strand.mass.sum();
+  for (int i = 0; i < segments; ++i) {
+    weight -= kEarthGravity * strand.mass[i];
+    start.state.x[3 * i + 5] =
+        start.state.x[3 * i + 2] + strand.rest_length[i] * (1 - weight / strand.stretch_rigidity);
+  }
+  return start;
+}
+
+// The smallest eigenvalue, N/m, of its sideways stiffness: it buckles if this is below 0.
+double softest_stiffness(const StrandStart& standing) {
+  const auto strand = under_gravity(standing, Vector3d(0, 0, -kEarthGravity));
+  const Eigen::MatrixXd K = planar_stiffness(strand->force, standing.state.x);
+  const int n = standing.strand.segments();
+  // Each particle has two unknowns; this takes the horizontal one.
+  const Eigen::MatrixXd sideways = K(Eigen::seqN(0, n, 2), Eigen::seqN(0, n, 2));
+  return solver::symmetric_eigenvalues(sideways)[0];
+}
+
 // The zero of the softest stiffness: a secant from either side, with bisection where it does not converge.
 // NaN if there is no zero from 6 to 9.
 double critical_gamma(const Material& material, int segments) {
@@ -49,7 +97,9 @@ double critical_gamma(const Material& material, int segments) {
   return (low + high) / 2;
 }
 
-ValidationResult find_heights(const ValidationSettings& settings) {
+}  // namespace
+
+ValidationResult buckling(const ValidationSettings& settings) {
   ValidationResult result;
   const Material hair;
   const double exact = greenhill_number();
@@ -67,7 +117,7 @@ ValidationResult find_heights(const ValidationSettings& settings) {
     const std::string n = std::to_string(segments);
     const double shorter = 3 * stretch;
     result.checks.push_back({"n" + n + "-error", n + " segments: relative error of the critical Gamma",
-                             "Rayleigh's quotient with the strand's energies (greenhill.h)", expected, error,
+                             "Rayleigh's quotient with the strand's energies (buckling.cpp)", expected, error,
                              expected * expected + shorter,
                              "the next term: about the square of this one; and W / EA of the height, cubed"});
     if (last != 0)
@@ -81,51 +131,6 @@ ValidationResult find_heights(const ValidationSettings& settings) {
   }
   result.tables = {table};
   return result;
-}
-
-}  // namespace
-
-double greenhill_number() {
-  double gamma = 8;
-  for (int i = 0; i < 20; ++i) {
-    const Lean at = lean(gamma);
-    gamma -= at.angle / at.by_gamma;
-  }
-  return gamma;
-}
-
-double greenhill_error() {
-  const double gamma = greenhill_number(), slope = lean(gamma).slope;
-  return gamma * (1.0 / 20 + 3 / (40 * slope * slope));
-}
-
-double strand_greenhill(int segments) {
-  return greenhill_number() * (1 - greenhill_error() / (segments * segments));
-}
-
-StrandStart standing_hair(const Material& material, int segments, double length) {
-  StrandStart start = clamped_hair(material, segments, length, Vector3d::UnitZ());
-  const Strand& strand = start.strand;
-  double weight = kEarthGravity * strand.mass.sum();
-  for (int i = 0; i < segments; ++i) {
-    weight -= kEarthGravity * strand.mass[i];
-    start.state.x[3 * i + 5] =
-        start.state.x[3 * i + 2] + strand.rest_length[i] * (1 - weight / strand.stretch_rigidity);
-  }
-  return start;
-}
-
-double softest_stiffness(const StrandStart& standing) {
-  const auto strand = under_gravity(standing, Vector3d(0, 0, -kEarthGravity));
-  const Eigen::MatrixXd K = planar_stiffness(strand->force, standing.state.x);
-  const int n = standing.strand.segments();
-  // Each particle has two unknowns; this takes the horizontal one.
-  const Eigen::MatrixXd sideways = K(Eigen::seqN(0, n, 2), Eigen::seqN(0, n, 2));
-  return solver::symmetric_eigenvalues(sideways)[0];
-}
-
-Validation buckling() {
-  return {"buckling", "The height at which hair that stands gets soft", {"H1", "H2"}, find_heights};
 }
 
 }  // namespace hair

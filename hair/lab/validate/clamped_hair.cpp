@@ -1,6 +1,5 @@
 #include "hair/lab/validate/clamped_hair.h"
 
-#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
@@ -10,10 +9,6 @@
 #include "solver/symmetric_eigen.h"
 
 namespace hair {
-
-double weight_over_stiffness(const Material& material, double length) {
-  return material.line_density() * kEarthGravity * std::pow(length, 3) / material.bend_rigidity();
-}
 
 double length_of(const Material& material, double weight_over_stiffness) {
   return std::cbrt(weight_over_stiffness * material.bend_rigidity() /

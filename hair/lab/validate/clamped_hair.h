@@ -14,8 +14,7 @@ using particles::kEarthGravity;
 
 inline constexpr double kBeamLength = 0.05;  // m, the length of hair that swings or bends as a beam
 
-// Gamma = rho g A L^3 / EI, weight over stiffness: 6.8 for human hair of 10 cm.
-double weight_over_stiffness(const Material& material, double length);
+// From Gamma = rho g A L^3 / EI, weight over stiffness: 6.8 for human hair of 10 cm.
 double length_of(const Material& material, double weight_over_stiffness);
 
 // At rest, starting at the origin; the root's tangent has the direction `direction` (of length 1).

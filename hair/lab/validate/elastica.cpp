@@ -36,23 +36,16 @@ struct Rod {
   }
 };
 
-// The curve from the tip to the clamp, kElasticaParts + 1 columns, by the classical method of Runge and
-// Kutta.
-Eigen::Matrix4Xd shoot(const Rod& rod, double psi_at_tip, int steps_per_part) {
-  Eigen::Matrix4Xd columns(4, kElasticaParts + 1);
-  Values y(psi_at_tip, rod.slope_at_tip(psi_at_tip), 0, 0);
-  const double h = 1.0 / (kElasticaParts * steps_per_part);
-  for (int part = 0; part <= kElasticaParts; ++part) {
-    columns.col(part) = y;
-    if (part == kElasticaParts) break;
-    for (int step = 0; step < steps_per_part; ++step) {
-      const double t = (part * steps_per_part + step) * h;
-      const Values k1 = rod.derivative(t, y), k2 = rod.derivative(t + h / 2, y + h / 2 * k1);
-      const Values k3 = rod.derivative(t + h / 2, y + h / 2 * k2), k4 = rod.derivative(t + h, y + h * k3);
-      y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
+// From the tip to the clamp, by the classical method of Runge and Kutta.
+Values shoot(const Rod& rod, Values y, int steps) {
+  const double h = 1.0 / steps;
+  for (int step = 0; step < steps; ++step) {
+    const double t = step * h;
+    const Values k1 = rod.derivative(t, y), k2 = rod.derivative(t + h / 2, y + h / 2 * k1);
+    const Values k3 = rod.derivative(t + h / 2, y + h / 2 * k2), k4 = rod.derivative(t + h, y + h * k3);
+    y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
-  return columns;
+  return y;
 }
 
 // The logarithm of psi at the clamp grows with that of psi at the tip, the more slowly the larger psi is,
@@ -61,14 +54,16 @@ Eigen::Matrix4Xd shoot(const Rod& rod, double psi_at_tip, int steps_per_part) {
 //
 // The remaining error is the last shot's distance from psi = psi_at_root. Errors grow along the way, so no
 // angle is off by more, and no point is off by more than that times its distance.
-Elastica solve(const Rod& rod, int steps_per_part) {
+Elastica solve(const Rod& rod, int steps) {
   const double target = std::log(rod.psi_at_root());
   double guess = target - 2.0 / 3 * std::sqrt(rod.gamma * (1 + rod.stretch)), slope = 1;
   double last_guess = 0, last_value = 0;
-  Eigen::Matrix4Xd columns;
+  Values tip = Values::Zero(), root = tip;
   for (int shot = 0; shot < 60; ++shot) {
-    columns = shoot(rod, std::exp(guess), steps_per_part);
-    const double value = std::log(columns(0, kElasticaParts));
+    const double psi = std::exp(guess);
+    tip = Values(psi, rod.slope_at_tip(psi), 0, 0);
+    root = shoot(rod, tip, steps);
+    const double value = std::log(root[0]);
     if (shot > 0 && guess != last_guess && value != last_value)
       slope = (value - last_value) / (guess - last_guess);
     last_guess = guess;
@@ -76,12 +71,7 @@ Elastica solve(const Rod& rod, int steps_per_part) {
     guess += (target - value) / slope;
     if (std::abs(target - value) <= 1e-13 * std::max(1.0, std::abs(guess))) break;
   }
-  Elastica result{Eigen::Matrix2Xd(2, kElasticaParts + 1)};
-  const Eigen::Vector2d root = rod.place(columns.col(kElasticaParts));
-  for (int part = 0; part <= kElasticaParts; ++part)
-    result.points.col(kElasticaParts - part) = root - rod.place(columns.col(part));
-  result.error = std::abs(columns(0, kElasticaParts) - rod.psi_at_root()) * (1 + rod.stretch);
-  return result;
+  return {rod.place(root) - rod.place(tip), std::abs(root[0] - rod.psi_at_root()) * (1 + rod.stretch)};
 }
 
 }  // namespace
@@ -93,24 +83,10 @@ Elastica elastica(double gamma, double stretch, double segments) {
                      "sqrt(Gamma) or more");
   const Rod rod{gamma, stretch, 1 / (segments * segments)};
   // At least a hundred steps while psi grows by a factor e.
-  const int steps = 10 + static_cast<int>(std::sqrt(gamma) * 100 / kElasticaParts);
+  const int steps = 80 * (10 + static_cast<int>(std::sqrt(gamma) * 100 / 80));
   Elastica result = solve(rod, 2 * steps);
-  result.error += (result.points - solve(rod, steps).points).colwise().norm().maxCoeff() / 15;
+  result.error += (result.tip - solve(rod, steps).tip).norm() / 15;
   return result;
-}
-
-bool has_an_order(double gamma, int segments) {
-  return segments >= 1.3 * std::sqrt(gamma);
-}
-
-double next_term(double gamma, int segments) {
-  return 9.0 / 80 * gamma / (segments * segments);
-}
-
-StrandElastica strand_elastica(double gamma, double stretch, int segments) {
-  const Eigen::Vector2d tip = elastica(gamma, stretch, segments).tip();
-  const double error = (tip - elastica(gamma, stretch).tip()).norm();
-  return {tip, error, error * (next_term(gamma, segments) + stretch) + 1e-12};
 }
 
 }  // namespace hair

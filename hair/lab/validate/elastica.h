@@ -30,16 +30,10 @@
 
 namespace hair {
 
-inline constexpr int kElasticaParts = 80;
-
 struct Elastica {
-  // Columns: the points at s = 0, 1 / kElasticaParts, ..., 1, over L: horizontal distance from the clamp, and
-  // down.
-  Eigen::Matrix2Xd points;
-  double error =
-      0;  // estimated error of a point, over L: from the same curve with half the steps, and the shot's miss
-
-  Eigen::Vector2d tip() const { return points.col(kElasticaParts); }
+  // Over L: horizontal distance from the clamp, and down.
+  Eigen::Vector2d tip;
+  double error = 0;  // its estimated error: from the same curve with half the steps, and the shot's miss
 };
 
 // gamma > 0, at most 1e6; stretch = W / EA from 0 to 1.
@@ -59,28 +53,5 @@ struct Elastica {
 // Throws std::invalid_argument for arguments out of bounds.
 Elastica elastica(double gamma, double stretch = 0,
                   double segments = std::numeric_limits<double>::infinity());
-
-// ---- A hanging strand with a horizontal clamp, and its deviation from the elastica ----
-
-// True if segments are shorter than the boundary layer at the clamp: only then errors have an order.
-bool has_an_order(double gamma, int segments);
-
-// The ratio of the error's second term to its first. In the boundary layer at the clamp, 4 n^2 sinh^2(mu /
-// 2n) = Gamma: the strand's decay rate is mu = sqrt(Gamma) (1 - q / 24 + 3 q^2 / 640 - ...), q = Gamma / n^2,
-// so that the second term is 9/80 q of the first.
-double next_term(double gamma, int segments);
-
-struct StrandElastica {
-  Eigen::Vector2d tip;   // over L, from the curve that a strand follows to fourth order
-  double error = 0;      // its distance from the rod's tip
-  double tolerance = 0;  // the largest allowed distance of a strand from `tip`
-};
-
-// Requires has_an_order(gamma, segments).
-StrandElastica strand_elastica(double gamma, double stretch, int segments);
-
-// For reports: the origin of the tolerance.
-inline constexpr const char* kStrandElasticaTolerance =
-    "the error's next term, 9/80 Gamma / n^2 of it, its stretch, and where Newton's method ends";
 
 }  // namespace hair

@@ -1,6 +1,5 @@
 #include "hair/lab/validate/hanging_chain.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -58,6 +57,16 @@ double softening(const HangingChain& chain, double x, const Eigen::VectorXd& ang
     }
   }
   return -4 * (tau + nu / (chain.square_unit() * x)) / inertia;
+}
+
+double period_ratio(double angle) {
+  double a = 1, g = std::cos(angle / 2);
+  while (std::abs(a - g) > 1e-15) {
+    const double mean = (a + g) / 2;
+    g = std::sqrt(a * g);
+    a = mean;
+  }
+  return 1 / a;
 }
 
 }  // namespace hair

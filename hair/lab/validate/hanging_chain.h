@@ -51,4 +51,13 @@ Eigen::VectorXd mode_angles(const HangingChain& chain, double x);
 // For one mass this is the pendulum's -1/16.
 double softening(const HangingChain& chain, double x, const Eigen::VectorXd& angles);
 
+// T/T0 of a pendulum with the amplitude `angle`, where T0 = 2 pi sqrt(l/g) is the period of a small swing:
+//
+//   T/T0 = (2/pi) K(sin(angle/2)) = 1 / agm(1, cos(angle/2)),
+//
+// with K the complete elliptic integral of the first kind and agm the arithmetic-geometric mean (L. D. Landau
+// and E. M. Lifshitz, "Mechanics", section 11, problem 1; M. Abramowitz and I. A. Stegun, 17.6). 0 <= angle <
+// pi.
+double period_ratio(double angle);
+
 }  // namespace hair

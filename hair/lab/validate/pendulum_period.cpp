@@ -5,7 +5,6 @@
 #include <numbers>
 #include <string>
 
-#include "hair/lab/validate/pendulum.h"
 #include "hair/lab/validate/validations.h"
 
 namespace hair {
@@ -45,6 +44,29 @@ double extrapolated(double coarse, double fine, int order) {
   return fine + (fine - coarse) / (std::exp2(order) - 1);
 }
 
+// T/T0 as period_ratio, measured with one mass on one link, with `steps_per_small_period` steps for T0: four
+// times the time from the release to the lowest point, so that a method's later losses don't matter. NaN if
+// the mass never gets there.
+double measured_period_ratio(const ChainMethod& method, double angle, int steps_per_small_period,
+                             const ValidationSettings& settings) {
+  HangingChain chain{Eigen::VectorXd::Constant(1, 1e-7)};
+  // Each step stretches by this much, and the correction's damping adds up over more, smaller steps.
+  chain.stretch = 1e-11;
+  const double small_period = 2 * std::numbers::pi / std::sqrt(chain.square_unit());
+  const double h = small_period / steps_per_small_period;
+  const particles::State start = turned(chain, Eigen::VectorXd::Constant(1, angle));
+  SceneRun run(method.scene(chain, start, h));
+  Swing before = swing_of(chain, start);
+  for (int k = 0; k < kLongest * steps_per_small_period; ++k) {
+    if (k % 1000 == 0) settings.go_on();
+    if (run.advance()) break;
+    const Swing after = swing_of(chain, run.state());
+    if (after.angle <= 0) return 4 * (k + part_until_straight(before, after, h)) / steps_per_small_period;
+    before = after;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 struct Periods {
   std::array<int, 3> steps;        // for a small swing's period
   std::array<double, 3> measured;  // T/T0
@@ -60,21 +82,18 @@ Periods measure_periods(const ChainMethod& method, double angle, const Validatio
 
 Check check_of(const Periods& periods, double degrees, double expected, int order) {
   const auto& [coarse, middle, fine] = periods.measured;
-  Check check;
-  check.id = "period-" + to_text(degrees);
-  check.shows = "out to " + to_text(degrees) + " degrees: T/T0, of four quarters, extrapolated to h = 0";
-  check.source =
-      "1/agm(1, cos(angle/2)): Landau and Lifshitz, Mechanics, section 11; Abramowitz and Stegun, 17.6";
-  check.expected = expected;
-  check.measured = extrapolated(middle, fine, order);
-  const double change = std::abs(check.measured - extrapolated(coarse, middle, order));
+  const double measured = extrapolated(middle, fine, order);
+  const double change = std::abs(measured - extrapolated(coarse, middle, order));
   // Steps of w0 h = 2 pi/steps; a method that has lost an order changes more than that.
   const double next_term = std::pow(2 * std::numbers::pi / periods.steps[2], order + 1);
-  check.tolerance = change < next_term ? change : next_term;
-  check.tolerance_from =
-      "by how much halving the steps changed the extrapolated value: 3 times its error or more; but not "
-      "more than (2 pi/steps)^(order + 1), the order's next term";
-  return check;
+  return {"period-" + to_text(degrees),
+          "out to " + to_text(degrees) + " degrees: T/T0, of four quarters, extrapolated to h = 0",
+          "1/agm(1, cos(angle/2)): Landau and Lifshitz, Mechanics, section 11; Abramowitz and Stegun, 17.6",
+          expected,
+          measured,
+          change < next_term ? change : next_term,
+          "by how much halving the steps changed the extrapolated value: 3 times its error or more; but not "
+          "more than (2 pi/steps)^(order + 1), the order's next term"};
 }
 
 // The order from three step sizes. For a h^p + b h^(p+1) it is p + log2((1 + r) / (1 + r/2)), about p + r / 2
@@ -82,21 +101,18 @@ Check check_of(const Periods& periods, double degrees, double expected, int orde
 // / 2 (2^p - 1) of that difference.
 Check check_of_order(const Periods& periods, double degrees, int order) {
   const auto& [coarse, middle, fine] = periods.measured;
-  Check check;
-  check.id = "order";
-  check.shows = "out to " + to_text(degrees) + " degrees: order of the error";
-  check.source =
-      order == 1 ? "H6 loses (h/2) times the cube of the angle's rate: the README's \"Truth from outside\""
-                 : "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1";
-  check.expected = order;
-  check.measured = std::log2((coarse - middle) / (middle - fine));
   const double change = std::abs(extrapolated(middle, fine, order) - extrapolated(coarse, middle, order));
   const double shift = (std::exp2(order) - 1) * change / std::abs(coarse - middle) / std::numbers::ln2;
-  check.tolerance = std::min(0.5, 2 * shift);
-  check.tolerance_from =
+  return {
+      "order",
+      "out to " + to_text(degrees) + " degrees: order of the error",
+      order == 1 ? "H6 loses (h/2) times the cube of the angle's rate: the README's \"Truth from outside\""
+                 : "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1",
+      static_cast<double>(order),
+      std::log2((coarse - middle) / (middle - fine)),
+      std::min(0.5, 2 * shift),
       "twice what the series' next term, measured by how much the extrapolated value changed, makes of it; "
-      "but not more than a half, where another order is as near";
-  return check;
+      "but not more than a half, where another order is as near"};
 }
 
 ValidationResult swing(const ChainMethod& method, const ValidationSettings& settings) {
@@ -116,37 +132,6 @@ ValidationResult swing(const ChainMethod& method, const ValidationSettings& sett
 }
 
 }  // namespace
-
-double period_ratio(double angle) {
-  double a = 1, g = std::cos(angle / 2);
-  while (std::abs(a - g) > 1e-15) {
-    const double mean = (a + g) / 2;
-    g = std::sqrt(a * g);
-    a = mean;
-  }
-  return 1 / a;
-}
-
-double measured_period_ratio(const ChainMethod& method, double angle, int steps_per_small_period,
-                             const ValidationSettings& settings) {
-  HangingChain chain{Eigen::VectorXd::Constant(1, 1e-7)};
-  // Each step stretches by this much, and the correction's damping adds up over more, smaller steps.
-  chain.stretch = 1e-11;
-  const double small_period = 2 * std::numbers::pi / std::sqrt(chain.square_unit());
-  const double h = small_period / steps_per_small_period;
-  const particles::State start = turned(chain, Eigen::VectorXd::Constant(1, angle));
-  const std::unique_ptr<MovingChain> moving = method.start(chain, start, h);
-  Swing before = swing_of(chain, start);
-  for (int k = 0; k < kLongest * steps_per_small_period; ++k) {
-    if (k % 1000 == 0) settings.go_on();
-    moving->step();
-    const Swing after = swing_of(chain, moving->state());
-    if (!std::isfinite(after.angle) || !std::isfinite(after.rate)) break;
-    if (after.angle <= 0) return 4 * (k + part_until_straight(before, after, h)) / steps_per_small_period;
-    before = after;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
 
 Validation pendulum_period(const ChainMethod& method) {
   return {"pendulum-" + method.id, "The period of a pendulum's large swings, " + method.name,

@@ -109,43 +109,31 @@ Eigen::VectorXd forces(const particles::Force& force, const Eigen::VectorXd& x) 
 Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input x) {
   const Eigen::Index size = 2 * (x.size() / 3 - 1);
   const Eigen::VectorXd v = Eigen::VectorXd::Zero(x.size());
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
-  constexpr Eigen::Index kGroups = 10;
-  Eigen::VectorXd dx(x.size()), df(x.size());
-  for (Eigen::Index group = 0; group < std::min(kGroups, size); ++group) {
-    dx.setZero();
-    df.setZero();
-    for (Eigen::Index j = group; j < size; j += kGroups) dx[place(j)] = 1;
+  Eigen::MatrixXd K(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    Eigen::VectorXd dx = v, df = v;
+    dx[place(j)] = 1;
     force.add_dfdx(x, v, dx, df);
-    for (Eigen::Index j = group; j < size; j += kGroups)
-      for (Eigen::Index i = std::max<Eigen::Index>(0, j / 2 * 2 - 4);
-           i < std::min<Eigen::Index>(size, j / 2 * 2 + 6); ++i)
-        K(i, j) = -df[place(i)];
+    for (Eigen::Index i = 0; i < size; ++i) K(i, j) = -df[place(i)];
   }
   return K;
 }
 
-Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x) {
-  Balance balance;
-  balance.x = std::move(x);
+Eigen::Vector2d tip_in_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x) {
   // A coordinate is accurate to 2^-53 of the strand's length, and so a segment's force to EA / l0 of that.
   const double length = strand.rest_length.sum(), segment = strand.rest_length.minCoeff();
-  balance.rounding = 16 * 0x1p-53 * strand.stretch_rigidity * length / segment;
-  for (;;) {
-    const Eigen::VectorXd f = forces(force, balance.x);
-    balance.residual = f.cwiseAbs().maxCoeff();
-    if (!(balance.change > kLeastChange) || balance.iterations == kMostIterations) return balance;
-    const Eigen::VectorXd step = newton_step(force, balance.x, f);
-    balance.change = largest_change(balance.x, step);
-    balance.x = take(balance.x, std::min(1.0, kMostChange / balance.change) * step);
-    ++balance.iterations;
+  const double rounding = 16 * 0x1p-53 * strand.stretch_rigidity * length / segment;
+  double change = 1;  // the largest one in the last iteration: radians, or parts of a segment
+  for (int iteration = 0;; ++iteration) {
+    const Eigen::VectorXd f = forces(force, x);
+    if (!(change > kLeastChange) || iteration == kMostIterations) {
+      if (f.cwiseAbs().maxCoeff() <= rounding && change <= 1e-9) return {x[x.size() - 3], -x[x.size() - 1]};
+      return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
+    const Eigen::VectorXd step = newton_step(force, x, f);
+    change = largest_change(x, step);
+    x = take(x, std::min(1.0, kMostChange / change) * step);
   }
-}
-
-Eigen::Vector2d tip_of(const Balance& balance) {
-  const Eigen::VectorXd& x = balance.x;
-  if (balance.found()) return {x[x.size() - 3], -x[x.size() - 1]};
-  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace hair

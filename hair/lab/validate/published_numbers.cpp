@@ -2,7 +2,6 @@
 #include <string>
 
 #include "hair/lab/validate/elastica.h"
-#include "hair/lab/validate/pendulum.h"
 #include "hair/lab/validate/validations.h"
 
 namespace hair {
@@ -18,7 +17,9 @@ void add(ValidationResult& result, const std::string& id, const std::string& sho
       {id, shows, source, published, computed, tolerance, "half of the last digit that is printed"});
 }
 
-ValidationResult compare(const ValidationSettings&) {
+}  // namespace
+
+ValidationResult published_numbers(const ValidationSettings&) {
   ValidationResult result;
   const std::string laguerre = "Abramowitz and Stegun, table 25.9";
   add(result, "laguerre-2", "the smallest zero of L_2", laguerre, 0.585786, laguerre_zeros(2)[0], kSixDigits);
@@ -42,21 +43,12 @@ ValidationResult compare(const ValidationSettings&) {
     const Elastica curve = elastica(gamma);
     const std::string id = "elastica-" + to_text(gamma),
                       shows = "hair clamped level, Gamma = " + to_text(gamma);
-    add(result, id + "-width", shows + ": the tip's x / L", "the assignment's numbers", width, curve.tip()[0],
+    add(result, id + "-width", shows + ": the tip's x / L", "the assignment's numbers", width, curve.tip[0],
         kSixDigits + curve.error);
-    add(result, id + "-drop", shows + ": the tip's drop / L", "the assignment's numbers", drop,
-        curve.tip()[1], kSixDigits + curve.error);
+    add(result, id + "-drop", shows + ": the tip's drop / L", "the assignment's numbers", drop, curve.tip[1],
+        kSixDigits + curve.error);
   }
   return result;
-}
-
-}  // namespace
-
-Validation published_numbers() {
-  return {"published-numbers",
-          "Numbers that the rest is compared with, as computed here, beside what is printed",
-          {},
-          compare};
 }
 
 }  // namespace hair

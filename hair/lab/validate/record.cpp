@@ -12,12 +12,6 @@ std::string with_unit(const Check& check) {
   return check.unit.empty() ? check.shows : check.shows + ", " + check.unit;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string nine_digits(double value) {
   return printed("%.9g", value);
 }
@@ -53,8 +47,7 @@ std::string outcome(const ValidationRecord& record) {
 
 Section section_of(const ValidationRecord& record) {
   Section section{record.title,
-                  {"hairlab validate " + record.id + " calls " +
-                   (record.exercises.empty() ? "no exercise" : joined(record.exercises)) + ": " +
+                  {"hairlab validate " + record.id + " calls " + calls(record.exercises) + ": " +
                    outcome(record) + ". " + printed("%.2g", record.cpu_seconds) + " s of CPU time."}};
   const ValidationResult& result = record.result;
   if (result.checks.empty()) return section;
@@ -80,10 +73,15 @@ OrderedJson json_of_tables(const std::vector<Table>& tables) {
 
 }  // namespace
 
+std::string calls(const std::vector<std::string>& exercises) {
+  std::string text;
+  for (const std::string& id : exercises) text += (text.empty() ? "" : ", ") + id;
+  return text.empty() ? "no exercise" : text;
+}
+
 bool ValidationRecord::holds() const {
   return ran() && broke.empty() &&
-         std::all_of(result.checks.begin(), result.checks.end(),
-                     [](const Check& check) { return check.holds(); });
+         std::ranges::all_of(result.checks, [](const Check& check) { return check.holds(); });
 }
 
 std::string summary(const std::vector<ValidationRecord>& records) {
@@ -108,20 +106,15 @@ std::string terminal_text(const ValidationRecord& record) {
   if (!record.ran() || !record.broke.empty()) return text + "  " + outcome(record) + "\n";
   std::size_t width = 4;
   for (const Check& check : record.result.checks) width = std::max(width, with_unit(check).size());
-  const auto line = [&](const std::string& what, const std::string& rest) {
-    return "  " + what + std::string(width - what.size(), ' ') + rest + "\n";
-  };
-  const auto columns = [](const char* a, const char* b, const char* c, const char* d, const char* e) {
+  const auto line = [&](const std::vector<std::string>& row, const char* verdict) {
     char rest[120];
-    std::snprintf(rest, sizeof rest, " %13s %13s %8s %8s  %s", a, b, c, d, e);
-    return std::string(rest);
+    std::snprintf(rest, sizeof rest, " %13s %13s %8s %8s  %s\n", row[1].c_str(), row[2].c_str(),
+                  row[3].c_str(), row[4].c_str(), verdict);
+    return "  " + row[0] + std::string(width - row[0].size(), ' ') + rest;
   };
-  text += line("", columns("expected", "measured", "error", "tolerance", ""));
-  for (const Check& check : record.result.checks) {
-    const std::vector<std::string> row = table_of({found(check)}, "").rows[0];
-    text += line(row[0], columns(row[1].c_str(), row[2].c_str(), row[3].c_str(), row[4].c_str(),
-                                 check.holds() ? "ok" : "DOES NOT HOLD"));
-  }
+  text += line({"", "expected", "measured", "error", "tolerance"}, "");
+  for (const Check& check : record.result.checks)
+    text += line(table_of({found(check)}, "").rows[0], check.holds() ? "ok" : "DOES NOT HOLD");
   return text;
 }
 
@@ -145,12 +138,11 @@ std::vector<Row> check_rows(const std::vector<ValidationRecord>& records) {
 }
 
 Page page_of(const std::vector<ValidationRecord>& records) {
-  Page page{
-      "Truth from outside",
-      {"What theory says of hair and of the methods that move it, beside what the exercises' code does. A "
-       "check holds if measured and expected differ by the tolerance at most, and the theory says how much "
-       "that is.",
-       summary(records) + "."}};
+  Page page{"Truth from outside",
+            {"What theory says of hair and of the methods that move it, beside what the exercises' code "
+             "does. A check holds if measured and expected differ by the tolerance at most, and the theory "
+             "says how much that is.",
+             summary(records) + "."}};
   for (const ValidationRecord& record : records) page.sections.push_back(section_of(record));
   return page;
 }

@@ -21,6 +21,8 @@ struct ValidationRecord {
   bool holds() const;  // it ran, and all of its checks hold
 };
 
+std::string calls(const std::vector<std::string>& exercises);  // "S1, H1"; or "no exercise"
+
 // "41 of 42 checks hold; 1 of 9 validations broke; 2 of 9 validations are left out": a validation that broke
 // or was left out has no checks.
 std::string summary(const std::vector<ValidationRecord>& records);

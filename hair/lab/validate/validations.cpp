@@ -16,13 +16,24 @@ void ValidationSettings::go_on() const {
 }
 
 std::vector<Validation> all_validations(const std::vector<std::string>& absent) {
-  std::vector<Validation> all = {published_numbers()};
+  std::vector<Validation> all = {
+      {"published-numbers",
+       "Numbers that the rest is compared with, as computed here, beside what is printed",
+       {},
+       published_numbers}};
   for (const ChainMethod* method : {&chain_by_h6(), &chain_by_rods()})
     for (const auto& make : {pendulum_period, chain_oscillations}) all.push_back(make(*method));
-  for (const auto& make : {hair_at_rest, beam_frequencies, buckling}) all.push_back(make());
-  for (const Method method : {Method::runge_kutta_4, Method::implicit_euler, Method::predictor_corrector})
-    all.push_back(beam_swing(method));
-  all.push_back(curl_gives_way());
+  all.push_back({"elastica",
+                 "Hair that is clamped level bends under its own weight like the elastica",
+                 {"H1", "H2"},
+                 hair_at_rest});
+  all.push_back({"beam-frequencies",
+                 "Frequencies of hair that is clamped and weighs nothing",
+                 {"H1", "H2"},
+                 beam_frequencies});
+  all.push_back({"buckling", "The height at which hair that stands gets soft", {"H1", "H2"}, buckling});
+  for (Validation& one : beam_swings()) all.push_back(std::move(one));
+  all.push_back({"curl-gives-way", "A hanging curl leaves its plane: super-helices", {"H8"}, curl_gives_way});
   std::erase_if(all, [&](const Validation& one) { return calls_absent(one.exercises, absent); });
   return all;
 }

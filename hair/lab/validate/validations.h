@@ -1,26 +1,21 @@
-// The functions that return the validations.
+// The validations, and the functions that run them.
 #pragma once
 
 #include "hair/lab/validate/chain_methods.h"
-#include "hair/lab/validate/validation.h"
-#include "hair/simulation/simulation.h"
 
 namespace hair {
-
-// In published_numbers.cpp; calls no exercise.
-Validation published_numbers();
-
-// In curl_gives_way.cpp, which is compiled if the course has H8.
-Validation curl_gives_way();
 
 // They keep a reference to the method. In pendulum_period.cpp, then chain_oscillations.cpp.
 Validation pendulum_period(const ChainMethod& method);
 Validation chain_oscillations(const ChainMethod& method);
 
-// With bending: clamped hair as a rod and as a beam.
-Validation hair_at_rest();
-Validation beam_frequencies();
-Validation beam_swing(Method method);  // H4, H6 or Runge-Kutta 4
-Validation buckling();
+std::vector<Validation> beam_swings();  // by Runge-Kutta 4, H4 and H6
+
+// Others, each in its own file.
+ValidationResult published_numbers(const ValidationSettings&);
+ValidationResult hair_at_rest(const ValidationSettings& settings);
+ValidationResult beam_frequencies(const ValidationSettings& settings);
+ValidationResult buckling(const ValidationSettings& settings);
+ValidationResult curl_gives_way(const ValidationSettings& settings);
 
 }  // namespace hair
