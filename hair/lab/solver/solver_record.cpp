@@ -14,8 +14,6 @@ Value digits_left(double error) {
   return std::isfinite(error) ? Value(std::round(10 * std::max(0.0, -std::log10(error))) / 10) : Value();
 }
 
-}  // namespace
-
 Row row_of_history(const History& history) {
   return {{"system", "", history.system},
           {"unknowns", "", history.n},
@@ -31,6 +29,8 @@ Row row_of_progress(const Progress& one) {
           {"claimed", "", std::isnan(one.claimed) ? Value() : Value(one.claimed), {"as the solver says"}},
           {"seconds", "", one.seconds, {"CPU time, s"}}};
 }
+
+}  // namespace
 
 Row row_of_needed(const IterationsNeeded& one) {
   return {{"condition", "", one.condition, {"condition number"}},

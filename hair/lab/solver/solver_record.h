@@ -1,5 +1,5 @@
-// The solver's study: solver.json, the rows of its CSV files and of the page's tables, and the page. In
-// solver.json:
+// The solver's study: solver.json, the rows of its CSV files and of the page's tables, the page, and its
+// sentences. In solver.json:
 //
 //   program, quick, machine, format, seconds, left_out (null, or why there are no normal equations)
 //   convergence         histories: family, system, solver, unknowns, condition, and progress: iterations,
@@ -24,13 +24,30 @@ namespace hair::solver_lab {
 OrderedJson solver_json(const solver::study::SolverStudy& study, const std::string& left_out);
 Page solver_page(const solver::study::SolverStudy& study, const std::string& left_out);
 
-Row row_of_history(const solver::study::History& history);
-Row row_of_progress(const solver::study::Progress& progress);
 Row row_of_needed(const solver::study::IterationsNeeded& needed);
 Row row_of_digits(const solver::study::DigitsLost& digits);
 
 // The rows of all systems have a history's columns, then those of its progress; and the direct solves.
 std::vector<Row> convergence_rows(const std::vector<solver::study::Compared>& systems);
 std::vector<Row> direct_rows(const std::vector<solver::study::Compared>& systems);
+
+// ---- The conclusions, as sentences ----
+//
+// The numbers decide each sentence, because the studied code may be wrong.
+
+// Compares ConjGrad's errors with the theory's bound, as long as they are well above rounding.
+std::string bound_verdict(const std::vector<solver::study::Compared>& systems);
+
+// The times of ConjGrad, Eigen's conjugate gradients and the direct solver on the first and the last system.
+std::string time_verdict(const std::vector<solver::study::Compared>& systems);
+
+// Names systems for which ConjGrad took more iterations than the bound, compared with Eigen's.
+std::string needed_verdict(const std::vector<solver::study::IterationsNeeded>& needed);
+
+// Names systems for which the normal equations used all iterations; empty if there are none.
+std::string stopped_verdict(const std::vector<solver::study::DigitsLost>& digits);
+
+// "h = 10 ms" of "strand, h = 10 ms".
+std::string step_of(const std::string& system);
 
 }  // namespace hair::solver_lab

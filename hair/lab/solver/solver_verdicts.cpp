@@ -1,9 +1,6 @@
-#include "hair/lab/solver/solver_verdicts.h"
+#include "hair/lab/solver/solver_record.h"
 
 #include <algorithm>
-#include <optional>
-
-#include "hair/io/plot/page.h"
 
 namespace hair::solver_lab {
 
@@ -24,8 +21,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 // The first progress with an error below kGood; null if there is none.
 const Progress* good(const History& history) {
-  const auto found = std::find_if(history.progress.begin(), history.progress.end(),
-                                  [](const Progress& one) { return one.error <= kGood; });
+  const auto found =
+      std::ranges::find_if(history.progress, [](const Progress& one) { return one.error <= kGood; });
   return found == history.progress.end() ? nullptr : &*found;
 }
 
@@ -46,10 +43,9 @@ std::string bound_verdict(const std::vector<Compared>& systems) {
   for (const Compared& on : systems) {
     const History& history = on.conj_grad;
     // NaN counts as above, too.
-    const auto points =
-        std::count_if(history.progress.begin(), history.progress.end(), [&](const Progress& one) {
-          return !(one.error <= std::max(kAboveRounding, error_bound(history.condition, one.iterations)));
-        });
+    const auto points = std::ranges::count_if(history.progress, [&](const Progress& one) {
+      return !(one.error <= std::max(kAboveRounding, error_bound(history.condition, one.iterations)));
+    });
     if (points > 0)
       above.push_back(history.system + " (" + std::to_string(points) + " of " +
                       std::to_string(history.progress.size()) + " points)");
