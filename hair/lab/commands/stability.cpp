@@ -19,8 +19,7 @@ int run(const StabilityOptions& options, const Course& course) {
   const Scene scene = read_course_scene(options.scene, course);
   StabilitySettings settings = options.settings;
   settings.absent = course.absent();
-  settings.quick = options.quick;
-  if (options.quick) settings.maps = quick_maps();
+  if (options.quick) settings.maps = kQuickMaps;
   StudyShell shell(options, "hairlab stability", "stability.json",
                    {"index.html", "boundaries.csv", "curves.csv", "extremes.csv"}, WhenInterrupted::keeps);
   StabilityReport report = study_stability(scene, settings, shell.interrupted(), shell.teller());
@@ -37,8 +36,7 @@ int run(const StabilityOptions& options, const Course& course) {
                 {"extremes.csv", rows_of(report.extremes, row_of_extreme)}});
   } else if (!report.interrupted) {
     std::cerr << "hairlab: no method is left; nothing is written\n";
-    return std::any_of(report.left_out.begin(), report.left_out.end(),
-                       [](const LeftOut& one) { return one.stub.has_value(); })
+    return std::ranges::any_of(report.left_out, [](const LeftOut& one) { return one.stub.has_value(); })
                ? kNotWritten
                : kBroke;
   }

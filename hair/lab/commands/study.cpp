@@ -46,15 +46,13 @@ std::vector<StudyMethod> chosen_methods(const Problem& problem, const StudyOptio
 
 // True if a run took a step.
 bool has_runs(const Study& study) {
-  return std::any_of(study.sweeps.begin(), study.sweeps.end(),
-                     [](const Sweep& sweep) { return !sweep.runs.empty(); });
+  return std::ranges::any_of(study.sweeps, [](const Sweep& sweep) { return !sweep.runs.empty(); });
 }
 
 int run(const StudyOptions& options, const Course& course) {
   if (!have_accurate_motion()) {
-    std::cerr
-        << "hairlab: a study needs SUNDIALS, and this hairlab was built without it: install libsundials-dev, "
-           "then configure and build anew\n";
+    std::cerr << "hairlab: a study needs SUNDIALS, and this hairlab was built without it: install "
+                 "libsundials-dev, then configure and build anew\n";
     return kBroke;
   }
   // Also nan, which CLI::Range lets pass.
@@ -70,32 +68,33 @@ int run(const StudyOptions& options, const Course& course) {
   StudySettings settings;
   settings.most_work = options.quick ? kMostQuickWork : kMostWork;
   if (options.quick) settings.repeats.enough = kEnoughQuick;
-  Study study = prepare_study(problem, methods, settings);
+  shell.say("the accurate motion");
+  std::optional<AccurateMotion> motion =
+      accurate_motion(problem, {kTightest, options.no_cache ? std::nullopt : cache_folder()}, interrupted);
+  if (!motion) return shell.end(false);
+  Study study = prepare_study(problem, methods, settings, std::move(*motion));
   study.quick = options.quick;
   study.strand = options.strand;
 
-  shell.say("the accurate motion");
-  const std::optional<AccurateMotion> motion =
-      accurate_motion(problem, {kTightest, options.no_cache ? std::nullopt : cache_folder()}, interrupted);
-  if (!motion) return shell.end(false);
-  set_reference(problem, *motion, study);
-
   // If an exercise never returns, only the results of the last second are lost.
+  const auto keep = [&] {
+    shell.keep(study_json(study), study_page(study), {{"study.csv", run_rows(study)}});
+  };
   auto kept = Clock::now() - kKeptEvery;
   settings.progress = [&](const std::string& what) {
     shell.say(what);
     if (!has_runs(study) || Clock::now() - kept < kKeptEvery) return;
-    shell.keep(study_json(study), study_page(study), {{"study.csv", run_rows(study)}});
+    keep();
     kept = Clock::now();
   };
   shell.say("the space error");
   study.space_error = space_error(problem, interrupted);
-  const bool finished = finish_study(problem, *motion, settings, study, interrupted);
-  if (finished && options.methods.empty()) add_written_down(problem, *motion, study, interrupted);
+  const bool finished = finish_study(problem, settings, study, interrupted);
+  if (finished && options.methods.empty()) add_written_down(problem, study, interrupted);
   shell.say("");
 
   if (has_runs(study)) {
-    shell.keep(study_json(study), study_page(study), {{"study.csv", run_rows(study)}});
+    keep();
     for (const Sweep& sweep : study.sweeps)
       if (!sweep.left_out.empty())
         std::cerr << "hairlab: " << sweep.method.name << " is left out: " << missing_part(sweep.left_out)

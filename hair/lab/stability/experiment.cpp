@@ -24,17 +24,8 @@ Eigen::VectorXd energies_in(const Modes& modes, const Hanging& hanging, const pa
 }  // namespace
 
 const char* fate_name(Fate fate) {
-  switch (fate) {
-    case Fate::stable:
-      return "stable";
-    case Fate::damped_out:
-      return "damped out";
-    case Fate::wrong:
-      return "wrong";
-    case Fate::blown_up:
-      return "blown up";
-  }
-  return "";
+  constexpr const char* kNames[kFates] = {"stable", "damped out", "wrong", "blown up"};
+  return kNames[static_cast<int>(fate)];
 }
 
 double oscillator_energy(double omega, double gamma, double t) {

@@ -18,9 +18,6 @@
 // limit.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "hair/lab/stability/hanging.h"
 #include "hair/lab/study/study_methods.h"
 

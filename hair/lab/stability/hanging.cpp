@@ -1,7 +1,6 @@
 #include "hair/lab/stability/hanging.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,16 +56,12 @@ Description with_products(const Description& hair, const StrandStart& start, Geo
   return one;
 }
 
-// The change from the particle above to each free particle, for each column; the root does not move.
-Eigen::MatrixXd differences(const Eigen::MatrixXd& shape) {
-  Eigen::MatrixXd result = shape;
-  result.bottomRows(shape.rows() - 1) -= shape.topRows(shape.rows() - 1);
-  return result;
-}
-
-// The largest change of each segment, with all modes at once at an energy of 1/2 J each.
+// The largest change of each segment, with all modes at once at an energy of 1/2 J each. The root does not
+// move.
 Eigen::VectorXd most_of(const Modes& modes) {
-  return (differences(modes.shape).cwiseAbs() * modes.omega.cwiseInverse()).eval();
+  Eigen::MatrixXd changes = modes.shape;
+  changes.bottomRows(changes.rows() - 1) -= modes.shape.topRows(changes.rows() - 1);
+  return changes.cwiseAbs() * modes.omega.cwiseInverse();
 }
 
 }  // namespace
@@ -146,10 +141,9 @@ double fastest_by_tension(const Description& hair, const Hanging& hanging) {
 Disturbance disturb(const Hanging& hanging) {
   const Strand& strand = hanging.start.strand;
   const int n = strand.count();
-  double speed =
-      std::numeric_limits<double>::infinity();  // for every mode, sqrt(kg) m/s: its energy is half the square
   const Eigen::VectorXd turns = most_of(hanging.across_modes).cwiseQuotient(strand.rest_length);
-  speed = std::min(speed, kLargestTurn / turns.maxCoeff());
+  // sqrt(kg) m/s, the same for every mode: a mode's energy is half the square.
+  double speed = kLargestTurn / turns.maxCoeff();
   if (!hanging.keeps_lengths) {
     const Eigen::VectorXd strains = most_of(hanging.along_modes).cwiseQuotient(strand.rest_length);
     double along = speed;

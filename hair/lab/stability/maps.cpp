@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "hair/lab/stability/theory.h"
 #include "solver/timing.h"
@@ -79,13 +78,6 @@ std::vector<Limit> limits_of(const Description& hair, const StudyMethod& method,
 
 }  // namespace
 
-Description with_options(Description hair, const StudyMethod& method) {
-  hair.method = method.method;
-  hair.geometric_term = method.geometric_term;
-  hair.bend_product = method.bend_product;
-  return hair;
-}
-
 std::vector<double> boundary_of(const RefinedGrid& grid, const std::vector<double>& hs) {
   const std::size_t rows = hs.size(), columns = grid.cells.size() / rows;
   std::vector<double> boundary(columns, std::numeric_limits<double>::infinity());
@@ -117,8 +109,8 @@ Distance distance_of(const std::vector<double>& boundary, const std::vector<doub
   }
   distance.columns = static_cast<int>(distances.size());
   if (distances.empty()) return distance;
-  distance.worst_cells = *std::max_element(distances.begin(), distances.end(),
-                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+  distance.worst_cells =
+      *std::ranges::max_element(distances, [](double a, double b) { return std::abs(a) < std::abs(b); });
   std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
   distance.median_cells = distances[distances.size() / 2];
   distance.median_relative = std::expm1(distance.median_cells * cell);
@@ -176,7 +168,7 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
       interrupted);
   map.boundary = boundary_of(map.grid, map.hs);
   map.limits = limits_of(description, method, stations, map.hs, map.steps);
-  for (const Limit& limit : map.limits) map.distances.push_back(distance_of(map.boundary, limit.h, map.hs));
+  for (Limit& limit : map.limits) limit.distance = distance_of(map.boundary, limit.h, map.hs);
   map.cpu_seconds = timing::cpu_seconds() - start;
   return map;
 }

@@ -17,19 +17,15 @@ enum class Swept {
   stiffness,  // Young's modulus relative to the scene's: scales EA and EI together, with the scene's drag
   drag        // N s/m per metre of hair, with the scene's stiffness
 };
+inline const char* name_of(Swept swept) {
+  return swept == Swept::stiffness ? "stiffness" : "drag";
+}
 
 struct MapSettings {
   int columns = 80, rows = 80;
   long evaluations =
       4000;  // force evaluations of an explicit method's run, at most: RK4 takes a quarter as many steps
   long implicit_steps = 64;
-};
-
-// A theoretical curve in a map.
-struct Limit {
-  std::string name;       // "theory: 2/omega"
-  std::vector<double> h;  // for each column, s; infinity: no limit; 0: no step is stable
-  bool of_run = false;    // true: not the method's limit, but what a run of so few steps can detect
 };
 
 // The distance of the measured boundary from a limit: > 0 means stable beyond theory.
@@ -43,6 +39,14 @@ struct Distance {
   double beyond_cells = 0;
 };
 
+// A theoretical curve in a map.
+struct Limit {
+  std::string name;       // "theory: 2/omega"
+  std::vector<double> h;  // for each column, s; infinity: no limit; 0: no step is stable
+  bool of_run = false;    // true: not the method's limit, but what a run of so few steps can detect
+  Distance distance = {};
+};
+
 struct StabilityMap {
   StudyMethod method;
   std::vector<StudyMethod> alike;  // methods with the same matrix for this hair: the map holds for them too
@@ -53,7 +57,6 @@ struct StabilityMap {
   std::vector<double>
       boundary;  // for each column, s: no smaller step is wrong or blown up; infinity if no step is
   std::vector<Limit> limits;
-  std::vector<Distance> distances;  // for each limit
   double cpu_seconds = 0;
 };
 
@@ -74,8 +77,5 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
 // True if two methods have the same matrix for hanging hair, for all stiffnesses of a map, and are equal
 // otherwise.
 bool alike_when_hanging(const Description& hair, const StudyMethod& a, const StudyMethod& b);
-
-// The description with the method's options.
-Description with_options(Description hair, const StudyMethod& method);
 
 }  // namespace hair

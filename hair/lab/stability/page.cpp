@@ -8,11 +8,6 @@ namespace hair {
 
 namespace {
 
-const char* x_title(const StabilityMap& map) {
-  return map.sweep == Swept::stiffness ? "stiffness, times the scene's"
-                                       : "drag, N s/m for each metre of hair";
-}
-
 // "the boundary lies +0.10 cells from it (median), at most -0.43"
 std::string distance_in_words(const Distance& distance) {
   std::string text;
@@ -27,52 +22,66 @@ std::string distance_in_words(const Distance& distance) {
 }
 
 std::string describe(const StabilityMap& map) {
-  std::vector<long> counts(kFates, 0);
-  for (const int cell : map.grid.cells)
-    if (cell >= 0) ++counts[cell];
   std::string text = "Of " + std::to_string(map.grid.cells.size()) + " cells";
   for (int i = 0; i < kFates; ++i)
-    text += (i == 0 ? " " : ", ") + std::to_string(counts[i]) + " " + fate_name(static_cast<Fate>(i));
+    text += (i == 0 ? " " : ", ") + std::to_string(std::ranges::count(map.grid.cells, i)) + " " +
+            fate_name(static_cast<Fate>(i));
   text += "; " + std::to_string(map.grid.asked) + " of them were run, each for " + std::to_string(map.steps) +
           " steps, in " + printed("%.1f", map.cpu_seconds) + " s of CPU time.";
-  for (std::size_t i = 0; i < map.limits.size(); ++i) {
-    const Limit& limit = map.limits[i];
+  for (const Limit& limit : map.limits) {
     const std::string words = verdict(map, limit);
-    text += " " + limit.name + ": ";
-    text += (words.empty() ? distance_in_words(map.distances[i]) : words) + ".";
+    text += " " + limit.name + ": " + (words.empty() ? distance_in_words(limit.distance) : words) + ".";
   }
   return text;
 }
 
-std::vector<StudyMethod> methods_in(const std::vector<ExtremeRun>& runs) {
-  std::vector<StudyMethod> methods;
+CellMap figure_of(const StabilityMap& map) {
+  CellMap figure;
+  figure.id = map.method.id + "-" + name_of(map.sweep);
+  figure.title = map.method.name + ": step size against " + name_of(map.sweep);
+  figure.description = describe(map);
+  figure.x.title =
+      map.sweep == Swept::stiffness ? "stiffness, times the scene's" : "drag, N s/m for each metre of hair";
+  figure.y.title = "step size h, s";
+  figure.xs = map.xs;
+  figure.ys = map.hs;
+  for (int i = 0; i < kFates; ++i) figure.classes.emplace_back(fate_name(static_cast<Fate>(i)));
+  figure.cells = map.grid.cells;
+  const double cell = std::sqrt(map.hs[1] / map.hs[0]);
+  for (const Limit& limit : map.limits) {
+    Series series{limit.name, {}, true, false, limit.of_run};
+    for (std::size_t i = 0; i < limit.h.size(); ++i)
+      if (limit.h[i] >= map.hs.front() / cell && limit.h[i] <= map.hs.back() * cell)
+        series.points.push_back({map.xs[i], limit.h[i]});
+    if (!series.points.empty()) figure.limits.push_back(std::move(series));
+  }
+  return figure;
+}
+
+// The different names of the runs, in the order of their first ones.
+std::vector<std::string> names_in(const std::vector<ExtremeRun>& runs,
+                                  const std::function<std::string(const ExtremeRun&)>& name_of) {
+  std::vector<std::string> names;
   for (const ExtremeRun& run : runs)
-    if (std::none_of(methods.begin(), methods.end(),
-                     [&](const StudyMethod& one) { return one.id == run.method.id; }))
-      methods.push_back(run.method);
-  return methods;
+    if (std::ranges::find(names, name_of(run)) == names.end()) names.push_back(name_of(run));
+  return names;
 }
 
 // A column for each method, with its outcome for a step.
 Table summary_of(const std::vector<ExtremeRun>& all, const std::string& caption,
                  const std::function<bool(const ExtremeRun&)>& wanted) {
   std::vector<ExtremeRun> runs;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(runs), wanted);
-  const std::vector<StudyMethod> methods = methods_in(runs);
+  std::ranges::copy_if(all, std::back_inserter(runs), wanted);
+  const auto methods = names_in(runs, [](const ExtremeRun& run) { return run.method.name; });
   Table table{caption, {"case"}, {}};
-  for (const StudyMethod& method : methods) table.header.push_back(method.name);
-  std::vector<std::string> names;
-  for (const ExtremeRun& run : runs)
-    if (std::find(names.begin(), names.end(), run.extreme) == names.end()) names.push_back(run.extreme);
-  for (const std::string& name : names) {
-    std::vector<std::string> row = {name};
-    for (const StudyMethod& method : methods) {
-      const auto run = std::find_if(runs.begin(), runs.end(), [&](const ExtremeRun& one) {
-        return one.extreme == name && one.method.id == method.id;
-      });
+  table.header.insert(table.header.end(), methods.begin(), methods.end());
+  for (const std::string& name : names_in(runs, [](const ExtremeRun& run) { return run.extreme; })) {
+    std::vector<std::string>& row = table.rows.emplace_back(1, name);
+    for (const std::string& method : methods) {
+      const auto run = std::ranges::find_if(
+          runs, [&](const ExtremeRun& one) { return one.extreme == name && one.method.name == method; });
       row.push_back(run == runs.end() ? "" : fate_name(run->fate));
     }
-    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -113,10 +122,10 @@ std::string names_of(const StabilityMap& map) {
 }
 
 std::string verdict(const StabilityMap& map, const Limit& limit) {
-  const bool never = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return std::isinf(h); });
-  const bool always = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return h == 0; });
+  const bool never = std::ranges::all_of(limit.h, [](double h) { return std::isinf(h); });
+  const bool always = std::ranges::all_of(limit.h, [](double h) { return h == 0; });
   const auto all_are = [&](double h) {
-    return std::all_of(map.boundary.begin(), map.boundary.end(), [h](double one) { return one == h; });
+    return std::ranges::all_of(map.boundary, [h](double one) { return one == h; });
   };
   if (always)
     return all_are(0) ? "no step is stable, and no cell is"
@@ -127,52 +136,20 @@ std::string verdict(const StabilityMap& map, const Limit& limit) {
   return "";
 }
 
-std::string title_of(const StabilityMap& map) {
-  return map.method.name +
-         (map.sweep == Swept::stiffness ? ": step size against stiffness" : ": step size against drag");
-}
-
-CellMap figure_of(const StabilityMap& map) {
-  CellMap figure;
-  figure.id = map.method.id + (map.sweep == Swept::stiffness ? "-stiffness" : "-drag");
-  figure.title = title_of(map);
-  figure.description = describe(map);
-  figure.x.title = x_title(map);
-  figure.y.title = "step size h, s";
-  figure.xs = map.xs;
-  figure.ys = map.hs;
-  for (int i = 0; i < kFates; ++i) figure.classes.emplace_back(fate_name(static_cast<Fate>(i)));
-  figure.cells = map.grid.cells;
-  const double cell = std::sqrt(map.hs[1] / map.hs[0]);
-  for (const Limit& limit : map.limits) {
-    Series series{limit.name, {}, true, false, limit.of_run};
-    for (std::size_t i = 0; i < limit.h.size(); ++i)
-      if (limit.h[i] >= map.hs.front() / cell && limit.h[i] <= map.hs.back() * cell)
-        series.points.push_back({map.xs[i], limit.h[i]});
-    if (!series.points.empty()) figure.limits.push_back(std::move(series));
-  }
-  return figure;
-}
-
 Page page_of(const StabilityReport& report) {
   Page page{report.scene + ": where each method breaks"};
   page.paragraphs = {
       "The scene's first strand hangs straight down at rest, and every oscillation that it can make, along "
-      "it "
-      "and across it, is given the same little energy: so little that no segment comes out of tension. Each "
-      "cell of a map is a run from there, with its step size and its stiffness (EA and EI together) or drag. "
-      "The start is the study's own: what else is in the scene does not matter.",
+      "it and across it, is given the same little energy: so little that no segment comes out of tension. "
+      "Each cell of a map is a run from there, with its step size and its stiffness (EA and EI together) or "
+      "drag. The start is the study's own: what else is in the scene does not matter.",
       "Blown up: the simulation says so, or the hair moves with more energy than it would take to throw it "
-      "over its root "
-      "(2 m g L). Wrong: all numbers are finite, but at some moment an oscillation has 100 times the energy "
-      "that it was "
-      "given. Damped out: less than a tenth is left of the energy that the true motion has then. Stable: the "
-      "rest; it may be inaccurate all "
-      "the same.",
+      "over its root (2 m g L). Wrong: all numbers are finite, but at some moment an oscillation has 100 "
+      "times the energy that it was given. Damped out: less than a tenth is left of the energy that the true "
+      "motion has then. Stable: the rest; it may be inaccurate all the same.",
       "Few cells are run: in a column every " + std::to_string(kCoarse) +
           "th, and boundaries are found by halving. A column between two that are alike is not run. An "
-          "island "
-          "that is one column wide, or lower than " +
+          "island that is one column wide, or lower than " +
           std::to_string(kCoarse) + " cells, can be missed."};
   if (report.interrupted)
     page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +
@@ -186,8 +163,7 @@ Page page_of(const StabilityReport& report) {
         {"The measured boundaries, and theory",
          {"The grid's cells are " + percent(report.maps[0].hs[1] / report.maps[0].hs[0] - 1) +
           " high (explicit methods). A run of finitely many steps can't tell slow growth from none; the "
-          "dashed curve is "
-          "where theory says that errors grow a hundredfold in the steps of a run."},
+          "dashed curve is where theory says that errors grow a hundredfold in the steps of a run."},
          {},
          {table_of(limit_rows(report),
                    "Where the first wrong or blown-up cell is, from theory's limit: > 0 is stable beyond it"),
@@ -206,13 +182,11 @@ Page page_of(const StabilityReport& report) {
   }
   if (!report.extremes.empty()) {
     Section section{"Extreme cases"};
-    section.paragraphs = {
-        "Half a second without air (" + std::to_string(kMostExtremeSteps) +
-        " steps at most). Energy counts from that of hair that hangs at rest, relative to "
-        "the root's motion; the true motion keeps it. Blown up: the "
-        "simulation says so, or at the end it has a thousand times the energy of the start. Wrong: at some "
-        "moment more than twice that. Damped out: "
-        "less than a tenth is left at the end."};
+    section.paragraphs = {"Half a second without air (" + std::to_string(kMostExtremeSteps) +
+                          " steps at most). Energy counts from that of hair that hangs at rest, relative to "
+                          "the root's motion; the true motion keeps it. Blown up: the simulation says so, or "
+                          "at the end it has a thousand times the energy of the start. Wrong: at some moment "
+                          "more than twice that. Damped out: less than a tenth is left at the end."};
     section.tables = {summary_of(report.extremes, "h = 1/60 s",
                                  [](const ExtremeRun& run) { return run.step_from.empty() && run.h > 0.01; }),
                       summary_of(report.extremes, "h = 1/240 s",

@@ -6,10 +6,6 @@ namespace hair {
 
 namespace {
 
-const char* sweep_name(const StabilityMap& map) {
-  return map.sweep == Swept::stiffness ? "stiffness" : "drag";
-}
-
 // A row of cells as a text, a digit for each: 0 stable, ..., 3 blown up.
 std::vector<std::string> digits_of(const StabilityMap& map) {
   std::vector<std::string> digits(map.hs.size());
@@ -28,7 +24,7 @@ Row row_of_point(const StabilityMap& map, std::size_t column) {
   const auto limit = [&](std::size_t i) {
     return i < map.limits.size() ? text(map.limits[i].h[column]) : Value();
   };
-  return {{"method", "", map.method.id}, {"map", "", sweep_name(map)},
+  return {{"method", "", map.method.id}, {"map", "", name_of(map.sweep)},
           {"x", "", map.xs[column]},     {"measured_h", "s", text(map.boundary[column])},
           {"theory_h", "s", limit(0)},   {"shown_by_steps_h", "s", limit(1)}};
 }
@@ -50,7 +46,7 @@ Row row_of_map(const StabilityMap& map) {
   return {{"method", "", map.method.id, In::json},
           {"method", "", names_of(map), In::page},
           {"alike", "", alike, In::json},
-          {"sweep", "", sweep_name(map), {"map"}},
+          {"sweep", "", name_of(map.sweep), {"map"}},
           {"cells", "", map.grid.cells.size(), In::page},
           {"runs", "", map.grid.asked},
           {"cells / runs", "", all / static_cast<double>(map.grid.asked), In::page},
@@ -64,14 +60,13 @@ Row row_of_map(const StabilityMap& map) {
 
 std::vector<Row> limit_rows(const StabilityMap& map) {
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < map.limits.size(); ++i) {
-    const Limit& limit = map.limits[i];
-    const Distance& distance = map.distances[i];
+  for (const Limit& limit : map.limits) {
+    const Distance& distance = limit.distance;
     const auto if_compared = [&](double number) { return distance.columns > 0 ? Value(number) : Value(); };
     const std::string words = verdict(map, limit);
     rows.push_back(
         {{"method", "", names_of(map), In::tables},
-         {"map", "", sweep_name(map), In::tables},
+         {"map", "", name_of(map.sweep), In::tables},
          {"limit", "", limit.name + (words.empty() ? "" : ": " + words), In::tables},
          {"name", "", limit.name, In::json},
          {"of_run", "", limit.of_run, In::json},

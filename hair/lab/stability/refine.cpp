@@ -17,7 +17,7 @@ struct Stretch {
 using Column = std::vector<Stretch>;
 
 bool are_near(const Column& a, const Column& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Stretch& s, const Stretch& t) {
+  return std::ranges::equal(a, b, [](const Stretch& s, const Stretch& t) {
     return s.fate == t.fate && std::abs(s.begin - t.begin) <= 2;
   });
 }

@@ -1,7 +1,6 @@
 #include "hair/lab/stability/report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hair/io/files/bad_input.h"
 #include "solver/timing.h"
@@ -33,10 +32,6 @@ Frequencies frequencies_of(const Description& hair) {
 
 }  // namespace
 
-MapSettings quick_maps() {
-  return {32, 32, 2000, 48};
-}
-
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell) {
   const double start = timing::cpu_seconds();
@@ -55,61 +50,53 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
   report.mass = strand.mass.sum();
   report.was_curved = original.rest_curvature.size() > 0;
 
-  // Methods that make the same matrix of this hair share a map.
-  std::vector<StudyMethod> methods;
-  std::vector<std::vector<StudyMethod>> alike;
-  const auto leave_out = [&](const StudyMethod& method, const std::exception& error,
-                             const std::optional<NotImplemented>& stub) {
-    if (std::none_of(report.left_out.begin(), report.left_out.end(),
-                     [&](const LeftOut& one) { return one.method.id == method.id; }))
-      report.left_out.push_back({method, error.what(), stub});
-  };
   // An exception of an exercise costs only the methods that call it.
   const auto guarded = [&](const StudyMethod& method, const auto& work) {
+    LeftOut left_out{method, {}};
     try {
       work();
       return true;
     } catch (const BadInput&) {
       throw;
     } catch (const NotImplemented& stub) {
-      leave_out(method, stub, stub);
+      left_out.stub = stub;
+      left_out.why = stub.what();
     } catch (const std::exception& error) {
-      leave_out(method, error, {});
+      left_out.why = error.what();
     }
+    if (std::ranges::none_of(report.left_out, [&](const LeftOut& one) { return one.method.id == method.id; }))
+      report.left_out.push_back(left_out);
     return false;
   };
   std::vector<StudyMethod> all = methods_for(problem, settings.absent);
   // The way of solving does not change where a method breaks.
   std::erase_if(all, [](const StudyMethod& method) { return !method.preconditioner; });
-  for (const StudyMethod& method : all) {
+  // Methods that make the same matrix of this hair share a map.
+  std::vector<std::vector<StudyMethod>> groups;
+  for (const StudyMethod& method : all)
     guarded(method, [&] {
-      for (std::size_t i = 0; i < methods.size(); ++i)
-        if (alike_when_hanging(hair, methods[i], method)) {
-          alike[i].push_back(method);
-          return;
-        }
-      methods.push_back(method);
-      alike.emplace_back();
+      for (std::vector<StudyMethod>& group : groups)
+        if (alike_when_hanging(hair, group[0], method)) return group.push_back(method);
+      groups.push_back({method});
     });
-  }
-  report.maps_asked = static_cast<int>(2 * methods.size());
-  if (!methods.empty())
-    guarded(methods[0], [&] { report.frequencies = frequencies_of(with_options(hair, methods[0])); });
+  report.maps_asked = static_cast<int>(2 * groups.size());
+  if (!groups.empty())
+    guarded(groups[0][0], [&] { report.frequencies = frequencies_of(with_options(hair, groups[0][0])); });
 
   int maps = 0;
-  for (std::size_t i = 0; i < methods.size() && !interrupted; ++i)
+  for (const std::vector<StudyMethod>& group : groups)
     for (const Swept sweep : {Swept::stiffness, Swept::drag}) {
+      if (interrupted) break;
       const std::string what = "map " + std::to_string(++maps) + " of " + std::to_string(report.maps_asked) +
-                               ": " + methods[i].name +
-                               (sweep == Swept::stiffness ? ", stiffness" : ", drag");
-      const bool went = guarded(methods[i], [&] {
-        StabilityMap map = make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
+                               ": " + group[0].name + ", " + name_of(sweep);
+      const bool went = guarded(group[0], [&] {
+        StabilityMap map = make_map(hair, group[0], sweep, settings.maps, interrupted, [&](long runs) {
           if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
         });
-        map.alike = alike[i];
+        map.alike.assign(group.begin() + 1, group.end());
         if (map.grid.complete) report.maps.push_back(std::move(map));
       });
-      if (!went || interrupted) break;
+      if (!went) break;
     }
   for (const StudyMethod& method : all) {
     if (interrupted) break;

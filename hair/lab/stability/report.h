@@ -19,13 +19,12 @@ inline constexpr int kMapSegments = 10;  // the limit for longer strands; stiff 
 
 struct StabilitySettings {
   MapSettings maps;
-  int strand = 0;                    // counted from 0
-  std::optional<int> segments = {};  // none: the scene's, but at most kMapSegments
-  bool quick = false;
+  int strand = 0;                        // counted from 0
+  std::optional<int> segments = {};      // none: the scene's, but at most kMapSegments
   std::vector<std::string> absent = {};  // exercises whose methods are left out
 };
 
-MapSettings quick_maps();
+inline constexpr MapSettings kQuickMaps = {32, 32, 2000, 48};
 
 // The frequencies that determine the maps, 1/s.
 struct Frequencies {
@@ -79,8 +78,6 @@ std::string names_of(const StabilityMap& map);
 // A sentence on a limit that is no curve, over the whole map; and whether the map agrees.
 std::string verdict(const StabilityMap& map, const Limit& limit);
 
-CellMap figure_of(const StabilityMap& map);
-std::string title_of(const StabilityMap& map);  // "H6: stiffness against step size"
 Page page_of(const StabilityReport& report);
 
 }  // namespace hair

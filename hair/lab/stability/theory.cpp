@@ -1,6 +1,5 @@
 #include "hair/lab/stability/theory.h"
 
-#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -18,13 +17,7 @@ using Complex = std::complex<double>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// 1, 1/2, 1/6, ...: the polynomials of some methods are exponential series that end after so many powers.
-int powers_of(Method method) {
-  const int powers = row_of(method).polynomial;
-  if (powers == 0) throw std::invalid_argument("this method's stability function is no part of exp's series");
-  return powers;
-}
-
+// 1 + z + z^2/2 + ... up to so many powers.
 double amplification(int powers, Complex z) {
   Complex sum = 1, term = 1;
   for (int k = 1; k <= powers; ++k) sum += term *= z / static_cast<double>(k);
@@ -65,7 +58,8 @@ double explicit_limit(Method method, const Oscillator& oscillator, double growth
                  root = std::hypot(both, 2 * omega * std::sqrt(growth) * (growth + 1));
     return both + root == 0 ? kInfinity : 2 * (growth + 1) * (growth + 1) / (both + root);
   }
-  const int powers = powers_of(method);
+  const int powers = row_of(method).polynomial;
+  if (powers == 0) throw std::invalid_argument("this method's stability function is no part of exp's series");
   const double discriminant = gamma * gamma / 4 - omega * omega;
   if (discriminant < 0) return polynomial_limit(powers, {-gamma / 2, std::sqrt(-discriminant)}, growth);
   return polynomial_limit(powers, {-gamma / 2 - std::sqrt(discriminant), 0},
@@ -83,22 +77,6 @@ double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffn
   if (mu <= 1e-12 * values.cwiseAbs().maxCoeff()) return kInfinity;
   const double drag = growth * (growth + 1) * gamma, least = 2 * (growth + 1) * std::sqrt(mu);
   return (drag + std::hypot(drag, least)) / (2 * mu);
-}
-
-Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                                         const Eigen::MatrixXd& in_matrix, double gamma, double h) {
-  const Eigen::Index n = mass.size();
-  const Eigen::MatrixXd masses = mass.asDiagonal();
-  const Eigen::MatrixXd s = (1 + h * gamma / 2) * masses + h * h / 2 * in_matrix;
-  const Eigen::MatrixXd from_v = solver::dense_solve(s, masses),
-                        from_x = solver::dense_solve(s, -h / 2 * stiffness);
-  // Rows: w, then x' = x + h w, then v' of w and x'.
-  Eigen::MatrixXd w(n, 2 * n), step(2 * n, 2 * n);
-  w << from_x, from_v;
-  step.topRows(n) = h * w;
-  step.topLeftCorner(n, n).diagonal().array() += 1;
-  step.bottomRows(n) = from_v * w + from_x * step.topRows(n);
-  return step;
 }
 
 double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,

@@ -65,8 +65,4 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
                                  const Eigen::MatrixXd& in_matrix, double gamma, double most,
                                  double growth = 1);
 
-// The 2n x 2n matrix of that step: maps (x, v) at its start to (x, v) at its end.
-Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                                         const Eigen::MatrixXd& in_matrix, double gamma, double h);
-
 }  // namespace hair

@@ -18,6 +18,22 @@ void raise(double& largest, double value) {
   largest = std::max(largest, value);
 }
 
+// The rest lengths of a strand's segments, or of a toy's springs and rods that are longer than 0.
+std::vector<RestLength> rest_lengths(const Problem& problem) {
+  std::vector<RestLength> lengths;
+  if (problem.is_toy()) {
+    const Toy& toy = problem.scene.toys[0];
+    for (const particles::Spring& spring : toy.springs)
+      if (spring.rest_length > 0) lengths.push_back({spring.i, spring.j, spring.rest_length});
+    for (const particles::Rod& rod : toy.constraints.rods)
+      if (rod.length > 0) lengths.push_back({rod.i, rod.j, rod.length});
+  } else {
+    const Strand& strand = problem.scene.hair.strands[0].strand;
+    for (int i = 0; i < strand.segments(); ++i) lengths.push_back({i, i + 1, strand.rest_length[i]});
+  }
+  return lengths;
+}
+
 }  // namespace
 
 const NormName& name_of(Norm norm) {
@@ -30,12 +46,10 @@ const NormName& name_of(Norm norm) {
        "the largest error of a segment's length at any moment, relative to its length at rest"},
       {"energy", "", "error of the energy",
        "the largest error of the energy at any moment, relative to the energy that moves: the most that "
-       "kinetic "
-       "energy and the change of potential energy add up to"},
+       "kinetic energy and the change of potential energy add up to"},
       {"angular_momentum", "", "error of the angular momentum",
        "the largest error of the angular momentum about the origin at any moment, relative to the largest "
-       "that "
-       "the accurate motion has"},
+       "that the accurate motion has"},
   }};
   return kNames[static_cast<int>(norm)];
 }
@@ -53,26 +67,6 @@ double size_of(const Problem& problem) {
     size = problem.scene.hair.strands[0].strand.rest_length.sum();
   }
   return size > 0 ? size : 1;
-}
-
-std::vector<RestLength> rest_lengths(const Problem& problem) {
-  std::vector<RestLength> lengths;
-  if (problem.is_toy()) {
-    const Toy& toy = problem.scene.toys[0];
-    for (const particles::Spring& spring : toy.springs)
-      if (spring.rest_length > 0) lengths.push_back({spring.i, spring.j, spring.rest_length});
-    for (const particles::Rod& rod : toy.constraints.rods)
-      if (rod.length > 0) lengths.push_back({rod.i, rod.j, rod.length});
-  } else {
-    const Strand& strand = problem.scene.hair.strands[0].strand;
-    for (int i = 0; i < strand.segments(); ++i) lengths.push_back({i, i + 1, strand.rest_length[i]});
-  }
-  return lengths;
-}
-
-int points_of(const Problem& problem) {
-  if (problem.is_toy()) return problem.scene.toys[0].particles.count();
-  return problem.scene.hair.strands[0].strand.count();
 }
 
 Errors floors(const Problem& problem, double least) {

@@ -55,9 +55,6 @@ struct RestLength {
   double length;
 };
 
-// The rest lengths of a strand's segments, or of a toy's springs and rods that are longer than 0.
-std::vector<RestLength> rest_lengths(const Problem& problem);
-
 // Errors below these floors are not reported. `least` is the accuracy of the positions, m. The floor of
 // lengths is 2 least / (shortest rest length), those of energy and angular momentum are least /
 // size_of(problem).
@@ -66,9 +63,6 @@ Errors floors(const Problem& problem, double least);
 // The length scale for errors, m: the strand's length, or the largest distance between a toy's first particle
 // and another at the start; 1 for a single particle.
 double size_of(const Problem& problem);
-
-// The number of particles.
-int points_of(const Problem& problem);
 
 // Compares a run with the accurate motion during the run.
 class ErrorTally {

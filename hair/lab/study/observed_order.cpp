@@ -55,8 +55,8 @@ ObservedOrder observed_order(const Sweep& sweep, Norm norm, double floor) {
 }
 
 std::string verdict(const Sweep& sweep, const ObservedOrder& observed) {
-  const bool any = std::any_of(sweep.runs.begin(), sweep.runs.end(),
-                               [](const MethodRun& run) { return run.ending == RunEnding::finished; });
+  const bool any =
+      std::ranges::any_of(sweep.runs, [](const MethodRun& run) { return run.ending == RunEnding::finished; });
   if (!sweep.left_out.empty()) return "not written";
   if (!any) return "no run got to the end";
   if (observed.stays_at) return "stays " + to_text(*observed.stays_at) + " m off, however small the step";

@@ -9,6 +9,7 @@
 #include "hair/io/machine.h"
 #include "hair/lab/study/errors.h"
 #include "hair/lab/study/study_methods.h"
+#include "hair/truth/accurate_motion.h"
 #include "hair/truth/space_error.h"
 
 namespace hair {
@@ -69,11 +70,7 @@ struct Study {
   double most_work = 0;  // the limit for a run: StudySettings
   Machine machine;
 
-  // The accurate motion.
-  std::string reference;
-  double agreement = 0, least_error = 0;  // m
-  bool inextensible = false, from_cache = false;
-  double reference_seconds = 0;
+  AccurateMotion reference;  // at the problem's moments
   Errors floors;
 
   std::vector<Sweep> sweeps;

@@ -2,8 +2,6 @@
 
 #include "hair/course/course.h"
 
-#include <algorithm>
-
 namespace hair {
 
 namespace {
@@ -52,15 +50,20 @@ std::vector<StudyMethod> methods_for(const Problem& problem, const std::vector<s
   return methods;
 }
 
+Description with_options(Description hair, const StudyMethod& method) {
+  hair.method = method.method;
+  hair.geometric_term = method.geometric_term;
+  hair.bend_product = method.bend_product;
+  return hair;
+}
+
 Scene with_method(const Problem& problem, const StudyMethod& method, int steps_per_frame) {
   Scene scene = problem.scene;
   scene.steps_per_frame = steps_per_frame;
+  scene.hair = with_options(std::move(scene.hair), method);
   scene.hair.step = problem.duration / scene.frames / steps_per_frame;
-  scene.hair.method = method.method;
-  scene.hair.watched = false;  // times are the methods' own
-  scene.hair.geometric_term = method.geometric_term;
-  scene.hair.bend_product = method.bend_product;
   scene.hair.preconditioner = method.preconditioner;
+  scene.hair.watched = false;  // times are the methods' own
   for (Toy& toy : scene.toys) toy.method = row_of(method.method).toy.value_or(ToyMethod::implicit_euler);
   return scene;
 }

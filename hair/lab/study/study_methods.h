@@ -27,6 +27,9 @@ struct StudyMethod {
 // preconditioner ("-plain"), but for those with exact bending.
 std::vector<StudyMethod> methods_for(const Problem& problem, const std::vector<std::string>& absent = {});
 
+// The description with the method and the options of its products.
+Description with_options(Description hair, const StudyMethod& method);
+
 // The problem's scene with this method and steps_per_frame steps for each frame.
 Scene with_method(const Problem& problem, const StudyMethod& method, int steps_per_frame);
 

@@ -36,41 +36,6 @@ OrderedJson json_of(const std::optional<SpaceError>& space) {
           {"seconds", space->cpu_seconds}};
 }
 
-// Everything except the runs.
-OrderedJson head_of(const Study& study) {
-  const bool finished = std::none_of(study.sweeps.begin(), study.sweeps.end(),
-                                     [](const Sweep& sweep) { return sweep.end == SweepEnd::unfinished; });
-  return {{"program", "hairlab study"},
-          {"format", kStudyFormat},
-          {"finished", finished},
-          {"scene", study.scene},
-          {"shows", study.shows},
-          {"content", study.content},
-          {"quick", study.quick},
-          {"duration", study.duration},
-          {"strand", study.strand},
-          {"particles", study.particles},
-          {"size", study.size},
-          {"tolerance", study.tolerance},
-          {"most_work", study.most_work},
-          {"machine",
-           {{"processor", study.machine.processor},
-            {"cores", study.machine.cores},
-            {"compiler", study.machine.compiler},
-            {"build", study.machine.build},
-            {"eigen", study.machine.eigen}}},
-          {"reference",
-           {{"method", study.reference},
-            {"agreement", study.agreement},
-            {"least_error", study.least_error},
-            {"inextensible", study.inextensible},
-            {"from_cache", study.from_cache},
-            {"seconds", study.reference_seconds}}},
-          {"floors", json_of(study.floors, [&](Norm norm) { return OrderedJson(study.floors[norm]); })},
-          {"space_error", json_of(study.space_error)},
-          {"methods", json_of(rows_of(study.sweeps, row_of_sweep))}};
-}
-
 // An error in a table; empty if there is none.
 std::string written(const Study& study, const MethodRun& run, Norm norm, std::string (*number)(double)) {
   const double error = run.errors[norm];
@@ -122,7 +87,38 @@ Row row_of_run(const Study& study, const MethodRun& run) {
 }
 
 OrderedJson study_json(const Study& study) {
-  OrderedJson json = head_of(study);
+  const bool finished = std::ranges::none_of(
+      study.sweeps, [](const Sweep& sweep) { return sweep.end == SweepEnd::unfinished; });
+  OrderedJson json = {
+      {"program", "hairlab study"},
+      {"format", kStudyFormat},
+      {"finished", finished},
+      {"scene", study.scene},
+      {"shows", study.shows},
+      {"content", study.content},
+      {"quick", study.quick},
+      {"duration", study.duration},
+      {"strand", study.strand},
+      {"particles", study.particles},
+      {"size", study.size},
+      {"tolerance", study.tolerance},
+      {"most_work", study.most_work},
+      {"machine",
+       {{"processor", study.machine.processor},
+        {"cores", study.machine.cores},
+        {"compiler", study.machine.compiler},
+        {"build", study.machine.build},
+        {"eigen", study.machine.eigen}}},
+      {"reference",
+       {{"method", study.reference.method},
+        {"agreement", study.reference.agreement},
+        {"least_error", study.reference.least_error()},
+        {"inextensible", study.reference.inextensible},
+        {"from_cache", study.reference.from_cache},
+        {"seconds", study.reference.cpu_seconds}}},
+      {"floors", json_of(study.floors, [&](Norm norm) { return OrderedJson(study.floors[norm]); })},
+      {"space_error", json_of(study.space_error)},
+      {"methods", json_of(rows_of(study.sweeps, row_of_sweep))}};
   for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
     OrderedJson& runs = json["methods"][i]["runs"] = OrderedJson::array();
     for (const MethodRun& run : study.sweeps[i].runs) {

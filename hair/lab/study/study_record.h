@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "hair/io/plot/columns.h"
+#include "hair/io/plot/figure.h"
 #include "hair/lab/study/study.h"
 
 namespace hair {
@@ -29,6 +30,13 @@ OrderedJson study_json(const Study& study);
 
 // The page: the cheapest method for each error, the observed orders, and the failures.
 Page study_page(const Study& study);
+
+enum class Against { time, step, work };
+
+// An error, for all methods, against the cost or against the step. A run that did not finish is drawn at the
+// upper edge, at the cost of a whole run. An error below the reference's accuracy is drawn on the line that
+// marks that accuracy.
+Figure error_figure(const Study& study, Norm norm, Against against);
 
 std::vector<Row> run_rows(const Study& study);  // all runs: study.csv
 Row row_of_level(const SpaceLevel& level);

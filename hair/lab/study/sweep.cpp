@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
+#include "hair/io/plot/page.h"
 #include "hair/io/plot/work_precision.h"
 #include "solver/not_implemented.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -34,6 +37,19 @@ double fastest_squared(const Problem& problem) {
   return 2 * sums.cwiseQuotient(mass).maxCoeff();
 }
 
+// The coarsest step of an explicit method, as steps for each moment: a power of two. With stiff springs no
+// method is stable with it.
+int coarsest_steps(const Problem& problem, const StudyMethod& method) {
+  if (!method.is_explicit()) return 1;
+  // The largest limit of P1's methods is Runge and Kutta's, 2.83 / omega.
+  constexpr double kFar = 2;  // times beyond
+  const double limit = 2.83 / std::sqrt(std::max(fastest_squared(problem), 1e-12));
+  const double moment = problem.duration / kMoments;
+  int steps = 1;
+  while (steps < kMostSteps && moment / steps > kFar * limit) steps *= 2;
+  return steps;
+}
+
 bool is_below(const MethodRun& run, const Errors& floors) {
   return run.ending == RunEnding::finished && run.errors[Norm::final_largest] < floors[Norm::final_largest] &&
          run.errors[Norm::trajectory] < floors[Norm::trajectory];
@@ -57,27 +73,126 @@ double work_of_next(const MethodRun& run, int particles) {
   return 2 * of_a_step * run.steps_per_moment * kMoments * particles;
 }
 
-// Throws BadInput for a problem that can't be assembled.
-std::unique_ptr<MethodRunner> make_runner(const Problem& problem, const StudyMethod& method,
-                                          const Trajectory& accurate, const Errors& floors) {
-  try {
-    return std::make_unique<MethodRunner>(problem, method, accurate, floors);
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(problem.scene.name + ": " + error.what());
-  }
+constexpr int kMostTimes = 1000;  // between two looks at the clock
+
+bool once_more(const std::vector<double>& seconds, const Repeats& repeats) {
+  const int times = static_cast<int>(seconds.size());
+  const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  if (times < repeats.least) return sum < repeats.too_long;
+  return times < repeats.most && sum < repeats.enough;
 }
+
+class MethodRunner {
+ public:
+  // Assembles the problem with the method, once for all steps. Keeps references to the problem and the study.
+  // Throws std::invalid_argument if the problem can't be assembled.
+  MethodRunner(const Problem& problem, const StudyMethod& method, const Study& study)
+      : problem_(problem), method_(method), study_(study), scene_run_(with_method(problem, method, 1)) {}
+
+  // Empty if interrupted. Passes on exceptions of stubs; any other exception of an exercise counts as a
+  // failed run. Times include only the steps, not the measurements. Errors below the floors are set to 0.
+  std::optional<MethodRun> run(int steps_per_moment, const Repeats& repeats,
+                               const std::atomic<bool>& interrupted) {
+    const Scene scene = with_method(problem_, method_, steps_per_moment);
+    MethodRun run;
+    run.steps_per_moment = steps_per_moment;
+    run.step = scene.hair.step;
+    try {
+      if (!compare(scene, interrupted, run)) return {};
+      count(run);
+      if (!repeat(scene, repeats, interrupted, run)) return {};
+    } catch (const NotImplemented&) {
+      throw;
+    } catch (const std::exception& error) {
+      run.ending = RunEnding::broke;
+      run.trouble = "step " + std::to_string(scene_run_.steps()) + ": threw " + printable(error.what());
+      run.errors = {};
+      count(run);
+    }
+    return run;
+  }
+
+ private:
+  // Runs once and records errors and time, or the reason why it did not reach its end. All return false if
+  // interrupted.
+  bool compare(const Scene& scene, const std::atomic<bool>& interrupted, MethodRun& run) {
+    const double useless = study_.size;
+    ErrorTally tally(problem_, study_.reference.states);
+    scene_run_.restart(scene);
+    tally.add(scene_run_);
+    run.seconds = {0};
+    while (scene_run_.frame() < scene.frames) {
+      if (interrupted) return false;
+      const double start = timing::cpu_seconds();
+      const std::optional<std::string> trouble = scene_run_.advance();
+      run.seconds[0] += timing::cpu_seconds() - start;
+      if (trouble) {
+        run.ending = RunEnding::broke;
+        run.trouble = *trouble;
+        return true;
+      }
+      const double off = tally.add(scene_run_);
+      if (!(off <= useless)) {
+        run.ending = RunEnding::useless;
+        run.trouble = to_text(off) + " m off after " + to_text(scene_run_.time()) + " s";
+        return true;
+      }
+    }
+    run.errors = tally.errors();
+    for (const Norm norm : all_norms())
+      if (run.errors[norm] < study_.floors[norm]) run.errors[norm] = 0;
+    return true;
+  }
+
+  // Runs from the start, `times` times, `advances` moments each: the total CPU time, s.
+  std::optional<double> play(const Scene& scene, int times, int advances,
+                             const std::atomic<bool>& interrupted) {
+    const double start = timing::cpu_seconds();
+    for (int i = 0; i < times; ++i) {
+      scene_run_.restart(scene);
+      for (int k = 0; k < advances; ++k) {
+        if (interrupted) return {};
+        scene_run_.advance();
+      }
+    }
+    return timing::cpu_seconds() - start;
+  }
+
+  bool repeat(const Scene& scene, const Repeats& repeats, const std::atomic<bool>& interrupted,
+              MethodRun& run) {
+    // A run that broke or became useless did so on the way to its next moment, or at it.
+    const int advances = scene_run_.frame() + (run.ending == RunEnding::broke ? 1 : 0);
+    const double once = run.seconds[0];
+    const int times = std::clamp(static_cast<int>(repeats.clock / std::max(once, 1e-9)), 1, kMostTimes);
+    std::vector<double> seconds;
+    if (once >= repeats.warm) seconds.push_back(once);
+    while (once_more(seconds, repeats)) {
+      const auto all = play(scene, times, advances, interrupted);
+      const auto restarts = play(scene, times, 0, interrupted);
+      if (!all || !restarts) return false;
+      seconds.push_back(std::max(0.0, *all - *restarts) / times);
+    }
+    run.seconds = seconds;
+    return true;
+  }
+
+  void count(MethodRun& run) const {
+    const Work work = scene_run_.work();
+    const long steps = scene_run_.steps();
+    run.counts = {steps, steps * row_of(method_.method).evaluations, work.solver_steps, work.correction_steps,
+                  work.unconverged};
+  }
+
+  const Problem& problem_;
+  StudyMethod method_;
+  const Study& study_;
+  SceneRun scene_run_;
+};
 
 }  // namespace
 
-int coarsest_steps(const Problem& problem, const StudyMethod& method) {
-  if (!method.is_explicit()) return 1;
-  // The largest limit of P1's methods is Runge and Kutta's, 2.83 / omega.
-  constexpr double kFar = 2;  // times beyond
-  const double limit = 2.83 / std::sqrt(std::max(fastest_squared(problem), 1e-12));
-  const double moment = problem.duration / kMoments;
-  int steps = 1;
-  while (steps < kMostSteps && moment / steps > kFar * limit) steps *= 2;
-  return steps;
+double MethodRun::time() const {
+  return timing::median(seconds);
 }
 
 std::optional<int> next_steps(Sweep& sweep, const Errors& floors, int first, double most_work,
@@ -100,7 +215,7 @@ std::optional<int> next_steps(Sweep& sweep, const Errors& floors, int first, dou
 }
 
 Study prepare_study(const Problem& problem, const std::vector<StudyMethod>& methods,
-                    const StudySettings& settings) {
+                    const StudySettings& settings, AccurateMotion reference) {
   Study study;
   study.scene = problem.scene.name;
   study.shows = problem.scene.shows;
@@ -111,22 +226,14 @@ Study prepare_study(const Problem& problem, const std::vector<StudyMethod>& meth
   study.most_work = settings.most_work;
   study.machine = this_machine();
   for (const StudyMethod& method : methods) study.sweeps.emplace_back().method = method;
+  study.particles = static_cast<int>(reference.states.front().x.size() / 3);
+  study.floors = floors(problem, reference.least_error());
+  study.reference = std::move(reference);
   return study;
 }
 
-void set_reference(const Problem& problem, const AccurateMotion& motion, Study& study) {
-  study.particles = points_of(problem);
-  study.reference = motion.method;
-  study.agreement = motion.agreement;
-  study.least_error = motion.least_error();
-  study.inextensible = motion.inextensible;
-  study.from_cache = motion.from_cache;
-  study.reference_seconds = motion.cpu_seconds;
-  study.floors = floors(problem, study.least_error);
-}
-
-bool finish_study(const Problem& problem, const AccurateMotion& motion, const StudySettings& settings,
-                  Study& study, const std::atomic<bool>& interrupted) {
+bool finish_study(const Problem& problem, const StudySettings& settings, Study& study,
+                  const std::atomic<bool>& interrupted) {
   std::vector<std::unique_ptr<MethodRunner>> runners(study.sweeps.size());
   for (bool more = true; more;) {
     more = false;
@@ -138,12 +245,14 @@ bool finish_study(const Problem& problem, const AccurateMotion& motion, const St
       if (settings.progress)
         settings.progress(sweep.method.name + ", " + std::to_string(*steps) + " steps a moment");
       try {
-        if (!runners[i]) runners[i] = make_runner(problem, sweep.method, motion.states, study.floors);
+        if (!runners[i]) runners[i] = std::make_unique<MethodRunner>(problem, sweep.method, study);
         std::optional<MethodRun> run = runners[i]->run(*steps, settings.repeats, interrupted);
         if (!run) return false;
         sweep.runs.push_back(std::move(*run));
       } catch (const NotImplemented& stub) {
         sweep.left_out = printable(stub.what());
+      } catch (const std::invalid_argument& error) {
+        throw BadInput(problem.scene.name + ": " + error.what());
       }
       more = true;
     }

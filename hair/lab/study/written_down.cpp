@@ -4,8 +4,7 @@
 
 namespace hair {
 
-void add_written_down(const Problem& problem, const AccurateMotion& motion, Study& study,
-                      const std::atomic<bool>& interrupted) {
+void add_written_down(const Problem& problem, Study& study, const std::atomic<bool>& interrupted) {
   const std::vector<Sweep> sweeps = study.sweeps;
   for (const Sweep& sweep : sweeps) {
     Sweep written{sweep.method, {}, sweep.end, {}};
@@ -16,7 +15,7 @@ void add_written_down(const Problem& problem, const AccurateMotion& motion, Stud
       if (run.ending != RunEnding::finished) continue;
       const auto other = run_written_down(problem, sweep.method, run.steps_per_moment);
       if (!other) break;
-      const double error = largest_distance(other->x, motion.states.back().x),
+      const double error = largest_distance(other->x, study.reference.states.back().x),
                    expected = run.errors[Norm::final_largest];
       if (!(std::abs(error - expected) <= 0.01 * expected + study.floors[Norm::final_largest])) continue;
       run.seconds = {other->seconds};

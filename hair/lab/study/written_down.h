@@ -20,7 +20,6 @@ std::optional<WrittenRun> run_written_down(const Problem& problem, const StudyMe
 
 // Adds a sweep to the study for each one that there is such a program for: the same steps and errors, with
 // the program's times. Runs that end elsewhere are left out.
-void add_written_down(const Problem& problem, const AccurateMotion& motion, Study& study,
-                      const std::atomic<bool>& interrupted);
+void add_written_down(const Problem& problem, Study& study, const std::atomic<bool>& interrupted);
 
 }  // namespace hair

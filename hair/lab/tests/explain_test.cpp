@@ -37,6 +37,10 @@ std::map<std::string, Part> parts_of(const std::string& json, bool render = true
   return parts;
 }
 
+void expect_why(const std::map<std::string, Part>& parts, const std::map<std::string, std::string>& why) {
+  for (const auto& [name, says] : why) EXPECT_EQ(parts.at(name).why, says) << name;
+}
+
 std::string names(const std::map<std::string, Part>& parts, bool used) {
   std::string all;
   for (const auto& [name, part] : parts)
@@ -58,8 +62,8 @@ TEST(Explain, AndWarningsHaveADecimalPointWhateverTheLocale) {
           .why,
       "(0, 0, -1234.5) m/s^2");
   const std::string text = warning_text({{&concerns()[0], 1234, 5678, 9012, 3.45}});
-  EXPECT_NE(text.find("strand 1234 (the first of 9012) "), std::string::npos) << text;
-  EXPECT_NE(text.find(", from step 5678 on: 3.45 "), std::string::npos) << text;
+  EXPECT_TRUE(says(text, "strand 1234 (the first of 9012) "));
+  EXPECT_TRUE(says(text, ", from step 5678 on: 3.45 "));
 }
 
 TEST(Explain, LeavesOutOfALimpHairAllButStretchingGravityAndWhatSolves) {
@@ -67,8 +71,8 @@ TEST(Explain, LeavesOutOfALimpHairAllButStretchingGravityAndWhatSolves) {
     "material": {"bend_factor": 0}, )" +
                               kRoots + "}]}");
   EXPECT_EQ(names(parts, true), "gravity, hair, method, preconditioner, stretching");
-  EXPECT_EQ(parts.at("bending").why, "no strand resists it: EI is 0");
-  EXPECT_EQ(parts.at("OpenGL").why, "the scene has no \"render\": no library is loaded");
+  expect_why(parts, {{"bending", "no strand resists it: EI is 0"},
+                     {"OpenGL", "the scene has no \"render\": no library is loaded"}});
 }
 
 TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
@@ -87,13 +91,14 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
     "still_hair": [{"groom": {"style": "ponytail", "strands": 5}, "moves_with": "head"}],
     "render": {"hair": "fine"}})");
   EXPECT_EQ(names(parts, false), "");
-  EXPECT_EQ(parts.at("still hair").why, "5 strands that go with a head, and only are drawn");
-  EXPECT_EQ(parts.at("bending").why, "H2, angular springs at the joints of 1 strand");
-  EXPECT_EQ(parts.at("rest curvature").why, "given, at the joints of 1 strand");
-  EXPECT_EQ(parts.at("dense hair").why, "H10, 7 strands of 1 guide, less those out of view");
-  EXPECT_EQ(
-      parts.at("strand clearance").why,
-      "up to 7 strands out of 1 obstacle; of each picture's strands only those that touch one are moved");
+  expect_why(
+      parts,
+      {{"still hair", "5 strands that go with a head, and only are drawn"},
+       {"bending", "H2, angular springs at the joints of 1 strand"},
+       {"rest curvature", "given, at the joints of 1 strand"},
+       {"dense hair", "H10, 7 strands of 1 guide, less those out of view"},
+       {"strand clearance",
+        "up to 7 strands out of 1 obstacle; of each picture's strands only those that touch one are moved"}});
 }
 
 TEST(Explain, SaysWhyPartsThatAreAskedForAreLeftOut) {
@@ -101,12 +106,12 @@ TEST(Explain, SaysWhyPartsThatAreAskedForAreLeftOut) {
     "hair": [{"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}}, )" +
                             kRoots + R"(}], "render": {"shadows": false}})";
   auto parts = parts_of(scene);
-  EXPECT_EQ(parts["wind"].why, "without drag it moves nothing");
-  EXPECT_EQ(parts["bending"].why, "rest curvature takes its place");
-  EXPECT_EQ(parts["shadows"].why, "\"shadows\" is false");
+  expect_why(parts, {{"wind", "without drag it moves nothing"},
+                     {"bending", "rest curvature takes its place"},
+                     {"shadows", "\"shadows\" is false"}});
   EXPECT_FALSE(parts["gravity"].used);
   parts = parts_of(scene, false);
-  for (const char* name : {"pictures", "shadows", "film"}) EXPECT_EQ(parts[name].why, "--no-render") << name;
+  expect_why(parts, {{"pictures", "--no-render"}, {"shadows", "--no-render"}, {"film", "--no-render"}});
   EXPECT_FALSE(parts["OpenGL"].used);
 }
 
@@ -139,8 +144,8 @@ TEST(Explain, SaysOfAToyThatThereIsNoHair) {
 // A course file with these exercises alone.
 std::string file_of(const std::vector<std::string>& ids) {
   std::string roles;
-  for (const Exercise& exercise : read_course(HAIR_EXERCISES_JSON).exercises)
-    if (std::find(ids.begin(), ids.end(), exercise.id) == ids.end())
+  for (const Exercise& exercise : kCourse.exercises)
+    if (std::ranges::find(ids, exercise.id) == ids.end())
       roles += (roles.empty() ? "\"" : ", \"") + exercise.id + "\": {\"role\": \"absent\"}";
   return "{\"exercises\": {" + roles + "}}";
 }
@@ -172,35 +177,27 @@ TEST(CourseScene, IsReadIfTheCourseHasAllThatItCalls) {
         plays.push_back(name);
       } catch (const BadInput& error) {
         const std::string what = error.what();
-        EXPECT_TRUE(has(what, name + ".json: needs exercise ") && has(what, "which this course leaves out"))
+        EXPECT_TRUE(says(what, name + ".json: needs exercise ") && says(what, "which this course leaves out"))
             << what;
       }
     }
     EXPECT_EQ(plays, some.plays) << text;
   }
-}
-
-TEST(CourseScene, WithAllExercisesEachShippedSceneIsRead) {
-  const Course course = read_course(HAIR_EXERCISES_JSON);
   for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR))
-    EXPECT_NO_THROW(read_course_scene(name, course)) << name;
+    EXPECT_NO_THROW(read_course_scene(name, kCourse)) << name;
 }
 
 TEST(CourseScene, IsAskedOfTheCourseFileThatHairlabIsGiven) {
   const TestFolder folder;
   const std::string course = folder.write("course.json", file_of({"S1", "P1"}));
-  const ProgramRun run = run_hairlab({"run", "wavy", "--explain", "--course", course});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(has(run.errors, "wavy.json: needs exercise H1, which this course leaves out")) << run.errors;
-  EXPECT_EQ(lines_of(run.errors), 1);
+  expect_refused(run_hairlab({"run", "wavy", "--explain", "--course", course}), 2,
+                 "wavy.json: needs exercise H1, which this course leaves out");
   const ProgramRun played = run_hairlab({"run", "pendulum", "--explain", "--course", course});
   EXPECT_EQ(played.code, 0) << played.errors;
-  EXPECT_TRUE(has(played.output, "exercise P1") && !has(played.output, "exercise P2")) << played.output;
-  const ProgramRun bad =
-      run_hairlab({"scenes", "--course", folder.write("bad.json", "{\"exercises\": {\"none\": {}}}")});
-  EXPECT_EQ(bad.code, 2);
-  EXPECT_TRUE(has(bad.errors, "bad.json: exercises.none: there is no such exercise")) << bad.errors;
-  EXPECT_EQ(lines_of(bad.errors), 1);
+  EXPECT_TRUE(says(played.output, "exercise P1") && !says(played.output, "exercise P2"));
+  expect_refused(
+      run_hairlab({"scenes", "--course", folder.write("bad.json", "{\"exercises\": {\"none\": {}}}")}), 2,
+      "bad.json: exercises.none: there is no such exercise");
 }
 
 }  // namespace

@@ -27,12 +27,11 @@ TEST_F(GroomCommands, InfoSaysWhatAGroomIsLike) {
   const ProgramRun run = run_hairlab({"info", groom_});
   EXPECT_EQ(run.code, 0) << run.errors;
   EXPECT_TRUE(run.output.starts_with(groom_ + ": 4 strands, 11 points\n")) << run.output;
-  EXPECT_TRUE(has(run.output,
-                  "\n  length                         1           2       2.333           2           4\n"))
-      << run.output;
-  EXPECT_TRUE(has(run.output, "\n  box of the roots    x 0 to 3, y 0 to 0, z 0 to 0\n")) << run.output;
-  EXPECT_TRUE(has(run.output, "\n  unit                about 6.667 cm, if the roots span a scalp of 20 cm\n"))
-      << run.output;
+  EXPECT_TRUE(says(run.output,
+                   "\n  length                         1           2       2.333           2           4\n"));
+  EXPECT_TRUE(says(run.output, "\n  box of the roots    x 0 to 3, y 0 to 0, z 0 to 0\n"));
+  EXPECT_TRUE(
+      says(run.output, "\n  unit                about 6.667 cm, if the roots span a scalp of 20 cm\n"));
   EXPECT_TRUE(
       run.output.ends_with("\n  odd                 1 bald root: a strand of a single point (strand 0)\n"))
       << run.output;
@@ -77,7 +76,7 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
   };
   const std::string bytes = grown("b.hair");
   EXPECT_EQ(grown("c.hair"), bytes);
-  EXPECT_TRUE(has(run_hairlab({"info", folder_ / "b.hair"}).output, "\"hairlab groom wavy --seed 7\"\n"));
+  EXPECT_TRUE(says(run_hairlab({"info", folder_ / "b.hair"}).output, "\"hairlab groom wavy --seed 7\"\n"));
 }
 
 TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
@@ -102,7 +101,7 @@ TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
       {{"groom", "wavy", "--seed", "-1", "--out", out_}, "--seed"},
       {{"groom", "wavy", "--seed", "9007199254740993", "--out", out_}, "--seed"}};
   for (const auto& [words, says] : refused) expect_refused(run_hairlab(words), 2, says);
-  EXPECT_TRUE(has(run_hairlab({"info", nan}).output, "1 strand with a number that is not finite"));
+  EXPECT_TRUE(says(run_hairlab({"info", nan}).output, "1 strand with a number that is not finite"));
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.ply", "cut.ply", "nan.ply"}));
 }
 

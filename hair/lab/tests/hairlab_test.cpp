@@ -3,7 +3,6 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "hair/lab/tests/read_states.h"
@@ -50,14 +49,9 @@ class Hairlab : public testing::Test {
     return run_hairlab(options, settings);
   }
 
-  // It prints one line with `part` on the error output, returns `code`, and writes nothing.
-  void expect_refused(const ProgramRun& run, int code, const std::string& part) const {
-    EXPECT_EQ(run.code, code);
-    EXPECT_TRUE(has(run.errors, part)) << run.errors;
-    EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
-    EXPECT_TRUE(run.errors.starts_with("hairlab: ")) << run.errors;
-    EXPECT_EQ(run.output, "");
-    for (const std::string& name : folder_.names()) EXPECT_NE(name.substr(0, 8), ".hairlab") << name;
+  // Nothing stays hidden beside it, whatever happened.
+  void TearDown() override {
+    for (const std::string& name : folder_.names()) EXPECT_FALSE(name.starts_with(".hairlab")) << name;
   }
 
   TestFolder folder_;
@@ -99,7 +93,7 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
 TEST_F(Hairlab, DoesTheSameTwice) {
   ASSERT_EQ(play(kSwing).code, 0);
   const std::vector<std::string> names = folder_.names("out");
-  EXPECT_TRUE(std::find(names.begin(), names.end(), "frame-0004.png") != names.end());
+  EXPECT_TRUE(std::ranges::find(names, "frame-0004.png") != names.end());
   fs::rename(out_, folder_ / "first");
   ASSERT_EQ(play(kSwing).code, 0);
   ASSERT_EQ(folder_.names("first"), names);
@@ -130,8 +124,8 @@ TEST_F(Hairlab, LoadsOpenGlForPicturesAlone) {
   const ProgramSettings watched{.environment = {"LD_DEBUG=files"}};
   const auto loads = [](const ProgramRun& run) {
     EXPECT_EQ(run.code, 0);
-    EXPECT_TRUE(has(run.errors, "libc.so")) << "the loader says nothing";
-    return has(run.errors, "OSMesa") || has(run.errors, "libEGL") || has(run.errors, "libGL");
+    EXPECT_TRUE(says(run.errors, "libc.so")) << "the loader says nothing";
+    return says(run.errors, "OSMesa") || says(run.errors, "libEGL") || says(run.errors, "libGL");
   };
   EXPECT_TRUE(loads(play(kSwing, {}, watched)));
   EXPECT_FALSE(loads(play(kSwing, {"--no-render"}, watched)));
@@ -144,12 +138,12 @@ TEST_F(Hairlab, WritesAllButPicturesWithoutOpenGl) {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libEGL.so.1"}) folder_.write(name, "");
   const ProgramRun run = play(kSwing, {}, {.environment = {"LD_LIBRARY_PATH=" + folder_.path().string()}});
   EXPECT_EQ(run.code, 0);
-  EXPECT_TRUE(has(run.errors, "no pictures: ")) << run.errors;
-  EXPECT_TRUE(has(run.errors, "libosmesa6")) << run.errors;
+  EXPECT_TRUE(says(run.errors, "no pictures: "));
+  EXPECT_TRUE(says(run.errors, "libosmesa6"));
   EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
   EXPECT_EQ(folder_.names("out"),
             (std::vector<std::string>{"motion.json", "run.json", "states.bin", "states.csv"}));
-  EXPECT_TRUE(has(read_run(out_)["no_pictures"], "libosmesa6"));
+  EXPECT_TRUE(says(read_run(out_)["no_pictures"], "libosmesa6"));
 }
 
 TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
@@ -172,7 +166,7 @@ TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
 TEST_F(Hairlab, WarnsInItsLastLineAndInTheRecord) {
   const ProgramRun run = play(kWarns);
   EXPECT_EQ(run.code, 0);
-  EXPECT_TRUE(has(run.output, "; not compared with a finer step\n")) << run.output;
+  EXPECT_TRUE(says(run.output, "; not compared with a finer step\n"));
   EXPECT_EQ(read_run(out_)["off_by"], nullptr);
   const Json warnings = read_run(out_)["warnings"];
   ASSERT_EQ(warnings.size(), 1U) << warnings;
@@ -186,7 +180,7 @@ TEST_F(Hairlab, WarnsInItsLastLineAndInTheRecord) {
   EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
   EXPECT_TRUE(run.errors.starts_with("hairlab: scene: warning: strand 0 is held by stretched springs"))
       << run.errors;
-  EXPECT_TRUE(has(run.errors, "from step " + one["step"].dump() + " on")) << run.errors;
+  EXPECT_TRUE(says(run.errors, "from step " + one["step"].dump() + " on"));
   EXPECT_EQ(play(kWarns, {"--strict"}).code, 1);
   EXPECT_EQ(play(kSwing, {"--strict", "--no-render"}).code, 0);
 }
@@ -202,7 +196,7 @@ TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {
   };
   const ProgramRun run = play(kSwing, {"--frames", "100000"}, settings);
   EXPECT_EQ(run.code, 130);
-  EXPECT_TRUE(has(run.errors, "interrupted after ")) << run.errors;
+  EXPECT_TRUE(says(run.errors, "interrupted after "));
   const Json record = read_run(out_);
   EXPECT_EQ(record["ended"], "interrupted");
   const std::size_t frames = record["frames"].size();
@@ -236,17 +230,16 @@ TEST_F(Hairlab, SaysWhichExercisesAreStubs) {
   const ProgramRun alone = run_hairlab({}, student);
   EXPECT_EQ(alone.code, 0);
   EXPECT_EQ(alone.errors, "");
-  EXPECT_TRUE(has(alone.output, "Not written yet: S1 (student/conj_grad.cpp), S2 (")) << alone.output;
-  EXPECT_TRUE(has(alone.output, "Scenes that play without them: none\n")) << alone.output;
+  EXPECT_TRUE(says(alone.output, "Not written yet: S1 (student/conj_grad.cpp), S2 ("));
+  EXPECT_TRUE(says(alone.output, "Scenes that play without them: none\n"));
   EXPECT_EQ(run_hairlab({}).output, "");
   const std::string parts = run_hairlab({"run", scene, "--explain"}, student).output;
   EXPECT_TRUE(
-      has(parts, "\n  exercise P1        stub      student/explicit_integrators.cpp, not written yet\n"))
-      << parts;
-  EXPECT_TRUE(has(parts, "\n  exercise H1        left out  ")) << parts;
-  EXPECT_FALSE(has(run_hairlab({"run", scene, "--explain"}).output, "stub"));
-  EXPECT_TRUE(has(run_hairlab({"scenes"}, student).output, "(P1; stubs: P1)\n"));
-  EXPECT_FALSE(has(run_hairlab({"scenes"}).output, "stubs"));
+      says(parts, "\n  exercise P1        stub      student/explicit_integrators.cpp, not written yet\n"));
+  EXPECT_TRUE(says(parts, "\n  exercise H1        left out  "));
+  EXPECT_FALSE(says(run_hairlab({"run", scene, "--explain"}).output, "stub"));
+  EXPECT_TRUE(says(run_hairlab({"scenes"}, student).output, "(P1; stubs: P1)\n"));
+  EXPECT_FALSE(says(run_hairlab({"scenes"}).output, "stubs"));
 }
 
 // The reference's run replaces one that stubs can't run, and appears next to one that runs.
@@ -255,15 +248,14 @@ TEST_F(Hairlab, ViewsTheReferencesRunOfAScene) {
   const fs::path page = folder_.path() / "page.html";
   ProgramRun run = run_hairlab({"view", "pendulum", "--out", page.string()}, student);
   EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_TRUE(has(run.errors, "hairlab: pendulum needs P1: student/explicit_integrators.cpp, "))
-      << run.errors;
-  EXPECT_TRUE(has(run.errors, "; the page shows the reference's run\n")) << run.errors;
-  EXPECT_TRUE(has(bytes_of(page), "data-name=\"pendulum by the reference\""));
+  EXPECT_TRUE(says(run.errors, "hairlab: pendulum needs P1: student/explicit_integrators.cpp, "));
+  EXPECT_TRUE(says(run.errors, "; the page shows the reference's run\n"));
+  EXPECT_TRUE(says(bytes_of(page), "data-name=\"pendulum by the reference\""));
 
   run = run_hairlab({"view", "pendulum", "--with", "reference", "--out", page.string()});
   EXPECT_EQ(run.code, 0) << run.errors;
   for (const char* name : {"data-name=\"pendulum\"", "data-name=\"pendulum by the reference\""})
-    EXPECT_TRUE(has(bytes_of(page), name)) << name;
+    EXPECT_TRUE(says(bytes_of(page), name));
   const std::string own = folder_.write("own.json", kPendulum);
   expect_refused(run_hairlab({"view", own, "--out", page.string()}, student), 3, "own needs P1: ");
   expect_refused(run_hairlab({"view", own, "--with", "reference"}), 2,
@@ -353,11 +345,10 @@ TEST_F(Hairlab, ExplainsWithoutRunning) {
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.errors, "");
   EXPECT_TRUE(run.output.starts_with("scene: a hair swings down\n")) << run.output;
-  EXPECT_TRUE(has(run.output, "\n  bending            used      H2, ")) << run.output;
+  EXPECT_TRUE(says(run.output, "\n  bending            used      H2, "));
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
   const ProgramRun both = play(kSwing, {"--explain", "--no-render"});
-  EXPECT_TRUE(has(both.output, "\n  OpenGL             left out  --no-render: no library is loaded\n"))
-      << both.output;
+  EXPECT_TRUE(says(both.output, "\n  OpenGL             left out  --no-render: no library is loaded\n"));
   EXPECT_TRUE(fs::exists(out_ / "run.json"));
 }
 
@@ -368,16 +359,16 @@ TEST_F(Hairlab, ListsTheScenesThatComeAlong) {
   for (const fs::directory_entry& entry : fs::directory_iterator(HAIR_SCENES_DIR))
     if (entry.path().extension() == ".json") {
       ++scenes;
-      EXPECT_TRUE(has("\n" + run.output, "\n" + entry.path().stem().string() + ": ")) << run.output;
+      EXPECT_TRUE(says("\n" + run.output, "\n" + entry.path().stem().string() + ": ")) << run.output;
     }
   EXPECT_GT(scenes, 0);
   EXPECT_EQ(lines_of(run.output), scenes);
   const ProgramRun missing = run_hairlab({"run", "strand-swnig", "--explain"});
-  EXPECT_TRUE(has(missing.errors, "strand-swing, ")) << missing.errors;
+  EXPECT_TRUE(says(missing.errors, "strand-swing, "));
   EXPECT_EQ(run_hairlab({"run", "strand-swing", "--explain"}).code, 0);
   const ProgramRun keys = run_hairlab({"scenes", "--keys"});
   EXPECT_EQ(keys.code, 0) << keys.errors;
-  EXPECT_TRUE(has(keys.output, "\n## `hair[].roots.line`\n")) << keys.output;
+  EXPECT_TRUE(says(keys.output, "\n## `hair[].roots.line`\n"));
 }
 
 }  // namespace

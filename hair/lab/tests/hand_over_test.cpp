@@ -30,14 +30,13 @@ TEST_F(HandOver, ListsAllCommands) {
   EXPECT_EQ(run.code, 0);
   for (const char* command : {"run", "scenes", "live", "info", "convert", "groom", "phase", "solver",
                               "stability", "study", "validate"})
-    EXPECT_TRUE(has(run.output, "\n  " + std::string(command) + " ")) << command << "\n" << run.output;
+    EXPECT_TRUE(says(run.output, "\n  " + std::string(command) + " ")) << command << "\n" << run.output;
 }
 
 TEST_F(HandOver, SaysHowToBuildStudiesThatAreMissingOrOlderThanItself) {
   const auto expect_asks_for_a_build = [&](const std::string& what) {
     const ProgramRun run = run_hairlab({"study", "--help"}, {.program = hairlab_.string()});
-    EXPECT_EQ(run.code, 2);
-    EXPECT_EQ(run.output, "");
+    expect_refused(run, 2, "");
     EXPECT_EQ(run.errors, "hairlab: study is in a program of its own, which is " + what +
                               "; build it with: cmake --build '" + HAIR_BUILD_DIR +
                               "' --target hairlab_studies --parallel 4\n");

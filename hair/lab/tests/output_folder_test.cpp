@@ -24,12 +24,7 @@ void write_run(const fs::path& folder, const std::string& text) {
 }
 
 std::string why_refused(const fs::path& folder) {
-  try {
-    OutputFolder out(folder);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal<BadInput>([&] { OutputFolder out(folder); });
 }
 
 TEST(OutputFolderTest, IsThereWholeOrNotAtAll) {
@@ -52,7 +47,7 @@ TEST(OutputFolderTest, LeavesNoFoldersAboveItThatItMadeInVain) {
     test.write("q/notes.txt", "mine");
   }
   EXPECT_EQ(test.names("q"), std::vector<std::string>{"notes.txt"});
-  EXPECT_NE(why_refused(test / "a/b" / std::string(300, 'x')).find("can't be made"), std::string::npos);
+  EXPECT_TRUE(says(why_refused(test / "a/b" / std::string(300, 'x')), "can't be made"));
   EXPECT_EQ(test.names(), std::vector<std::string>{"q"});
   write_run(test / "q/r/s", "1");
   EXPECT_TRUE(fs::exists(test / "q/r/s/run.json"));
@@ -76,22 +71,21 @@ TEST(OutputFolderTest, ReplacesAnEarlierRunOnlyAtTheEnd) {
 TEST(OutputFolderTest, ReplacesNothingElse) {
   const TestFolder test;
   test.write("file", "mine");
-  EXPECT_NE(why_refused(test / "file").find("is a file"), std::string::npos);
+  EXPECT_TRUE(says(why_refused(test / "file"), "is a file"));
   EXPECT_NE(why_refused(test / "file/out"), "");
   EXPECT_NE(why_refused("/"), "");
   EXPECT_NE(why_refused("."), "");
 
   fs::create_directory(test / "mine");
   test.write("mine/notes.txt", "mine");
-  EXPECT_NE(why_refused(test / "mine").find("not from hairlab run; "), std::string::npos);
+  EXPECT_TRUE(says(why_refused(test / "mine"), "not from hairlab run; "));
   test.write("mine/run.json", "{\"program\": \"another\"}");
   EXPECT_NE(why_refused(test / "mine"), "");
 
   write_run(test / "out", "1");
   for (const std::string name : {"notes.txt", "frame-.png", "frame-1a.png", "frame-0001.png.txt"}) {
     test.write("out/" + name, "mine");
-    EXPECT_NE(why_refused(test / "out").find("holds " + name + ", which is not from hairlab run; "),
-              std::string::npos)
+    EXPECT_TRUE(says(why_refused(test / "out"), "holds " + name + ", which is not from hairlab run; "))
         << name;
     fs::remove(test / ("out/" + name));
   }

@@ -29,23 +29,21 @@ ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramS
 
 void expect_refused(const ProgramRun& run, int code, const std::string& part) {
   EXPECT_EQ(run.code, code) << run.errors;
-  EXPECT_TRUE(has(run.errors, part)) << run.errors;
+  EXPECT_TRUE(says(run.errors, part));
   EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  EXPECT_TRUE(run.errors.starts_with("hairlab: ")) << run.errors;
+  EXPECT_EQ(run.output, "");
 }
 
 std::ptrdiff_t lines_of(const std::string& text) {
-  return std::count(text.begin(), text.end(), '\n');
+  return std::ranges::count(text, '\n');
 }
 
 std::vector<std::string> TestFolder::names(const std::string& folder) const {
   std::vector<std::string> all;
   for (const fs::directory_entry& entry : fs::directory_iterator(path() / folder))
     all.push_back(entry.path().filename().string());
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
 }
 

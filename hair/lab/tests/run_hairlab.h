@@ -10,6 +10,7 @@
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace hair {
 
@@ -28,12 +29,11 @@ struct ProgramSettings {
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});
 
-// Expects this exit code, and one line that has a part.
+// Expects this exit code, no output, and one line of an error that has a part.
 void expect_refused(const ProgramRun& run, int code, const std::string& part);
 
-// Helpers for tests: a search for a part of a text, and the number of its lines.
-bool has(const std::string& text, const std::string& part);
 std::ptrdiff_t lines_of(const std::string& text);
+using tests::says;
 
 // A test's own folder; removed with this object.
 class TestFolder {

@@ -15,7 +15,6 @@
 #include "hair/lab/stability/extremes.h"
 #include "hair/lab/stability/maps.h"
 #include "hair/lab/stability/refine.h"
-#include "hair/lab/stability/tests/never_interrupted.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/simulation/test_hairs.h"
 #include "hair/strand/measures.h"
@@ -31,18 +30,12 @@ Description falling_hair() {
   return description;
 }
 
-std::vector<std::string> names_of(const std::vector<hair::ExtremeCase>& cases) {
-  std::vector<std::string> names;
-  for (const hair::ExtremeCase& one : cases) names.push_back(one.name);
-  return names;
-}
-
 TEST(Extremes, AreWhatTheirNamesSay) {
   const std::vector<hair::ExtremeCase> cases = hair::extreme_cases(falling_hair());
   ASSERT_EQ(cases.size(), 8u);
   const auto of = [&](const std::string& name) {
-    const auto found = std::find_if(cases.begin(), cases.end(),
-                                    [&](const hair::ExtremeCase& one) { return one.name == name; });
+    const auto found =
+        std::ranges::find_if(cases, [&](const hair::ExtremeCase& one) { return one.name == name; });
     EXPECT_NE(found, cases.end()) << name;
     return found->start;
   };
@@ -64,7 +57,8 @@ TEST(Extremes, LeaveOutWithoutGravityWhatWouldNotMove) {
   Description floating = falling_hair();
   floating.gravity.setZero();
   floating.strands[0].strand.clamped = true;
-  const std::vector<std::string> names = names_of(hair::extreme_cases(floating));
+  std::vector<std::string> names;
+  for (const hair::ExtremeCase& one : hair::extreme_cases(floating)) names.push_back(one.name);
   EXPECT_EQ(names, (std::vector<std::string>{"folded", "crushed to a hundredth", "torn to thrice its length",
                                              "its root flung at 30 m/s"}));
   // A thread without weight and without bending has no oscillation across itself at all.
@@ -84,7 +78,7 @@ TEST(Extremes, AnExplicitMethodBreaksAtCommonStepsAndNotBelowItsLimit) {
     hair::StudyMethod method;
     method.method = which;
     const double fastest = hair::hang(hair::with_options(falling_hair(), method), 1, false).fastest();
-    const std::vector<hair::ExtremeRun> runs = hair::run_extremes(falling_hair(), method, kNeverInterrupted);
+    const std::vector<hair::ExtremeRun> runs = hair::run_extremes(falling_hair(), method, false);
     ASSERT_EQ(runs.size(), 3 * 8u);
     for (const hair::ExtremeRun& run : runs) {
       EXPECT_EQ(run.step_from, run.h < 1e-3 ? from : "");
@@ -112,10 +106,10 @@ hair::RefinedGrid refined(const Classes& classes) {
         ++calls[static_cast<std::size_t>(row) * kSize + column];
         return classes(column, row);
       },
-      kNeverInterrupted);
+      false);
   EXPECT_TRUE(grid.complete);
-  EXPECT_EQ(grid.asked, std::count(calls.begin(), calls.end(), 1)) << "each cell is asked for once at most";
-  EXPECT_EQ(*std::max_element(calls.begin(), calls.end()), 1);
+  EXPECT_EQ(grid.asked, std::ranges::count(calls, 1)) << "each cell is asked for once at most";
+  EXPECT_EQ(*std::ranges::max_element(calls), 1);
   return grid;
 }
 
@@ -175,7 +169,7 @@ TEST(Refine, MeetsEveryIslandThatIsTwoColumnsWideAndAsHighAsItsStride) {
     const hair::RefinedGrid grid = refined([&](int c, int r) {
       return c >= column && c < column + width && r >= row && r < row + height ? 3 : r < 20 ? 0 : 1;
     });
-    return std::count(grid.cells.begin(), grid.cells.end(), 3) > 0;
+    return std::ranges::count(grid.cells, 3) > 0;
   };
   for (int column = 0; column + 2 <= kSize; ++column)
     for (int row = 0; row + hair::kCoarse <= kSize; ++row)

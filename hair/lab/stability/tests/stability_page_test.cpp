@@ -12,33 +12,28 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const std::vector<double> kSteps = {1, 2, 4, 8, 16, 32, 64, 128};
 
-TEST(StabilityDistance, IsInCellsAndTakesTheSignOfTheBoundary) {
-  const hair::Distance distance = hair::distance_of({4, 8, 16}, {4, 4, 32}, kSteps);
-  EXPECT_EQ(distance.columns, 3);
-  EXPECT_DOUBLE_EQ(distance.median_cells, 0);
-  EXPECT_DOUBLE_EQ(std::abs(distance.worst_cells), 1);
-  EXPECT_EQ(distance.columns_beyond, 0);
-}
-
-// Theory's limit is 4, and no step or every step is wrong: no column has both boundaries, all disagree.
-TEST(StabilityDistance, CountsColumnsWhereOneHasLeftTheMap) {
-  const hair::Distance never = hair::distance_of({kInfinity, kInfinity}, {4, 8}, kSteps);
-  EXPECT_EQ(never.columns, 0);
-  EXPECT_EQ(never.columns_beyond, 2);
-  EXPECT_DOUBLE_EQ(never.beyond_cells, 5);  // from 4 to 128
-  const hair::Distance always = hair::distance_of({0, 0, 8}, {16, 4, 8}, kSteps);
-  EXPECT_EQ(always.columns, 1);
-  EXPECT_EQ(always.columns_beyond, 2);
-  EXPECT_DOUBLE_EQ(always.beyond_cells, -4);  // from 16 to 1
-  const hair::Distance found = hair::distance_of({8, kInfinity}, {kInfinity, 0}, kSteps);
-  EXPECT_EQ(found.columns_beyond, 2);
-  EXPECT_DOUBLE_EQ(found.beyond_cells, 7);
-}
-
-TEST(StabilityDistance, LetsBothLeaveTheMapOnOneSide) {
-  const hair::Distance distance = hair::distance_of({kInfinity, 0, kInfinity}, {kInfinity, 0, 500}, kSteps);
-  EXPECT_EQ(distance.columns, 0);
-  EXPECT_EQ(distance.columns_beyond, 0);
+// The steps of the boundary and of theory's limit in each column. Where one has left the map they disagree,
+// unless both left it on one side.
+TEST(StabilityDistance, IsInCellsAndCountsColumnsWhereOneHasLeftTheMap) {
+  const struct {
+    std::vector<double> boundary, limit;
+    int columns, beyond;
+    double beyond_cells;
+  } cases[] = {{{4, 8, 16}, {4, 4, 32}, 3, 0, 0},
+               {{kInfinity, kInfinity}, {4, 8}, 0, 2, 5},  // from 4 to 128
+               {{0, 0, 8}, {16, 4, 8}, 1, 2, -4},          // from 16 to 1
+               {{8, kInfinity}, {kInfinity, 0}, 0, 2, 7},
+               {{kInfinity, 0, kInfinity}, {kInfinity, 0, 500}, 0, 0, 0}};
+  for (const auto& one : cases) {
+    SCOPED_TRACE(&one - cases);
+    const hair::Distance distance = hair::distance_of(one.boundary, one.limit, kSteps);
+    EXPECT_EQ(distance.columns, one.columns);
+    EXPECT_EQ(distance.columns_beyond, one.beyond);
+    EXPECT_DOUBLE_EQ(distance.beyond_cells, one.beyond_cells);
+  }
+  const hair::Distance signs = hair::distance_of({4, 8, 16}, {4, 4, 32}, kSteps);
+  EXPECT_DOUBLE_EQ(signs.median_cells, 0);
+  EXPECT_DOUBLE_EQ(std::abs(signs.worst_cells), 1);
 }
 
 // The first row is wrong already: there is no lower cell for a boundary between two.
@@ -60,7 +55,7 @@ std::string said_of(hair::Fate fate, double limit) {
   map.steps = 100;
   map.boundary = hair::boundary_of(map.grid, map.hs);
   map.limits = {{"theory", {limit, limit}}};
-  map.distances = {hair::distance_of(map.boundary, map.limits[0].h, map.hs)};
+  map.limits[0].distance = hair::distance_of(map.boundary, map.limits[0].h, map.hs);
   hair::StabilityReport report;
   report.scene = "a scene";
   report.maps = {map};

@@ -9,28 +9,20 @@
 
 namespace reference_tests {
 
-hair::Study Studied::empty() const {
-  hair::Study study = hair::prepare_study(problem, methods, settings);
-  hair::set_reference(problem, motion, study);
-  return study;
-}
-
-hair::Study Studied::whole() const {
-  hair::Study study = empty();
-  hair::finish_study(problem, motion, settings, study, false);
-  return study;
-}
-
 Studied studied(const char* scene, double duration, const std::vector<std::string>& methods,
                 double most_work) {
-  Studied made;
-  made.problem = hair::make_problem(hair::parse_scene(scene, "test"), {0, duration, {}});
-  made.motion = hair::accurate_motion(made.problem, {}, false).value();
-  for (const hair::StudyMethod& method : hair::methods_for(made.problem))
-    if (std::find(methods.begin(), methods.end(), method.id) != methods.end()) made.methods.push_back(method);
-  if (made.methods.size() != methods.size()) throw std::invalid_argument("a method is missing");
-  made.settings.most_work = most_work;
-  made.settings.repeats = {.most = 1, .enough = 0, .least = 1, .too_long = 0, .warm = 0};
+  Studied made{hair::make_problem(hair::parse_scene(scene, "test"), {0, duration, {}}), {}};
+  std::vector<hair::StudyMethod> chosen = hair::methods_for(made.problem);
+  std::erase_if(chosen, [&](const hair::StudyMethod& method) {
+    return std::ranges::find(methods, method.id) == methods.end();
+  });
+  if (chosen.size() != methods.size()) throw std::invalid_argument("a method is missing");
+  hair::StudySettings settings;
+  settings.most_work = most_work;
+  settings.repeats = {.most = 1, .enough = 0, .least = 1, .too_long = 0, .warm = 0};
+  made.study = hair::prepare_study(made.problem, chosen, settings,
+                                   hair::accurate_motion(made.problem, {}, false).value());
+  hair::finish_study(made.problem, settings, made.study, false);
   return made;
 }
 

@@ -1,13 +1,15 @@
 // STAFF ONLY. Soft problems, whose studies take almost no time.
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <vector>
 
 #include "hair/lab/study/sweep.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
+
+using tests::says;
 
 // 12 cm in 6 segments, ten thousand times as easy to stretch as hair; starts horizontal and swings.
 inline const char* const kSoftHair =
@@ -27,12 +29,7 @@ inline const char* const kPendulum = R"({"shows": "a pendulum", "frames": 3, "to
 
 struct Studied {
   hair::Problem problem;
-  hair::AccurateMotion motion;
-  std::vector<hair::StudyMethod> methods;
-  hair::StudySettings settings;
-
-  hair::Study empty() const;  // without runs
-  hair::Study whole() const;
+  hair::Study study;
 };
 
 // The first `duration` seconds of a scene with these methods; each run is made once.

@@ -1,10 +1,10 @@
-// STAFF ONLY. A study exposes methods that are wrong, in words and in its orders, and names one that throws.
+// STAFF ONLY. A study exposes methods that are wrong, in words and in its orders. It names one that throws,
+// and one that is not written.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "hair/lab/study/observed_order.h"
-#include "hair/lab/study/study_figures.h"
 #include "hair/lab/study/study_record.h"
 #include "particles/explicit_integrators.h"
 #include "studies.h"
@@ -50,8 +50,7 @@ using hair::Norm;
 
 TEST(WrongMethod, IsExposed) {
   const hair::Study study =
-      studied(kPendulum, 0.1, {"forward-euler", "symplectic-euler", "midpoint", "runge-kutta-4"}, 2e6)
-          .whole();
+      studied(kPendulum, 0.1, {"forward-euler", "symplectic-euler", "midpoint", "runge-kutta-4"}, 2e6).study;
   const auto seen = [&](const char* id) {
     return hair::observed_order(sweep_of(study, id), Norm::trajectory, study.floors[Norm::trajectory]);
   };
@@ -80,7 +79,7 @@ TEST(WrongMethod, IsExposed) {
   for (std::size_t k = 0; k < sweep.runs.size(); ++k) {
     const hair::MethodRun& run = sweep.runs[k];
     EXPECT_EQ(run.ending, hair::RunEnding::broke);
-    EXPECT_NE(run.trouble.find("threw as checks of arguments do"), std::string::npos) << run.trouble;
+    EXPECT_TRUE(says(run.trouble, "threw as checks of arguments do"));
     EXPECT_EQ(run.counts.evaluations, run.counts.steps);
     EXPECT_DOUBLE_EQ(figure.series[0].points[k].x, run.steps_per_moment * hair::kMoments);
   }
@@ -89,9 +88,20 @@ TEST(WrongMethod, IsExposed) {
   EXPECT_LT(sweep.runs.back().counts.steps, sweep.runs.back().steps_per_moment);
 
   const std::string html = hair::to_html(hair::study_page(study));
-  EXPECT_NE(html.find(sweep.runs.back().trouble), std::string::npos);
-  EXPECT_NE(html.find("less than theory says"), std::string::npos);
-  EXPECT_NE(html.find("m off, however small the step"), std::string::npos);
+  EXPECT_TRUE(says(html, sweep.runs.back().trouble));
+  EXPECT_TRUE(says(html, "less than theory says"));
+  EXPECT_TRUE(says(html, "m off, however small the step"));
+}
+
+// H6 is a stub in this program.
+TEST(LeftOut, AMethodThatIsNotWrittenIsNamedAndTheOthersRun) {
+  const hair::Study study = studied(kSoftHair, 0.05, {"h4-filtered", "h6"}, 1e5).study;
+  EXPECT_GE(sweep_of(study, "h4-filtered").runs.size(), 3u);
+  const hair::Sweep& left_out = sweep_of(study, "h6");
+  EXPECT_TRUE(left_out.runs.empty());
+  EXPECT_EQ(left_out.end, hair::SweepEnd::not_written);
+  EXPECT_TRUE(left_out.left_out.starts_with("H6 ")) << left_out.left_out;
+  EXPECT_TRUE(says(hair::to_html(hair::study_page(study)), "H6 is left out: H6 "));
 }
 
 }  // namespace
