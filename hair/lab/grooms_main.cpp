@@ -1,5 +1,5 @@
 // hairlab-groom: reads and writes grooms' files, and runs scenes with such files. hairlab starts it.
-#include "hair/lab/commands/program.h"
+#include "hair/lab/commands/command.h"
 
 int main(int argc, char* argv[]) {
   CLI::App app("hairlab: grooms, and scenes with files of grooms");

@@ -2,9 +2,9 @@
 // quality of runs, and to hairlab-groom, which reads grooms' files. Its exit codes are in
 // hair/lab/commands/exit_codes.h.
 #include "hair/groom/groom_file.h"
+#include "hair/lab/commands/command.h"
 #include "hair/lab/commands/hand_over.h"
 #include "hair/lab/commands/play.h"
-#include "hair/lab/commands/program.h"
 
 int main(int argc, char* argv[]) {
   const hair::OtherCommand* const other = argc > 1 ? hair::other_command(argv[1]) : nullptr;

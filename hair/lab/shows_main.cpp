@@ -1,5 +1,5 @@
 // hairlab-show: hairlab's commands that show solvers and methods at work, in a second.
-#include "hair/lab/commands/program.h"
+#include "hair/lab/commands/command.h"
 
 int main(int argc, char* argv[]) {
   CLI::App app("hairlab-show: what hairlab shows the first exercises with");

@@ -1,5 +1,5 @@
 // hairlab-study: hairlab's commands that measure how well scenes run, and how well solvers solve.
-#include "hair/lab/commands/program.h"
+#include "hair/lab/commands/command.h"
 
 int main(int argc, char* argv[]) {
   CLI::App app("hairlab-study: what hairlab's studies run in");

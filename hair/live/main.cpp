@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "hair/io/files/start_program.h"
-#include "hair/lab/commands/program.h"
+#include "hair/lab/commands/command.h"
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/live/live.h"

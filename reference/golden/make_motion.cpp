@@ -53,7 +53,7 @@ int main(int count, char** arguments) try {
   hair::RunSettings settings;
   settings.out = run;
   settings.render = pictures;
-  settings.draws = settings.only_shown = !pictures;
+  settings.for_page = !pictures;
   settings.most_points = most_points;
   std::ostream no_notes(nullptr);
   const hair::RunResult played = hair::run_scene(scene, settings, false, no_notes, nullptr);

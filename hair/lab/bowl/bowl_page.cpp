@@ -96,8 +96,7 @@ Section section_of(const BowlPath& path) {
   const std::string id = normal ? "normal-path" : "path", root = to_text(std::sqrt(path.condition));
   const std::string what = normal
                                ? "A matrix that is not symmetric, with the same singular values and the same "
-                                 "solution as the one "
-                                 "above. A has the condition number " +
+                                 "solution as the one above. A has the condition number " +
                                      root + ", A'A its square, " + to_text(path.condition) +
                                      ": a valley whose level sets are " + root + " times as long as wide."
                                : "A symmetric matrix with the condition number " + to_text(path.condition) +
@@ -137,8 +136,7 @@ std::vector<Row> bowl_rows(const std::vector<BowlPath>& paths) {
 Page bowl_page(const std::vector<BowlPath>& paths, const std::string& left_out) {
   Page page = {"Paths over a bowl",
                {"ConjGrad goes to the bottom of a bowl of two unknowns, the normal equations to that of "
-                "another one. Each of "
-                "your functions is called with *steps of 1, 2, 3, ..."},
+                "another one. Each of your functions is called with *steps of 1, 2, 3, ..."},
                {}};
   if (!left_out.empty()) page.paragraphs.push_back("The normal equations are left out: " + left_out + ".");
   for (const BowlPath& path : paths) page.sections.push_back(section_of(path));

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 #include "hair/course/course.h"
 #include "hair/lab/commands/exit_codes.h"
@@ -31,5 +32,12 @@ Command add_study_command(CLI::App& program);
 Command add_study_head_command(CLI::App& study);  // a command of the command `study`
 Command add_validate_command(CLI::App& program);
 Command add_view_command(CLI::App& program);
+
+// The common main function of hairlab's programs. Parses the command line, reads the course (each command has
+// --course), marks the program's stubs, and runs the named command; without one, runs `overview`, if there is
+// one, before the error. Prints an error as one line, also for results that the standard output does not
+// accept. Returns the exit code.
+int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[],
+                const std::function<void(const Course&)>& overview = {});
 
 }  // namespace hair

@@ -1,11 +1,9 @@
 #include "hair/lab/commands/groom_commands.h"
 
-#include <array>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
-#include <string>
 
 #include "hair/groom/groom_edit.h"
 #include "hair/groom/groom_file.h"

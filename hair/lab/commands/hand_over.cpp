@@ -16,8 +16,8 @@ namespace hair {
 namespace fs = std::filesystem;
 
 const OtherCommand* other_command(std::string_view name) {
-  const auto* const found = std::find_if(kOtherCommands.begin(), kOtherCommands.end(),
-                                         [&](const OtherCommand& one) { return one.name == name; });
+  const auto* const found =
+      std::ranges::find_if(kOtherCommands, [&](const OtherCommand& one) { return one.name == name; });
   return found == kOtherCommands.end() ? nullptr : found;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <optional>
 #include <thread>
 
 #include "hair/io/files/bad_input.h"

@@ -1,5 +1,5 @@
-// `hairlab`, `hairlab run` and `hairlab scenes` without their command lines: the headers of scenes and
-// those of command lines take seconds to compile, so no file includes both.
+// `hairlab`, `hairlab run`, `hairlab view` and `hairlab scenes` without their command lines: the headers of
+// scenes and those of command lines take seconds to compile, so no file includes both.
 #pragma once
 
 #include <filesystem>
@@ -27,5 +27,18 @@ void show_overview(const Course& course);
 int play_scene(const PlayOptions& options, const Course& course);
 int list_scenes(const Course& course);
 int list_keys();  // the keys of scenes
+
+// Replaces a run's name: the reference's run of the same scene, which is part of the handout
+// (reference/golden/make_motion.cpp). A folder of this name is ./reference.
+inline constexpr const char* kReference = "reference";
+
+struct ViewOptions {
+  std::string run,
+      other;                  // the folder of a run, or a scene as above; other: "" for none, or kReference
+  std::filesystem::path out;  // empty: view.html in the run's folder, or NAME.html for a scene
+};
+
+// If not all exercises of a scene are written, shows the reference's run. Returns the program's exit code.
+int view_runs(const ViewOptions& options, const Course& course);
 
 }  // namespace hair

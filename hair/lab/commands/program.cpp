@@ -1,4 +1,4 @@
-#include "hair/lab/commands/program.h"
+#include "hair/lab/commands/command.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,19 +36,13 @@ int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, c
       }
     app.require_subcommand(1);
     app.parse(argc, argv);
+    const auto asked = std::ranges::find_if(commands, [](const Command& one) { return one.app->parsed(); });
+    return asked->run(course_of_program(course_file));
   } catch (const CLI::Success& help) {
     return app.exit(help);
-  } catch (const BadInput& error) {
-    std::cerr << "hairlab: " << error.what() << "\n";
-    return kBadInput;
   } catch (const CLI::ParseError& error) {
     std::cerr << "hairlab: " << error.what() << "; see hairlab --help\n";
     return kBadInput;
-  }
-  const auto asked =
-      std::find_if(commands.begin(), commands.end(), [](const Command& one) { return one.app->parsed(); });
-  try {
-    return asked->run(course_of_program(course_file));
   } catch (const BadInput& error) {
     std::cerr << "hairlab: " << error.what() << "\n";
     return kBadInput;

@@ -2,7 +2,6 @@
 
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/play.h"
-#include "hair/lab/commands/view_runs.h"
 
 namespace hair {
 

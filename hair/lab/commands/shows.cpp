@@ -31,17 +31,6 @@ int show_bowl(const ShellOptions& options, const Course& course) {
   return shell.end(true, left_out.empty() ? "" : "\nwithout the normal equations: " + left_out);
 }
 
-}  // namespace
-
-Command add_bowl_command(CLI::App& program) {
-  const auto options = std::make_shared<ShellOptions>();
-  CLI::App* app = program.add_subcommand(kBowl.name, kBowl.what);
-  app->add_option("--out", options->out, "The folder for page, table and record")->required();
-  return {app, [options](const Course& course) { return show_bowl(*options, course); }};
-}
-
-namespace {
-
 int show_phase_plane(const ShellOptions& options, const Course& course) {
   if (!course.has("P1"))
     throw BadInput("this course leaves out P1, the four methods; there is nothing to show");
@@ -53,13 +42,22 @@ int show_phase_plane(const ShellOptions& options, const Course& course) {
   return shell.end(true);
 }
 
+Command add_show(CLI::App& program, const OtherCommand& command,
+                 int (*show)(const ShellOptions&, const Course&)) {
+  const auto options = std::make_shared<ShellOptions>();
+  CLI::App* app = program.add_subcommand(command.name, command.what);
+  app->add_option("--out", options->out, "The folder for page, table and record")->required();
+  return {app, [options, show](const Course& course) { return show(*options, course); }};
+}
+
 }  // namespace
 
+Command add_bowl_command(CLI::App& program) {
+  return add_show(program, kBowl, show_bowl);
+}
+
 Command add_phase_command(CLI::App& program) {
-  const auto options = std::make_shared<ShellOptions>();
-  CLI::App* app = program.add_subcommand(kPhasePlane.name, kPhasePlane.what);
-  app->add_option("--out", options->out, "The folder for page, table and record")->required();
-  return {app, [options](const Course& course) { return show_phase_plane(*options, course); }};
+  return add_show(program, kPhasePlane, show_phase_plane);
 }
 
 }  // namespace hair

@@ -47,7 +47,7 @@ int run(const HeadOptions& options, const Course& course) {
   }
 
   for (const HeadHair& hair : head_hairs()) {
-    if (std::find(ids.begin(), ids.end(), hair.id) == ids.end()) continue;
+    if (std::ranges::find(ids, hair.id) == ids.end()) continue;
     shell.say(hair.title + " grows");
     const GrownHead head = grow_head(*bust, hair,
                                      options.strands > 0 ? options.strands

@@ -78,11 +78,10 @@ std::vector<One> chosen(std::vector<One> all, const std::vector<std::string>& id
   std::string known;
   for (const One& one : all) known += (known.empty() ? "" : ", ") + one.id;
   for (const std::string& id : ids)
-    if (std::none_of(all.begin(), all.end(), [&](const One& one) { return one.id == id; }))
+    if (std::ranges::none_of(all, [&](const One& one) { return one.id == id; }))
       throw BadInput(where + ": there is no \"" + printable(id) + "\"; there are " + known);
   if (!ids.empty())
-    std::erase_if(all,
-                  [&](const One& one) { return std::find(ids.begin(), ids.end(), one.id) == ids.end(); });
+    std::erase_if(all, [&](const One& one) { return std::ranges::find(ids, one.id) == ids.end(); });
   return all;
 }
 

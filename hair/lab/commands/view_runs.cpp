@@ -1,10 +1,9 @@
-#include "hair/lab/commands/view_runs.h"
+#include "hair/lab/commands/play.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
-#include <optional>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/read_file.h"
@@ -70,7 +69,7 @@ NamedMotion played(const Scene& scene, std::size_t most_points) {
   RunSettings settings;
   settings.out = folder.path() / "run";
   settings.render = false;
-  settings.draws = settings.only_shown = true;
+  settings.for_page = true;
   settings.most_points = most_points;
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: finishing this frame; once more ends at once\n");

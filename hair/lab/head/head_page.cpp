@@ -1,7 +1,6 @@
 #include "hair/lab/head/head_record.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hair/io/plot/figure.h"
 #include "hair/io/plot/html.h"
@@ -84,28 +83,24 @@ void add_errors(const HeadCase& one, std::size_t mode, std::vector<Table>& table
   add_table(tables, rows, caption_of(one, mode) + "; errors in mm");
 }
 
-// Null if no run has this number of guides.
-const GuideRun* run_with(const HeadCase& one, int guides) {
-  for (const GuideRun& run : one.runs)
-    if (run.guides == guides) return &run;
-  return nullptr;
-}
-
 Table answer(const HeadStudy& study) {
   Table table{
       "Interpolated, of all moments: RMS distance in mm, in brackets of the motion alone; CPU time for a "
-      "second "
-      "of motion, s; and how many times as long a strand takes to simulate as to interpolate",
+      "second of motion, s; and how many times as long a strand takes to simulate as to interpolate",
       {"hair", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s", "times"},
       {}};
   for (const HeadCase& one : study.cases) {
     std::vector<std::string> row = {one.hair->title + " " + place_of(one), "exercises",
                                     std::to_string(one.strands)};
     for (const int guides : {100, 1'000}) {
-      const GuideRun* const run = run_with(one, guides);
-      const HeadErrors* const e = run ? &run->modes[kInterpolate].errors : nullptr;
-      row.push_back(e ? mm(e->all.rms) + " (" + mm(e->motion.rms) + ")" : "");
-      row.push_back(run ? to_text(run->seconds(kInterpolate)) : "");
+      const auto run = std::ranges::find(one.runs, guides, &GuideRun::guides);
+      if (run == one.runs.end()) {
+        row.insert(row.end(), 2, "");
+        continue;
+      }
+      const HeadErrors& e = run->modes[kInterpolate].errors;
+      row.push_back(mm(e.all.rms) + " (" + mm(e.motion.rms) + ")");
+      row.push_back(to_text(run->seconds(kInterpolate)));
     }
     row.push_back(to_text(one.seconds));
     row.push_back(one.runs.empty() ? ""
@@ -118,12 +113,11 @@ Table answer(const HeadStudy& study) {
 std::string figure_of(const HeadStudy& study, const std::string& hair) {
   Html all = html("<div class=\"pictures\">\n");
   std::vector<HeadPicture> pictures = study.pictures;
-  std::sort(pictures.begin(), pictures.end(),
-            [](const HeadPicture& a, const HeadPicture& b) { return a.guides < b.guides; });
+  std::ranges::sort(pictures, [](const HeadPicture& a, const HeadPicture& b) { return a.guides < b.guides; });
   for (const HeadPicture& picture : pictures) {
     if (picture.hair != hair) continue;
-    const auto& one = *std::find_if(study.cases.begin(), study.cases.end(),
-                                    [&](const HeadCase& each) { return each.hair->id == hair; });
+    const auto& one =
+        *std::ranges::find_if(study.cases, [&](const HeadCase& each) { return each.hair->id == hair; });
     const std::string says = picture.guides >= one.strands
                                  ? "every strand simulated, " + std::to_string(one.strands)
                                  : "interpolated from " + std::to_string(picture.guides) + " guides";
@@ -143,8 +137,7 @@ Section section_of(const HeadStudy& study, const std::string& id) {
     section.figures.push_back(to_svg(figure_of(one)));
     for (std::size_t m = 0; m < kModes.size(); ++m) add_errors(one, m, section.tables);
   }
-  if (std::any_of(study.pictures.begin(), study.pictures.end(),
-                  [&](const HeadPicture& picture) { return picture.hair == id; }))
+  if (std::ranges::any_of(study.pictures, [&](const HeadPicture& picture) { return picture.hair == id; }))
     section.figures.push_back(figure_of(study, id));
   return section;
 }
@@ -156,10 +149,9 @@ Page head_page(const HeadStudy& study) {
   page.title = "Why not simulate every single strand?";
   page.paragraphs = {
       "A head of hair turns by " + to_text(kTurn) +
-          " degrees to one side and back, within a second. Once every "
-          "strand is simulated; and beside that, with the same steps, only some of them, the guides, and all "
-          "strands are made of "
-          "these by synthesis (H10). The error is how far these are from the same strands simulated.",
+          " degrees to one side and back, within a second. Once every strand is simulated; and beside that, "
+          "with the same steps, only some of them, the guides, and all strands are made of these by "
+          "synthesis (H10). The error is how far these are from the same strands simulated.",
       "Straight hair is straight at rest and lies as weight and head let it; 'all alike' has no clumps, and "
       "no differences of length and direction. Wavy and curly hair rests as it grew.",
       "The exercises (H1, H2, H4) step one strand at a time, and so there are fewer strands than on a real "
@@ -167,10 +159,8 @@ Page head_page(const HeadStudy& study) {
       "Times are CPU times, of " + std::to_string(kMoving) + " frames with " +
           std::to_string(kStepsPerFrame) +
           " steps each, and of a synthesis for each frame. 'Start': as the head begins to move. 'All': of "
-          "all frames after that. "
-          "'Motion alone': as if each strand were given its own shape once, at the start. '95 %': of the "
-          "strands are not farther off, "
-          "at the worst moment."};
+          "all frames after that. 'Motion alone': as if each strand were given its own shape once, at the "
+          "start. '95 %': of the strands are not farther off, at the worst moment."};
   page.picture_files = !study.pictures.empty();
   if (!study.no_pictures.empty())
     page.paragraphs.push_back("There are no pictures: " + study.no_pictures + ".");

@@ -20,7 +20,7 @@ Colour linear_colour(const std::array<double, 3>& parts) {
 }
 
 int or_nearest(const std::vector<int>& guides, int wanted, int otherwise) {
-  return std::find(guides.begin(), guides.end(), wanted) != guides.end() ? wanted : otherwise;
+  return std::ranges::find(guides, wanted) != guides.end() ? wanted : otherwise;
 }
 
 }  // namespace

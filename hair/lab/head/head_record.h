@@ -11,7 +11,6 @@
 //   pictures   hair, file, guides; no_pictures: why there are none, or null
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "hair/io/plot/columns.h"

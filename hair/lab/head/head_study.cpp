@@ -3,15 +3,35 @@
 #include <memory>
 #include <numeric>
 
+#include "hair/groom/farthest_points.h"
 #include "solver/timing.h"
 
 namespace hair::head_study {
 namespace {
 
+// The roots of `guides` strands that are well spread: ascending indices. All of them if there are no more.
+std::vector<std::size_t> choose_guides(const GrownHead& head, int guides) {
+  std::vector<Vector3d> places;
+  places.reserve(head.roots.size());
+  for (const RootFrame& root : head.roots) places.push_back(root.position);
+  return farthest_points(places, static_cast<std::size_t>(guides));
+}
+
 class GuidedHead {
  public:
-  GuidedHead(const GrownHead& head, int guides, const MovingHeadSettings& settings)
-      : GuidedHead(head, choose_guides(head, guides), settings) {}
+  GuidedHead(const GrownHead& head, const std::vector<std::size_t>& which, const MovingHeadSettings& settings)
+      : guides_(head, which, settings) {
+    run_.guides = static_cast<int>(which.size());
+    SynthesisDescription description;
+    for (const std::size_t k : which) description.guides.push_back(head.roots[k]);
+    description.children = head.roots;
+    description.points = head.hair->points;
+    for (const ModeName& mode : kModes) {
+      description.mode = mode.mode;
+      synthesis_.push_back(std::make_unique<Synthesis>(description));
+      tallies_.emplace_back(head.hair->points);
+    }
+  }
 
   const GuideRun& run() const { return run_; }
 
@@ -35,20 +55,6 @@ class GuidedHead {
   }
 
  private:
-  GuidedHead(const GrownHead& head, const std::vector<std::size_t>& which, const MovingHeadSettings& settings)
-      : guides_(head, which, settings) {
-    run_.guides = static_cast<int>(which.size());
-    SynthesisDescription description;
-    for (const std::size_t k : which) description.guides.push_back(head.roots[k]);
-    description.children = head.roots;
-    description.points = head.hair->points;
-    for (const ModeName& mode : kModes) {
-      description.mode = mode.mode;
-      synthesis_.push_back(std::make_unique<Synthesis>(description));
-      tallies_.emplace_back(head.hair->points);
-    }
-  }
-
   GuideRun run_;
   MovingHead guides_;
   std::vector<std::unique_ptr<Synthesis>> synthesis_;  // one for each mode, as are the tallies
@@ -69,7 +75,8 @@ std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, cons
   MovingHead every(head, all, moving);
   std::vector<std::unique_ptr<GuidedHead>> guided;
   for (const int guides : settings.guides)
-    if (guides <= result.strands) guided.push_back(std::make_unique<GuidedHead>(head, guides, moving));
+    if (guides <= result.strands)
+      guided.push_back(std::make_unique<GuidedHead>(head, choose_guides(head, guides), moving));
 
   std::vector<double> made(3 * all.size() * head.hair->points);
   const Motion motion = turn_of_head();

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "hair/groom/farthest_points.h"
 #include "hair/head/grow.h"
 #include "solver/timing.h"
 
@@ -45,6 +44,27 @@ Scene scene_of(const GrownHead& head, std::span<const std::size_t> which,
   return scene;
 }
 
+constexpr std::uint64_t kSeed = 1;
+constexpr int kStraightPoints = 25;
+// Curls are shorter than the styles that have names, so that fewer points follow the hair: m.
+constexpr double kStraightLength = 0.36, kWavyLength = 0.2, kCurlyLength = 0.1;
+
+HairStyle styled(const char* name, double length) {
+  HairStyle style = *find_hair_style(name);
+  style.length = length;
+  return style;
+}
+
+HairStyle without_chance(HairStyle style) {
+  style.varies = style.tilt = style.fly_aways = 0;
+  style.clump = 0;
+  return style;
+}
+
+HeadHair curved(const char* id, const char* title, const HairStyle& style) {
+  return {id, title, style, fewest_points(style), true};
+}
+
 }  // namespace
 
 Motion turn_of_head() {
@@ -70,31 +90,6 @@ std::span<const double> MovingHead::points() {
   return {state_.x.data(), static_cast<std::size_t>(state_.x.size())};
 }
 
-namespace {
-
-constexpr std::uint64_t kSeed = 1;
-constexpr int kStraightPoints = 25;
-// Curls are shorter than the styles that have names, so that fewer points follow the hair: m.
-constexpr double kStraightLength = 0.36, kWavyLength = 0.2, kCurlyLength = 0.1;
-
-HairStyle styled(const char* name, double length = 0) {
-  HairStyle style = *find_hair_style(name);
-  if (length > 0) style.length = length;
-  return style;
-}
-
-HairStyle without_chance(HairStyle style) {
-  style.varies = style.tilt = style.fly_aways = 0;
-  style.clump = 0;
-  return style;
-}
-
-HeadHair curved(const char* id, const char* title, const HairStyle& style) {
-  return {id, title, style, fewest_points(style), true};
-}
-
-}  // namespace
-
 const std::vector<HeadHair>& head_hairs() {
   static const std::vector<HeadHair> all = {
       {"straight", "Straight hair", styled("long-smooth", kStraightLength), kStraightPoints, false},
@@ -116,13 +111,6 @@ GrownHead grow_head(const Bust& bust, const HeadHair& hair, int strands) {
   }
   head.length /= static_cast<double>(head.strands.size());
   return head;
-}
-
-std::vector<std::size_t> choose_guides(const GrownHead& head, int guides) {
-  std::vector<Vector3d> places;
-  places.reserve(head.roots.size());
-  for (const RootFrame& root : head.roots) places.push_back(root.position);
-  return farthest_points(places, static_cast<std::size_t>(guides));
 }
 
 }  // namespace hair::head_study

@@ -40,9 +40,6 @@ struct GrownHead {
 // The same strands each time. Throws std::invalid_argument as grow_groom does.
 GrownHead grow_head(const Bust& bust, const HeadHair& hair, int strands);
 
-// The roots of `guides` strands that are well spread: ascending indices. All of them if there are no more.
-std::vector<std::size_t> choose_guides(const GrownHead& head, int guides);
-
 inline constexpr double kFramesPerSecond = 30;
 inline constexpr int kStepsPerFrame = 2;
 inline constexpr double kDrag = 2e-4;     // N s/m^2, per metre of hair

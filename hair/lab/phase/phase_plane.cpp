@@ -35,7 +35,7 @@ Row row_of(const Motion& motion) {
 
 Section section_of(const Motion& motion, int look) {
   std::string id = motion.method;
-  std::replace(id.begin(), id.end(), ' ', '-');
+  std::ranges::replace(id, ' ', '-');
   Figure figure = {id,
                    "Phase plane: " + motion.method,
                    motion.should,
@@ -51,45 +51,6 @@ Section section_of(const Motion& motion, int look) {
   figure.series = {way, exact(), {"begin", {{kBegin, 0}}, false, true, false, look}};
   return {motion.method, {motion.should}, {to_svg(figure)}};
 }
-
-}  // namespace
-
-OrderedJson phase_json(const std::vector<Motion>& motions) {
-  return {{"format", 1}, {"step", kStep}, {"steps", kSteps}, {"methods", json_of(rows_of(motions, row_of))}};
-}
-
-std::vector<Row> phase_rows(const std::vector<Motion>& motions) {
-  std::vector<Row> rows;
-  for (const Motion& motion : motions)
-    for (std::size_t step = 0; step < motion.states.size(); ++step) {
-      const State& state = motion.states[step];
-      rows.push_back({{"method", "", motion.method},
-                      {"time", "s", kStep * static_cast<double>(step)},
-                      {"angle", "rad", state.angle},
-                      {"rate", "rad/s", state.rate},
-                      {"energy", "", state.energy()}});
-    }
-  return rows;
-}
-
-Page phase_page(const std::vector<Motion>& motions) {
-  Page page = {
-      "Four methods in the phase plane",
-      {"A pendulum swings from " + to_text(kBegin) + " rad, in " + std::to_string(kSteps) + " steps of " +
-       to_text(kStep) +
-       " s. Angle to the right, rate upwards: a motion without error goes round and round on one curve, "
-       "clockwise. All four methods take the same steps."}};
-  page.sections.push_back({"Evaluations and energy",
-                           {},
-                           {},
-                           {},
-                           {table_of(rows_of(motions, row_of), "What it costs and gains")}});
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    page.sections.push_back(section_of(motions[i], static_cast<int>(i)));
-  return page;
-}
-
-namespace {
 
 // A particle whose third number is the angle: code that forgets the factor 3 does not move it.
 class Pendulum : public particles::Dynamics {
@@ -128,6 +89,40 @@ double energy_of_small_swings(int order) {
 }
 
 }  // namespace
+
+OrderedJson phase_json(const std::vector<Motion>& motions) {
+  return {{"format", 1}, {"step", kStep}, {"steps", kSteps}, {"methods", json_of(rows_of(motions, row_of))}};
+}
+
+std::vector<Row> phase_rows(const std::vector<Motion>& motions) {
+  std::vector<Row> rows;
+  for (const Motion& motion : motions)
+    for (std::size_t step = 0; step < motion.states.size(); ++step) {
+      const State& state = motion.states[step];
+      rows.push_back({{"method", "", motion.method},
+                      {"time", "s", kStep * static_cast<double>(step)},
+                      {"angle", "rad", state.angle},
+                      {"rate", "rad/s", state.rate},
+                      {"energy", "", state.energy()}});
+    }
+  return rows;
+}
+
+Page phase_page(const std::vector<Motion>& motions) {
+  Page page = {"Four methods in the phase plane",
+               {"A pendulum swings from " + to_text(kBegin) + " rad, in " + std::to_string(kSteps) +
+                " steps of " + to_text(kStep) +
+                " s. Angle to the right, rate upwards: a motion without error goes round and round on one "
+                "curve, clockwise. All four methods take the same steps."}};
+  page.sections.push_back({"Evaluations and energy",
+                           {},
+                           {},
+                           {},
+                           {table_of(rows_of(motions, row_of), "What it costs and gains")}});
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    page.sections.push_back(section_of(motions[i], static_cast<int>(i)));
+  return page;
+}
 
 double State::energy() const {
   return (rate * rate / 2 + 1 - std::cos(angle)) / (1 - std::cos(kBegin));

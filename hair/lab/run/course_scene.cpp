@@ -30,7 +30,7 @@ std::vector<std::string> shipped_scenes(const fs::path& folder) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -38,7 +38,7 @@ fs::path find_scene(const std::string& scene, const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_regular_file(scene, ignored)) return scene;
   const std::vector<std::string> names = shipped_scenes(folder);
-  if (std::find(names.begin(), names.end(), scene) != names.end()) return folder / (scene + ".json");
+  if (std::ranges::find(names, scene) != names.end()) return folder / (scene + ".json");
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   throw BadInput(printable(scene, 4096) + ": " +

@@ -1,7 +1,6 @@
 #include "hair/lab/run/explain.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <locale>
 
@@ -20,41 +19,31 @@ std::string counted(std::size_t count, const std::string& one) {
   return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-std::string shown(const Vector3d& vector) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << "(" << vector.x() << ", " << vector.y() << ", " << vector.z() << ")";
-  return text.str();
-}
-
-template <class Number>
-std::string shown(Number number) {
+std::string shown(double number) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << number;
   return text.str();
 }
 
-class Parts {
- public:
-  void add(const std::string& name, bool used, const std::string& as, const std::string& why_not) {
-    parts_.push_back({name, used, false, used ? as : why_not});
-  }
-  void add_stub(const std::string& name, const std::string& where) {
-    parts_.push_back({name, true, true, where});
-  }
-  std::vector<Part> take() { return std::move(parts_); }
+std::string shown(const Vector3d& vector) {
+  return "(" + shown(vector.x()) + ", " + shown(vector.y()) + ", " + shown(vector.z()) + ")";
+}
 
- private:
-  std::vector<Part> parts_;
+struct Parts {
+  std::vector<Part> all;
+
+  void add(const std::string& name, bool used, const std::string& as, const std::string& why_not) {
+    all.push_back({name, used, false, used ? as : why_not});
+  }
 };
 
 std::size_t count_strands(const Scene& scene, const std::function<bool(const StrandStart&)>& holds) {
-  return static_cast<std::size_t>(std::count_if(scene.hair.strands.begin(), scene.hair.strands.end(), holds));
+  return static_cast<std::size_t>(std::ranges::count_if(scene.hair.strands, holds));
 }
 
 std::size_t count_toys(const Scene& scene, const std::function<bool(const Toy&)>& holds) {
-  return static_cast<std::size_t>(std::count_if(scene.toys.begin(), scene.toys.end(), holds));
+  return static_cast<std::size_t>(std::ranges::count_if(scene.toys, holds));
 }
 
 void explain_hair(const Scene& scene, Parts& parts) {
@@ -188,10 +177,10 @@ void explain_exercises(const Scene& scene, const Course& course, Parts& parts) {
   const std::vector<std::string> used = exercises_of(scene);
   for (const Exercise& exercise : course.exercises) {
     if (exercise.role == Role::absent) continue;
-    const bool called = std::find(used.begin(), used.end(), exercise.id) != used.end();
+    const bool called = std::ranges::find(used, exercise.id) != used.end();
     const std::string name = "exercise " + exercise.id, file = "student/" + exercise.file;
     if (called && exercise.stub)
-      parts.add_stub(name, file + ", not written yet");
+      parts.all.push_back({name, true, true, file + ", not written yet"});
     else
       parts.add(name, called, file, "nothing in this scene calls it");
   }
@@ -222,7 +211,7 @@ std::vector<Part> explain(const Scene& scene, bool render, const Course& course)
   explain_still_hair(scene, render, parts);
   explain_exercises(scene, course, parts);
   explain_pictures(scene, render, parts);
-  return parts.take();
+  return std::move(parts.all);
 }
 
 std::string explanation(const std::vector<Part>& parts) {

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <charconv>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -22,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kTemporary = ".hairlab-";
+constexpr std::size_t kBuffer = 1 << 20;  // bytes
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
   throw BadInput(printable(folder.string(), 4096) + ": " + why);
@@ -34,7 +34,7 @@ constexpr std::string_view kTemporary = ".hairlab-";
 
 bool is_of(const OutputKind& kind, const std::string& name) {
   if (name == kind.record) return true;
-  if (std::find(kind.files.begin(), kind.files.end(), name) != kind.files.end()) return true;
+  if (std::ranges::find(kind.files, name) != kind.files.end()) return true;
   if (!kind.frames) return false;
   constexpr std::string_view kFrame = "frame-", kPng = ".png";
   return name.starts_with(kFrame) && name.ends_with(kPng) && name.size() > kFrame.size() + kPng.size() &&
@@ -153,12 +153,6 @@ std::string frame_name(int frame) {
   const std::string digits = std::to_string(frame);
   return "frame-" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + ".png";
 }
-
-namespace {
-
-constexpr std::size_t kBuffer = 1 << 20;  // bytes
-
-}  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& file, std::filesystem::path shown)
     : shown_(std::move(shown)),

@@ -215,13 +215,12 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   record.strands = scene_run->strands();
   record.particles = static_cast<int>(scene_run->centre_lines(scene_run->state()).x.size() / 3);
   laps.book(seconds.assemble);
-  const bool draws = settings.draws || (settings.render && scene.look);
+  const bool pictures = settings.render && scene.look, draws = settings.for_page || pictures;
   const Scene bare = draws ? Scene() : without_dense_hair(scene);
-  const bool pictures = settings.render && scene.look;
   const SceneDrawing drawing(draws ? scene : bare, record.strands, cache_folder(),
                              pictures ? kCellsOfPicture : kCellsOfPage);
   const std::unique_ptr<Renderer> renderer = prepare_renderer(scene, settings, drawing, record, notes);
-  if ((renderer || settings.only_shown) && !scene.dense.empty()) {
+  if ((renderer || settings.for_page) && !scene.dense.empty()) {
     const std::vector<int> idle = idle_guides(scene, drawing);
     record.guides_left_out = idle.size();
     scene_run->leave_out(idle);
@@ -230,7 +229,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   laps.book(seconds.prepare);
   frames.add();
   std::vector<int> unseen;
-  if (settings.only_shown && scene.dense.empty() && !scene.hair.mesh) unseen = frames.unseen();
+  if (settings.for_page && scene.dense.empty() && !scene.hair.mesh) unseen = frames.unseen();
   scene_run->leave_out(unseen);
   if (const auto [shown, all] = frames.shown_of_all(); shown < all)
     notes << scene.name << ": the page shows " << shown << " of " << all << " strands"

@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include "hair/lab/run/run_record.h"
 #include "hair/scene/scene.h"
@@ -16,14 +14,13 @@ namespace hair {
 
 struct RunSettings {
   std::filesystem::path out;
-  std::optional<int> frames;  // after the first one; overrides the scene's number
-  bool render = true;         // if the scene has a look
-  bool draws =
-      false;  // without pictures the page needs this to show dense hair, which calls H10; `render` implies it
+  std::optional<int> frames;                   // after the first one; overrides the scene's number
+  bool render = true;                          // if the scene has a look
   std::size_t most_points = kMostPointsShown;  // for the page, in all frames: more points leave strands out
-  // Does not simulate strands that the page leaves out, if none moves another or makes dense hair.
-  // Energies of some strands alone would mislead and are left out, too.
-  bool only_shown = false;
+  // For a page without pictures. It shows dense hair, which calls H10; strands that it leaves out are not
+  // simulated, if none moves another or makes dense hair. Energies of some strands alone would mislead and
+  // are left out, too.
+  bool for_page = false;
   double read_seconds = 0;  // the time that reading the scene took
 };
 

@@ -101,15 +101,8 @@ std::string links_text(const RunRecord& record) {
 }  // namespace
 
 const char* name_of(Ending ending) {
-  switch (ending) {
-    case Ending::finished:
-      return "finished";
-    case Ending::interrupted:
-      return "interrupted";
-    case Ending::blow_up:
-      return "blow-up";
-  }
-  return "";
+  constexpr const char* kNames[] = {"finished", "interrupted", "blow-up"};
+  return kNames[static_cast<int>(ending)];
 }
 
 std::string warning_text(const std::vector<Warning>& warnings) {

@@ -1,10 +1,7 @@
 #include "hair/lab/run/states_file.h"
 
-#include <array>
 #include <bit>
 #include <charconv>
-#include <string>
-#include <string_view>
 #include <utility>
 
 namespace hair {
@@ -16,16 +13,21 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 constexpr std::string_view kMagic = "HAIRRUN1", kLinksMagic = "BROKEN 1";
 constexpr std::uint64_t kFramesAt = 16;  // bytes
 
-std::string_view bytes_of(const std::uint32_t& value) {
+template <class Number>
+std::string_view memory_of(const Number& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-std::string_view bytes_of(const std::uint64_t& value) {
-  return {reinterpret_cast<const char*>(&value), sizeof value};
+std::string_view memory_of(const Eigen::VectorXd& values) {
+  return {reinterpret_cast<const char*>(values.data()),
+          sizeof(double) * static_cast<std::size_t>(values.size())};
 }
 
-std::string_view bytes_of(const double* values, Eigen::Index count) {
-  return {reinterpret_cast<const char*>(values), sizeof(double) * static_cast<std::size_t>(count)};
+// Adds a field of a line of CSV, and a comma.
+template <class Number>
+void add_field(std::string& line, Number number) {
+  std::array<char, 32> digits{};
+  line.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr) += ',';
 }
 
 }  // namespace
@@ -36,62 +38,34 @@ StatesWriter::StatesWriter(const std::filesystem::path& file, const std::filesys
   file_.write(kMagic);
   for (const std::uint32_t number :
        {static_cast<std::uint32_t>(strands.size()), static_cast<std::uint32_t>(particles), 0U, coordinates})
-    file_.write(bytes_of(number));
-  for (const int size : strands) file_.write(bytes_of(static_cast<std::uint32_t>(size)));
+    file_.write(memory_of(number));
+  for (const int size : strands) file_.write(memory_of(static_cast<std::uint32_t>(size)));
   file_.write(std::string(strands.size() % 2 * 4, '\0'));
 }
 
 void StatesWriter::add(double time, const particles::State& state) {
-  file_.write(bytes_of(&time, 1));
-  file_.write(bytes_of(state.x.data(), state.x.size()));
-  file_.write(bytes_of(state.v.data(), state.v.size()));
+  file_.write(memory_of(time));
+  file_.write(memory_of(state.x));
+  file_.write(memory_of(state.v));
   ++frames_;
 }
 
 void StatesWriter::add(const LinksFile& links) {
   file_.write(kLinksMagic);
   for (const std::size_t count : {links.particles.size(), links.broken.size()})
-    file_.write(bytes_of(static_cast<std::uint32_t>(count)));
+    file_.write(memory_of(static_cast<std::uint32_t>(count)));
   for (const auto& ends : links.particles)
-    for (const int particle : ends) file_.write(bytes_of(static_cast<std::uint32_t>(particle)));
+    for (const int particle : ends) file_.write(memory_of(static_cast<std::uint32_t>(particle)));
   for (const BrokenLink& one : links.broken) {
-    file_.write(bytes_of(static_cast<std::uint64_t>(one.step)));
-    file_.write(bytes_of(static_cast<std::uint64_t>(one.link)));
+    file_.write(memory_of(static_cast<std::uint64_t>(one.step)));
+    file_.write(memory_of(static_cast<std::uint64_t>(one.link)));
   }
 }
 
 void StatesWriter::close() {
-  file_.overwrite(kFramesAt, bytes_of(frames_));
+  file_.overwrite(kFramesAt, memory_of(frames_));
   file_.close();
 }
-
-namespace {
-
-// Fields, with a comma between them. The next line reuses the memory.
-class Line {
- public:
-  void begin() {
-    text_.clear();
-    first_ = true;
-  }
-  template <class Number>
-  void add(Number number) {
-    comma();
-    std::array<char, 32> digits{};
-    text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-  }
-  void add_nothing() { comma(); }
-  const std::string& end() { return text_ += '\n'; }
-
- private:
-  void comma() {
-    if (!std::exchange(first_, false)) text_ += ',';
-  }
-  std::string text_;
-  bool first_ = true;
-};
-
-}  // namespace
 
 CsvWriter::CsvWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
                      std::vector<int> strands)
@@ -100,20 +74,21 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const std::filesystem::p
 }
 
 void CsvWriter::add(double time, const particles::State& state) {
-  Line line;
+  std::string line;
   int particle = 0;
   const auto line_of = [&](int i, int strand) {
-    line.begin();
-    line.add(frame_);
-    line.add(time);
+    line.clear();
+    add_field(line, frame_);
+    add_field(line, time);
     if (strand >= 0)
-      line.add(strand);
+      add_field(line, strand);
     else
-      line.add_nothing();
-    line.add(particle);
+      line += ',';
+    add_field(line, particle);
     for (const Eigen::VectorXd* values : {&state.x, &state.v})
-      for (int axis = 0; axis < 3; ++axis) line.add((*values)[3 * i + axis]);
-    file_.write(line.end());
+      for (int axis = 0; axis < 3; ++axis) add_field(line, (*values)[3 * i + axis]);
+    line.back() = '\n';
+    file_.write(line);
   };
   int i = 0;
   for (int strand = 0; strand < static_cast<int>(strands_.size()); ++strand)
