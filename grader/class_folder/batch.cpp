@@ -82,8 +82,7 @@ Batch grade_batch(const Grader& grader, Plan plan, const BatchSettings& settings
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   const auto start = std::chrono::steady_clock::now();
-  batch.problems = grader.reference.problems;
-  TimingByExercise reference = grader.reference.timing;
+  TimingByExercise reference = grader.reference;
   if (settings.merge) reference.merge(record.costs().reference);
   const std::size_t asked = only ? 1 : submissions.size();
   LastRun run{.jobs = settings.jobs, .began = record.now(), .asked = static_cast<int>(asked)};

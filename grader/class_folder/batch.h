@@ -30,7 +30,7 @@ struct Batch {
 // Grades hand-ins, or has what others graded.
 struct Grader {
   Course course;
-  ReferenceGraded reference;
+  TimingByExercise reference;
   std::string made_by;  // is JSON of grading/made_by.h
   bool studies = false;
   std::function<std::string(const Submission&)> fingerprint;

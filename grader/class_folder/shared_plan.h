@@ -93,64 +93,46 @@ inline std::string numbered(const std::string& folder, std::size_t number) {
 namespace grader {
 
 // Texts that may hold any bytes are written as pictures are.
-template <>
-struct Fields<SourceFile> {
-  static const Rows<SourceFile>& rows() {
-    using T = SourceFile;
-    static const Rows<T> all = {picture("text", &T::text), picture("problem", &T::problem),
-                                picture("choice", &T::choice)};
-    return all;
-  }
-};
-template <>
-struct Fields<Submission> {
-  static const Rows<Submission>& rows() {
-    using T = Submission;
-    static const Rows<T> all = {
-        field("name", &T::name),         picture("origin", &T::origin),       field("files", &T::files),
-        picture("problem", &T::problem), field("unreadable", &T::unreadable), field("owner", &T::owner),
-        field("system", &T::system),     field("handed_in", &T::handed_in),   field("late", &T::marked_late),
-        picture("about", &T::about),     field("known_as", &T::known_as),     field("from", &T::drawn_from)};
-    return all;
-  }
-};
-template <>
-struct Fields<PlanFacts> {
-  static const Rows<PlanFacts>& rows() {
-    using T = PlanFacts;
-    static const Rows<T> all = {field("words", &T::words),     field("folder", &T::folder),
-                                field("made_by", &T::made_by), field("only", &T::only),
-                                field("asked", &T::asked),     field("hand_ins", &T::hand_ins),
-                                field("began", &T::began)};
-    return all;
-  }
-};
-template <>
-struct Fields<FirstTask> {
-  static const Rows<FirstTask>& rows() {
-    using T = FirstTask;
-    static const Rows<T> all = {field("reference", &T::reference), field("common", &T::common),
-                                field("seconds", &T::seconds)};
-    return all;
-  }
-};
-template <>
-struct Fields<SentArray> {
-  static const Rows<SentArray>& rows() {
-    using T = SentArray;
-    static const Rows<T> all = {field("job", &T::job), field("without", &T::without),
-                                field("hand_ins", &T::hand_ins)};
-    return all;
-  }
-};
-template <>
-struct Fields<Graded> {
-  static const Rows<Graded>& rows() {
-    using T = Graded;
-    static const Rows<T> all = {field("result", &T::result), field("timing", &T::timing),
-                                field("study", &T::study), field("problems", &T::problems)};
-    return all;
-  }
-};
+inline const Rows<SourceFile>& rows_of(As<SourceFile>) {
+  using T = SourceFile;
+  static const Rows<T> all = {picture("text", &T::text), picture("problem", &T::problem),
+                              picture("choice", &T::choice)};
+  return all;
+}
+inline const Rows<Submission>& rows_of(As<Submission>) {
+  using T = Submission;
+  static const Rows<T> all = {
+      field("name", &T::name),         picture("origin", &T::origin),       field("files", &T::files),
+      picture("problem", &T::problem), field("unreadable", &T::unreadable), field("owner", &T::owner),
+      field("system", &T::system),     field("handed_in", &T::handed_in),   field("late", &T::marked_late),
+      picture("about", &T::about),     field("known_as", &T::known_as),     field("from", &T::drawn_from)};
+  return all;
+}
+inline const Rows<PlanFacts>& rows_of(As<PlanFacts>) {
+  using T = PlanFacts;
+  static const Rows<T> all = {field("words", &T::words),     field("folder", &T::folder),
+                              field("made_by", &T::made_by), field("only", &T::only),
+                              field("asked", &T::asked),     field("hand_ins", &T::hand_ins),
+                              field("began", &T::began)};
+  return all;
+}
+inline const Rows<FirstTask>& rows_of(As<FirstTask>) {
+  using T = FirstTask;
+  static const Rows<T> all = {field("reference", &T::reference), field("common", &T::common),
+                              field("seconds", &T::seconds)};
+  return all;
+}
+inline const Rows<SentArray>& rows_of(As<SentArray>) {
+  using T = SentArray;
+  static const Rows<T> all = {field("job", &T::job), field("without", &T::without),
+                              field("hand_ins", &T::hand_ins)};
+  return all;
+}
+inline const Rows<Graded>& rows_of(As<Graded>) {
+  using T = Graded;
+  static const Rows<T> all = {field("result", &T::result), field("timing", &T::timing),
+                              field("study", &T::study), field("problems", &T::problems)};
+  return all;
+}
 
 }  // namespace grader

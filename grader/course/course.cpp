@@ -25,7 +25,7 @@ void read_budget(Budget& budget, const JsonValue& json) {
 
 bool Course::asks_for(const Exercise& exercise) const {
   const bool in_it = of_hand_in.empty() || std::ranges::count(of_hand_in, exercise.id) > 0;
-  return in_it && (exercise.role == Role::assigned || exercise.role == Role::optional);
+  return in_it && is_asked_for(exercise.role);
 }
 
 Course read_course(const std::filesystem::path& exercises_json,

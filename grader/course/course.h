@@ -12,6 +12,11 @@ namespace grader::inline course {
 
 using hair::Exercise, hair::Role, hair::to_string;
 
+// True if students hand such exercises in.
+inline bool is_asked_for(Role role) {
+  return role == Role::assigned || role == Role::optional;
+}
+
 // Starts at the project's root.
 inline std::filesystem::path solution_of(const Exercise& exercise) {
   return std::filesystem::path("reference") / exercise.id / exercise.file;

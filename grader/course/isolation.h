@@ -17,10 +17,21 @@ enum class Isolation {
   container,
 };
 
-const char* to_string(Isolation kind);  // "none", "namespaces", "container"
-std::optional<Isolation> isolation_from(std::string_view word);
+inline const char* to_string(Isolation kind) {
+  constexpr const char* kNames[] = {"none", "namespaces", "container"};
+  return kNames[static_cast<int>(kind)];
+}
+inline std::optional<Isolation> isolation_from(std::string_view word) {
+  for (const Isolation kind : {Isolation::none, Isolation::namespaces, Isolation::container})
+    if (word == to_string(kind)) return kind;
+  return {};
+}
 
 // Returns a sentence without a full stop for every page and file of results. It is empty for namespaces.
-const char* said_of(Isolation kind);
+inline const char* said_of(Isolation kind) {
+  return kind == Isolation::none        ? "Graded without a sandbox"
+         : kind == Isolation::container ? "Graded with a container's sandbox"
+                                        : "";
+}
 
 }  // namespace grader::course

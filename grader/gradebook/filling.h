@@ -10,7 +10,6 @@
 #include "grader/gradebook/grade.h"
 #include "grader/roster/roster.h"
 #include "grader/text/csv.h"
-#include "grader/text/number.h"
 
 namespace grader::inline gradebook {
 

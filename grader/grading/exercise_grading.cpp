@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <stdexcept>
 
+#include "grader/course/input.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/plot/readable.h"
 #include "solver/timing.h"
 
@@ -15,8 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLog = 16 << 10;  // bounds a worker's output
 
-}  // namespace
-
+// Returns the beginning of a worker's output.
 std::string beginning_of(const fs::path& log, std::size_t most) {
   std::ifstream in(log, std::ios::binary);
   std::string text(most, '\0');
@@ -24,6 +26,8 @@ std::string beginning_of(const fs::path& log, std::size_t most) {
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
 }
+
+}  // namespace
 
 double whole_points(double points, double weight, double weights, int held, int cases) {
   const auto thousandths = [](double value) { return std::llround(1000 * value); };
@@ -33,13 +37,11 @@ double whole_points(double points, double weight, double weights, int held, int 
 }
 
 ExerciseResult describe(const Exercise& exercise) {
-  ExerciseResult result;
-  result.id = exercise.id;
-  result.title = exercise.title;
-  result.file = exercise.file;
-  result.extra_credit = exercise.role == Role::optional;
-  result.max_points = exercise.points;
-  return result;
+  return {.id = exercise.id,
+          .title = exercise.title,
+          .file = exercise.file,
+          .extra_credit = exercise.role == Role::optional,
+          .max_points = exercise.points};
 }
 
 Status overall_status(const std::vector<CaseResult>& cases) {
@@ -56,32 +58,9 @@ Status overall_status(const std::vector<CaseResult>& cases) {
   return any(Status::not_implemented) ? Status::not_implemented : Status::wrong;
 }
 
-void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
-                    const Submission& submission, const fs::path& job, double compiler_seconds,
-                    ExerciseResult& result, ExerciseTiming& timing) {
-  auto without_cases = [&](Status status, const std::string& feedback) {
-    result.status = status;
-    result.feedback = feedback;
-  };
-  if (!submission.problem.empty())
-    return without_cases(submission.unreadable ? Status::unreadable : Status::not_taken, submission.problem);
-  const auto file = submission.files.find(exercise.file);
-  if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
-  if (!file->second.problem.empty()) return without_cases(Status::not_taken, file->second.problem);
+namespace {
 
-  result.source = hair::valid_utf8(file->second.text.substr(0, kMostSource));
-  const timing::Stopwatch compiling;
-  const Compiled compiled = compiler.compile(exercise, file->second.text, job, compiler_seconds);
-  timing.compile_seconds = compiling.seconds();
-  timing.spent.compiler_cpu_seconds = compiled.cpu_seconds;
-  result.compiler_messages = compiled.messages;
-  result.staff_log = compiled.log;
-  if (compiled.object.empty())
-    return without_cases(Status::does_not_compile, sentence_for(Status::does_not_compile));
-
-  run_cases(jobs, exercise, drawn_from(submission), compiled.object, job, result, timing);
-}
-
+// Runs only the suite, against an object of `student`.
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
                const fs::path& object, const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) {
   const SuiteJob suite = jobs.cases(exercise, student, object, job);
@@ -113,6 +92,69 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
   result.status = overall_status(result.cases);
   result.feedback = sentence_for(result.status);
   result.staff_log += beginning_of(suite.log, kMostLog);
+}
+
+// The worker's output may have the reason.
+std::string also_said(const fs::path& log) {
+  const std::string text = beginning_of(log, 400);
+  return text.empty() ? "" : "; the worker says: " + printable(text, 400);
+}
+
+void grade_exercise_of_reference(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
+                                 ExerciseTiming& timing) {
+  const fs::path job = jobs.kit().new_job("reference-" + exercise.id);
+  const Compiled compiled =
+      compiler.compile(exercise, hair::bytes_of(jobs.settings().reference / exercise.id / exercise.file), job,
+                       jobs.settings().course.budget.compiler_cpu_seconds);
+  if (compiled.object.empty())
+    throw std::runtime_error("the reference of " + exercise.id +
+                             " does not compile: " + printable(compiled.log));
+  timing.spent.compiler_cpu_seconds = compiled.made_in_seconds;
+  ExerciseResult result;
+  run_cases(jobs, exercise, "", compiled.object, job, result, timing);
+  const std::string fails = "the reference fails its own suite for " + exercise.id;
+  for (const CaseResult& one : result.cases) {
+    if (one.status == Status::passed) continue;
+    throw std::runtime_error(fails + ", in \"" + one.name + "\": " + one.feedback + "; " + one.detail +
+                             also_said(job / kLog));
+  }
+  if (result.status != Status::passed)
+    throw std::runtime_error(fails + ": " + result.feedback + " " + printable(result.staff_log));
+}
+
+}  // namespace
+
+void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
+                    const Submission& submission, const fs::path& job, double compiler_seconds,
+                    ExerciseResult& result, ExerciseTiming& timing) {
+  auto without_cases = [&](Status status, const std::string& feedback) {
+    result.status = status;
+    result.feedback = feedback;
+  };
+  if (!submission.problem.empty())
+    return without_cases(submission.unreadable ? Status::unreadable : Status::not_taken, submission.problem);
+  const auto file = submission.files.find(exercise.file);
+  if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
+  if (!file->second.problem.empty()) return without_cases(Status::not_taken, file->second.problem);
+
+  result.source = hair::valid_utf8(file->second.text.substr(0, kMostSource));
+  const timing::Stopwatch compiling;
+  const Compiled compiled = compiler.compile(exercise, file->second.text, job, compiler_seconds);
+  timing.compile_seconds = compiling.seconds();
+  timing.spent.compiler_cpu_seconds = compiled.cpu_seconds;
+  result.compiler_messages = compiled.messages;
+  result.staff_log = compiled.log;
+  if (compiled.object.empty())
+    return without_cases(Status::does_not_compile, sentence_for(Status::does_not_compile));
+
+  run_cases(jobs, exercise, drawn_from(submission), compiled.object, job, result, timing);
+}
+
+TimingByExercise grade_reference(const SuiteJobs& jobs, const Compiler& compiler) {
+  TimingByExercise timing;
+  for (const Exercise& exercise : jobs.settings().course.exercises)
+    if (jobs.selected(exercise)) grade_exercise_of_reference(jobs, compiler, exercise, timing[exercise.id]);
+  return timing;
 }
 
 }  // namespace grader::grading

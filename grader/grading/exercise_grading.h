@@ -28,13 +28,9 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
                     const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
                     ExerciseResult& result, ExerciseTiming& timing);
 
-// Runs only the suite, against an object of `student`.
-void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
-               const std::filesystem::path& object, const std::filesystem::path& job, ExerciseResult& result,
-               ExerciseTiming& timing);
-
-// Returns the beginning of a worker's output.
-std::string beginning_of(const std::filesystem::path& log, std::size_t most);
+// Every batch begins with the reference, compiled and asked as students' files are: its CPU time determines
+// their limits. Throws std::runtime_error if it does not pass: then this machine or the suite is wrong.
+TimingByExercise grade_reference(const SuiteJobs& jobs, const Compiler& compiler);
 
 // Returns an exercise's status from those of its cases.
 Status overall_status(const std::vector<CaseResult>& cases);

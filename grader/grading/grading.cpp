@@ -74,7 +74,7 @@ SuiteJob study_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionR
 
 }  // namespace
 
-Grading::Grading(GradingSettings settings, std::optional<ReferenceGraded> reference)
+Grading::Grading(GradingSettings settings, std::optional<TimingByExercise> reference)
     : settings_(std::move(settings)),
       made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
@@ -82,7 +82,7 @@ Grading::Grading(GradingSettings settings, std::optional<ReferenceGraded> refere
       jobs_(settings_, kit_),
       base_fingerprint_(jobs_.fingerprint()),
       reference_(reference ? std::move(*reference) : grade_reference(jobs_, compiler_)) {
-  jobs_.limit_by(reference_.timing);
+  jobs_.limit_by(reference_);
 }
 
 std::string hash_of_files(const Submission& submission) {

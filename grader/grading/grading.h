@@ -13,7 +13,6 @@
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
 #include "grader/grading/made_by.h"
-#include "grader/grading/reference_grading.h"
 #include "grader/grading/suite_jobs.h"
 #include "grader/intake/submission.h"
 #include "grader/result/result.h"
@@ -34,8 +33,8 @@ std::string hash_of_files(const Submission& submission);
 class Grading {
  public:
   // Throws BadInput if `images` is set and this machine can't draw, or if the reference gets less than full
-  // points. With `reference`, which another machine has graded, this one does not grade it.
-  explicit Grading(GradingSettings settings, std::optional<ReferenceGraded> reference = {});
+  // points. With `reference`, its time on another machine, this one does not grade it.
+  explicit Grading(GradingSettings settings, std::optional<TimingByExercise> reference = {});
 
   // Errors on our side are in the result, which then has no fingerprint. `after_each` sees the result so far
   // after each exercise.
@@ -54,7 +53,7 @@ class Grading {
   Isolation isolation() const { return settings_.isolation; }
   const MadeBy& made_by() const { return made_by_; }
 
-  const ReferenceGraded& reference() const { return reference_; }  // ran in an identical worker
+  const TimingByExercise& reference() const { return reference_; }  // ran in an identical worker
 
  private:
   void grade_one(const Submission& submission, const Exercise& exercise, double& compiler_seconds,
@@ -67,7 +66,7 @@ class Grading {
   Compiler compiler_;
   SuiteJobs jobs_;
   std::string base_fingerprint_;
-  ReferenceGraded reference_;
+  TimingByExercise reference_;
 };
 
 }  // namespace grader::grading

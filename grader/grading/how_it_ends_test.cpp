@@ -5,9 +5,10 @@
 #include <string>
 
 #include "grader/compile/compiler.h"
-#include "grader/grading/ask_conj_grad.h"
 #include "grader/grading/settings_for_tests.h"
+#include "grader/judge/student/student.h"
 #include "grader/sandbox/isolation_for_tests.h"
+#include "reference/S1/calls.h"
 
 namespace grader::inline grading {
 namespace {
@@ -137,13 +138,25 @@ class HowItEnds : public testing::Test {
     return object.object;
   }
 
+  // Returns the answer of a worker with this object for n = 4 and the identity.
   Answer ask(const std::filesystem::path& object, int way) const {
     WorkerSetup setup;
+    setup.kit = kit_.folder();
+    setup.exercise = "S1";
+    setup.objects = {object};
     setup.isolation = isolation_for_tests();
     setup.log = "/dev/null";
     setup.cpu_seconds = 1;
     setup.allowance->limit.idle_seconds = 1;
-    return ask_conj_grad(setup, kit_, object, way);
+    Student student(setup);
+    const std::vector<double> values = {1, 2, 3, 4};
+    MessageWriter request;
+    request.put(s1::Calls::number_of<s1::conj_grad>()).put(0).put(4).put(4);  // operator 0 and its size
+    request.put(std::span<const double>(values)).put(std::span<const double>(values)).put(1e-10).put(way);
+    return student.ask(request, [](int, const std::vector<double>& v, std::vector<double>& y) {
+      y = v;
+      return true;
+    });
   }
 
   template <std::size_t n>

@@ -14,10 +14,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-bool asked_for(Role role) {
-  return role == Role::assigned || role == Role::optional;
-}
-
 std::optional<Role> role_from(const std::string& name) {
   for (const Role role : {Role::assigned, Role::optional, Role::given, Role::absent})
     if (to_string(role) == name) return role;
@@ -84,9 +80,9 @@ MadeBy made_by(const GradingSettings& settings) {
   MadeBy made;
   for (const Exercise& exercise : settings.course.exercises) {
     const bool elsewhere =
-        asked_for(exercise.role) && !settings.course.asks_for(exercise);  // belongs to another hand-in
+        is_asked_for(exercise.role) && !settings.course.asks_for(exercise);  // belongs to another hand-in
     const Role role = elsewhere ? Role::absent : exercise.role;
-    made.exercises.push_back({exercise.id, role, asked_for(role) ? exercise.points : 0});
+    made.exercises.push_back({exercise.id, role, is_asked_for(role) ? exercise.points : 0});
   }
   for (const BudgetField& field : budget_fields())
     made.budget[field.key] = shown_points(settings.course.budget.*field.value);
@@ -102,7 +98,7 @@ std::string to_json(const MadeBy& made_by) {
   OrderedJson exercises = OrderedJson::object();
   for (const MadeBy::Rule& rule : made_by.exercises) {
     exercises[rule.id]["role"] = to_string(rule.role);
-    if (asked_for(rule.role)) exercises[rule.id]["points"] = rule.points;
+    if (is_asked_for(rule.role)) exercises[rule.id]["points"] = rule.points;
   }
   const OrderedJson all = {
       {"exercises", exercises},    {"budget", OrderedJson(made_by.budget)},     {"suite", made_by.suite},
@@ -118,7 +114,7 @@ std::optional<MadeBy> made_by_from_json(const std::string& text) {
     for (const auto& [id, rule] : all.at("exercises").items()) {
       const std::optional<Role> role = role_from(rule.at("role"));
       if (!role) return {};
-      made.exercises.push_back({id, *role, asked_for(*role) ? rule.at("points").get<double>() : 0});
+      made.exercises.push_back({id, *role, is_asked_for(*role) ? rule.at("points").get<double>() : 0});
     }
     made.budget = all.at("budget").get<std::map<std::string, std::string>>();
     made.suite = all.at("suite");

@@ -36,8 +36,40 @@ int cpu_limit(double reference) {
   return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
 }
 
-bool asked_for(const Exercise& exercise) {
-  return exercise.role == Role::assigned || exercise.role == Role::optional;
+constexpr std::size_t kMostOutput = std::size_t{16} << 20;
+// The suite's watchdog ends a student's worker long before; this limit is for the suite itself.
+constexpr double kMostSeconds = 1200;
+
+// Runs a trusted program with `input` on its standard input, and returns its standard output.
+std::string run_trusted(const fs::path& program, const std::string& input) {
+  Pipe in = make_pipe(), out = make_pipe();
+  const std::string name = program.string();
+  const pid_t process =
+      hair::start_program({.words = {name}, .input = in.read_end.get(), .output = out.write_end.get()});
+  in.read_end.close();
+  out.write_end.close();
+  if (write(in.write_end.get(), input.data(), input.size()) != static_cast<ssize_t>(input.size()))
+    throw std::runtime_error(name + " does not read its job");
+  in.write_end.close();
+  const std::string output = read_all(out.read_end, kMostOutput, kMostSeconds);
+  out.read_end.close();
+  if (output.empty() || output.back() != '\n')
+    kill(process, SIGKILL);  // it has not ended, and we don't wait for it
+  const std::optional<int> code = hair::exit_code_of(process);
+  if (code != 0)
+    throw std::runtime_error(name + " failed " +
+                             (code ? "with exit code " + std::to_string(*code) : "by a signal"));
+  return output;
+}
+
+// Throws std::runtime_error if the suite itself fails.
+SuiteResult run_suite(const fs::path& suite, const SuiteJob& job) {
+  const std::string output = run_trusted(suite, to_json(job));
+  try {
+    return from_json_text<SuiteResult>(output, suite.string());
+  } catch (const BadInput& error) {  // our own error, not the input's
+    throw std::runtime_error(error.what());
+  }
 }
 
 SuiteResult timed(const fs::path& program, const SuiteJob& job, ExerciseTiming& timing) {
@@ -113,8 +145,8 @@ bool SuiteJobs::ended_by_the_clock(const ExerciseTiming& timing) const {
 }
 
 Budget SuiteJobs::share() const {
-  const auto parts =
-      std::ranges::count_if(settings_.course.exercises, [](const Exercise& one) { return asked_for(one); });
+  const auto parts = std::ranges::count_if(settings_.course.exercises,
+                                           [](const Exercise& one) { return is_asked_for(one.role); });
   return share_of(settings_.course.budget, std::max(1, static_cast<int>(parts)));
 }
 
@@ -184,45 +216,6 @@ SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
 // A study times methods that may use several threads.
 SuiteResult SuiteJobs::run_study(const SuiteJob& job, ExerciseTiming& timing) const {
   return timed(settings_.study_program, job, timing);
-}
-
-namespace {
-
-constexpr std::size_t kMostOutput = std::size_t{16} << 20;
-// The suite's watchdog ends a student's worker long before; this limit is for the suite itself.
-constexpr double kMostSeconds = 1200;
-
-// Runs a trusted program with `input` on its standard input, and returns its standard output.
-std::string run_trusted(const std::filesystem::path& program, const std::string& input) {
-  Pipe in = make_pipe(), out = make_pipe();
-  const std::string name = program.string();
-  const pid_t process =
-      hair::start_program({.words = {name}, .input = in.read_end.get(), .output = out.write_end.get()});
-  in.read_end.close();
-  out.write_end.close();
-  if (write(in.write_end.get(), input.data(), input.size()) != static_cast<ssize_t>(input.size()))
-    throw std::runtime_error(name + " does not read its job");
-  in.write_end.close();
-  const std::string output = read_all(out.read_end, kMostOutput, kMostSeconds);
-  out.read_end.close();
-  if (output.empty() || output.back() != '\n')
-    kill(process, SIGKILL);  // it has not ended, and we don't wait for it
-  const std::optional<int> code = hair::exit_code_of(process);
-  if (code != 0)
-    throw std::runtime_error(name + " failed " +
-                             (code ? "with exit code " + std::to_string(*code) : "by a signal"));
-  return output;
-}
-
-}  // namespace
-
-SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
-  const std::string output = run_trusted(suite, to_json(job));
-  try {
-    return from_json_text<SuiteResult>(output, suite.string());
-  } catch (const BadInput& error) {  // our own error, not the input's
-    throw std::runtime_error(error.what());
-  }
 }
 
 }  // namespace grader::grading

@@ -46,7 +46,6 @@ class SuiteJobs {
 
   // From now on a worker's limit is a multiple of the reference's time.
   void limit_by(TimingByExercise reference) { reference_ = std::move(reference); }
-  const TimingByExercise& reference() const { return reference_; }
 
   bool selected(const Exercise& exercise) const;  // true if it is graded
 
@@ -66,7 +65,8 @@ class SuiteJobs {
   // Makes a job for hairstudy with all of the reference's objects; the caller adds the submission's.
   SuiteJob study(const std::filesystem::path& folder) const;
 
-  // The suite and its worker run on one processor, another one for each thread that calls this.
+  // The suite and its worker run on one processor, another one for each thread that calls this. Both throw
+  // std::runtime_error if the suite itself fails.
   SuiteResult run(const SuiteJob& job, ExerciseTiming& timing) const;
   SuiteResult run_study(const SuiteJob& job, ExerciseTiming& timing) const;
 
@@ -82,8 +82,5 @@ class SuiteJobs {
   TimingByExercise reference_;
   mutable Processors processors_;  // has a lock of its own
 };
-
-// Throws std::runtime_error if the suite itself fails.
-SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job);
 
 }  // namespace grader::grading

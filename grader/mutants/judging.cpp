@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "grader/grading/exercise_grading.h"
-#include "grader/grading/reference_grading.h"
 
 namespace grader::inline mutants {
 namespace {
@@ -26,7 +25,7 @@ Judging::Judging(GradingSettings settings)
       kit_(settings_.kit, settings_.course),
       compiler_(kit_, settings_.cache, settings_.isolation),
       jobs_(settings_, kit_) {
-  jobs_.limit_by(grade_reference(jobs_, compiler_).timing);
+  jobs_.limit_by(grade_reference(jobs_, compiler_));
 }
 
 Judged Judging::judge(const std::string& name, const std::string& source) const {

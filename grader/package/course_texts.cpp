@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "grader/text/letters.h"
+
 namespace grader::inline package {
 namespace {
 
@@ -141,10 +143,6 @@ bool is_of_absent_scene(const std::string& line, const Course& course) {
   return false;
 }
 
-bool is_to_write(const Exercise& exercise) {
-  return exercise.role == Role::assigned || exercise.role == Role::optional;
-}
-
 // Returns the text below its title, or "".
 std::string below_title(const std::string& path, const Exercise* own, const Course& course) {
   if (own != nullptr)
@@ -154,7 +152,7 @@ std::string below_title(const std::string& path, const Exercise* own, const Cour
                      "` is its solution. Read it beside this page; nothing of it is left to write.*\n";
   if (path != "handout/README.md" || course.exercises.empty()) return "";
   const Exercise& usual = course.exercises.front();
-  const auto first = std::ranges::find_if(course.exercises, is_to_write);
+  const auto first = std::ranges::find_if(course.exercises, is_asked_for, &Exercise::role);
   if (first == course.exercises.end() || first->id == usual.id) return "";
   return "\n*Your course begins with " + first->id + ": read `check-" + first->id + "` for `check-" +
          usual.id + "` and `student/" + first->file + "` for `student/" + usual.file + "`.*\n";
@@ -233,21 +231,10 @@ std::string relinked(const std::string& text, const ManifestLine& line, const Sh
   return result.append(rest, text.end());
 }
 
-// True if the text has the id as a word of its own.
-bool names(const std::string& text, const std::string& id) {
-  const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  for (std::size_t at = text.find(id); at != std::string::npos; at = text.find(id, at + 1)) {
-    const std::size_t after = at + id.size();
-    if ((at == 0 || !is_of_word(text[at - 1])) && (after == text.size() || !is_of_word(text[after])))
-      return true;
-  }
-  return false;
-}
-
 std::string absent_exercises_in(const std::string& text, const Course& course) {
   std::string list;
   for (const Exercise& exercise : course.exercises)
-    if (exercise.role == Role::absent && names(text, exercise.id))
+    if (exercise.role == Role::absent && has_word(text, exercise.id))
       list += (list.empty() ? "" : ", ") + exercise.id + " (" + exercise.title + ")";
   return list;
 }

@@ -20,6 +20,13 @@ using tests::says;
 
 constexpr const char* kGenerators[] = {"Unix Makefiles", "Ninja"};
 
+int run(std::vector<std::string> words, const hair::Stream& errors = {}) {
+  words.insert(words.begin(), "/usr/bin/env");
+  return hair::exit_code_of(
+             hair::start_program({.words = std::move(words), .output = "/dev/null", .errors = errors}))
+      .value_or(-1);
+}
+
 // Configures and builds a project in a folder of this name. Returns CMake's error, or an empty text.
 std::string configuring(const std::string& name, const std::string& generator) {
   const hair::TemporaryFolder temporary("folder-names");
@@ -30,14 +37,10 @@ std::string configuring(const std::string& name, const std::string& generator) {
       << "cmake_minimum_required(VERSION 3.22)\ninclude(cmake/folder.cmake)\nproject(names LANGUAGES NONE)\n"
          "add_custom_target(all_names ALL COMMAND \"${CMAKE_COMMAND}\" -E touch "
          "\"${PROJECT_BINARY_DIR}/made\" VERBATIM)\n";
-  const auto run = [&](std::vector<std::string> words) {
-    return hair::exit_code_of(
-        hair::start_program({.words = std::move(words), .output = "/dev/null", .errors = errors}));
-  };
   const std::string build = (folder / "build").string();
-  if (run({"/usr/bin/env", "cmake", "-G", generator, "-S", folder.string(), "-B", build}) != 0)
+  if (run({"cmake", "-G", generator, "-S", folder.string(), "-B", build}, errors) != 0)
     return hair::bytes_of(errors);
-  if (run({"/usr/bin/env", "cmake", "--build", build}) != 0) return "no build: " + hair::bytes_of(errors);
+  if (run({"cmake", "--build", build}, errors) != 0) return "no build: " + hair::bytes_of(errors);
   return fs::exists(folder / "build/made") ? "" : "nothing was built";
 }
 
@@ -89,14 +92,11 @@ class Unpacked : public testing::TestWithParam<const char*> {
 
   // Returns the built lines, one for each time that they were built.
   std::string built(const std::string& build = "build", bool configures = false) const {
-    const auto run = [](std::vector<std::string> words) {
-      return hair::exit_code_of(hair::start_program({.words = std::move(words), .output = "/dev/null"}));
-    };
     const std::string there = (folder_ / build).string();
     if (configures) {
-      EXPECT_EQ(run({"/usr/bin/env", "cmake", "-G", GetParam(), "-S", folder_.string(), "-B", there}), 0);
+      EXPECT_EQ(run({"cmake", "-G", GetParam(), "-S", folder_.string(), "-B", there}), 0);
     }
-    EXPECT_EQ(run({"/usr/bin/env", "cmake", "--build", there}), 0);
+    EXPECT_EQ(run({"cmake", "--build", there}), 0);
     return hair::bytes_of(folder_ / build / "made");
   }
 

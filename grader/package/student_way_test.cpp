@@ -2,11 +2,7 @@
 // the project there.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,6 +10,7 @@
 #include "grader/intake/read_submissions.h"
 #include "grader/package/handout.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"
 
@@ -45,16 +42,12 @@ class StudentsWay : public testing::Test {
   // Runs a command in the handout's folder, with the environment of a new shell.
   Ran run(const std::string& command) const {
     fs::create_directories(folder_ / "hair-assignment");
-    const std::string line = "cd '" + (folder_ / "hair-assignment").string() +
-                             "' && env -i PATH=\"$PATH\" HOME='" + folder_.string() + "' TMPDIR='" +
+    const std::string line = "env -i PATH=\"$PATH\" HOME='" + folder_.string() + "' TMPDIR='" +
                              folder_.string() + "' " + command + " 2>&1";
-    FILE* pipe = popen(line.c_str(), "r");
-    if (!pipe) return {-1, "can't start a shell"};
-    std::string output;
-    char buffer[4096];
-    while (std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+    const auto code = hair::exit_code_of(hair::start_program({.words = {"/bin/sh", "-c", line},
+                                                              .output = folder_ / "said",
+                                                              .folder = folder_ / "hair-assignment"}));
+    return {code.value_or(-1), hair::bytes_of(folder_ / "said")};
   }
 
   // Runs a command that must succeed, and returns its output.

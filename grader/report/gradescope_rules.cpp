@@ -17,20 +17,8 @@ using nlohmann::json;
 using Words = std::set<std::string>;
 using Check = std::function<bool(const json&)>;
 
-bool is_text(const json& value) {
-  return value.is_string();
-}
-
-bool is_number(const json& value) {
-  return value.is_number();
-}
-
-bool is_object(const json& value) {
-  return value.is_object();
-}
-
 bool are_texts(const json& value) {
-  return value.is_array() && std::ranges::all_of(value, is_text);
+  return value.is_array() && std::ranges::all_of(value, &json::is_string);
 }
 
 Check one_of(const Words& words) {
@@ -42,22 +30,17 @@ const Check kVisibility = one_of({"hidden", "after_due_date", "after_published",
 
 using Keys = std::map<std::string, Check>;
 
-const Keys kTop = {{"score", is_number},
-                   {"execution_time", is_number},
-                   {"output", is_text},
-                   {"output_format", kFormat},
-                   {"test_output_format", kFormat},
-                   {"test_name_format", kFormat},
-                   {"visibility", kVisibility},
-                   {"stdout_visibility", kVisibility},
-                   {"extra_data", is_object},
-                   {"tests", [](const json& value) { return value.is_array(); }}};
+const Keys kTop = {{"score", &json::is_number},      {"execution_time", &json::is_number},
+                   {"output", &json::is_string},     {"output_format", kFormat},
+                   {"test_output_format", kFormat},  {"test_name_format", kFormat},
+                   {"visibility", kVisibility},      {"stdout_visibility", kVisibility},
+                   {"extra_data", &json::is_object}, {"tests", &json::is_array}};
 
 const Keys kTest = {
-    {"score", is_number},        {"max_score", is_number},   {"status", one_of({"passed", "failed"})},
-    {"name", is_text},           {"name_format", kFormat},   {"number", is_text},
-    {"output", is_text},         {"output_format", kFormat}, {"tags", are_texts},
-    {"visibility", kVisibility}, {"extra_data", is_object}};
+    {"score", &json::is_number},  {"max_score", &json::is_number}, {"status", one_of({"passed", "failed"})},
+    {"name", &json::is_string},   {"name_format", kFormat},        {"number", &json::is_string},
+    {"output", &json::is_string}, {"output_format", kFormat},      {"tags", are_texts},
+    {"visibility", kVisibility},  {"extra_data", &json::is_object}};
 
 class Rules {
  public:

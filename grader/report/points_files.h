@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/facts/course_table.h"
+#include "grader/report/facts/class_facts.h"
 #include "grader/result/result.h"
 #include "grader/roster/class_list.h"
 

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "grader/report/facts/class_facts.h"
-#include "grader/report/facts/course_table.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 

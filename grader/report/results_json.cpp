@@ -9,8 +9,8 @@
 #include "grader/report/facts/student_text.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
-#include "grader/result/base64.h"
 #include "hair/io/image/read_png.h"
+#include "hair/io/plot/base64.h"
 #include "hair/io/plot/html.h"
 #include "hair/io/plot/readable.h"
 
@@ -37,7 +37,7 @@ std::string text_of(const std::string& text) {
 
 std::string data_address(const std::string& png) {
   const hair::Image small = shrunk(hair::decode_png(png, "a picture"), kPictureWidth);
-  return "data:image/png;base64," + base64(hair::encode_png(small));
+  return "data:image/png;base64," + hair::base64(hair::encode_png(small));
 }
 
 Html picture(const std::string& png, const std::string& shows) {

@@ -7,9 +7,12 @@
 
 #include "grader/report/facts/sample_results.h"
 #include "grader/report/gradescope_rules.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline report {
 namespace {
+
+using tests::says;
 
 using Json = nlohmann::json;
 
@@ -36,9 +39,7 @@ SubmissionResult with_pictures(int of_each) {
   SubmissionResult result = class_of_ten_exercises(1).front();
   for (ExerciseResult& exercise : result.exercises) {
     exercise.pictures.assign(of_each, picture);
-    CaseResult of_pictures;
-    of_pictures.name = kRunTitle;
-    exercise.cases = {of_pictures};
+    exercise.cases = {{.name = kRunTitle}};
     exercise.points = 0;
   }
   return result;
@@ -46,8 +47,8 @@ SubmissionResult with_pictures(int of_each) {
 
 TEST(ResultsJson, PicturesAreInsideAndTheTextStandsWithoutThem) {
   const std::string with = student_json(with_pictures(3), kAllOptions);
-  EXPECT_NE(with.find("data:image/png;base64,"), std::string::npos);
-  EXPECT_EQ(student_json(with_pictures(3)).find("data:image"), std::string::npos);
+  EXPECT_TRUE(says(with, "data:image/png;base64,"));
+  EXPECT_FALSE(says(student_json(with_pictures(3)), "data:image"));
   EXPECT_EQ(in_words(broken_rules(with)), "");
 }
 

@@ -11,7 +11,7 @@
 namespace grader::inline result {
 
 // Is the cost of an exercise; the only part of a result that differs from run to run. timing.json
-// needs only a row in costs_fields.cpp for a new member.
+// needs only a row in result_fields.cpp for a new member.
 struct ExerciseTiming {
   double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
   double suite_seconds = 0;    // is wall time

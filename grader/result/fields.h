@@ -1,7 +1,7 @@
 // STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and makes
 // the writer and the reader.
 //
-//   const Rows<CaseResult>& Fields<CaseResult>::rows() {
+//   const Rows<CaseResult>& rows_of(As<CaseResult>) {
 //     static const Rows<CaseResult> all = {field("name", &CaseResult::name), ...};
 //     return all;
 //   }
@@ -43,9 +43,21 @@ struct Field {
 template <class T>
 using Rows = std::vector<Field<T>>;
 
-// Each struct with fields has static const Rows<T>& rows(). See result_fields.h.
+// Each struct with fields has a function rows_of(As<T>) in a namespace of T or As (see result_fields.h), or
+// Fields of its own.
+template <class T>
+struct As {};
+
 template <class T>
 struct Fields;
+
+template <class T>
+requires requires(As<T> as) {
+  rows_of(as);
+}
+struct Fields<T> {
+  static const Rows<T>& rows() { return rows_of(As<T>()); }
+};
 
 template <class T>
 concept Declared = requires {

@@ -170,21 +170,12 @@ void expect_declared(const T& value) {
   expect_each_field_checked(nlohmann::json::parse(text), read_as<T>, may_be_missing);
 }
 
-TEST(DeclaredFields, OfASubmission) {
+TEST(DeclaredFields, ComeBackWholeAndEachIsChecked) {
   expect_declared(submission());
-}
-
-TEST(DeclaredFields, OfAStudy) {
   expect_declared(study());
-}
-
-TEST(DeclaredFields, OfWhatASuiteFound) {
   expect_declared(suite_result());
-}
-
-TEST(DeclaredFields, OfCosts) {
-  EXPECT_EQ(from_json_text<ClassCosts>(to_json(costs()), "a.json"), costs());
   expect_declared(costs());
+  EXPECT_EQ(from_json_text<ClassCosts>(to_json(costs()), "a.json"), costs());
 }
 
 TEST(DeclaredFields, AreLeftOutWhereTheySayNothing) {

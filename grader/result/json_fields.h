@@ -120,6 +120,13 @@ Field<T> field(std::string key, Value T::*member, std::function<bool(const T&)> 
       std::move(there)};
 }
 
+// Declares a member that is written only if it differs from its default.
+template <class T, class Value>
+Field<T> field_if_set(std::string key, Value T::*member) {
+  return field<T>(std::move(key), member,
+                  [member, unset = T{}.*member](const T& one) { return one.*member != unset; });
+}
+
 // Declares a member of a member.
 template <class T, class Outer, class Value>
 Field<T> field(std::string key, Outer T::*outer, Value Outer::*inner) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. Sums points, and puts statuses into words.
+// STAFF ONLY. Sums points, and puts statuses and ends into words.
 #include "grader/result/result.h"
 
 #include <algorithm>
@@ -6,63 +6,67 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "grader/result/study.h"
+
 namespace grader::inline result {
 namespace {
 
 struct Wording {
-  Status status;
   const char* name;
   const char* sentence;
 };
 
+// The order is that of Status.
 constexpr std::array<Wording, 15> wordings{{
-    {Status::passed, "passed", "Everything passes. Well done."},
-    {Status::partly, "partly",
+    {"passed", "Everything passes. Well done."},
+    {"partly",
      "Part of this works. The categories below say where points are left; each can be won on its own."},
-    {Status::wrong, "wrong",
+    {"wrong",
      "The code runs, but no category passes yet. Start with the public checks: they run in a debugger on "
      "your machine."},
-    {Status::not_implemented, "not implemented",
+    {"not implemented",
      "The stub is still in place, so there was nothing to grade. The assignment text leads you in, step by "
      "step."},
-    {Status::missing, "missing",
+    {"missing",
      "The file was not in what you handed in. Build the target `handin`: it packs every file that is "
      "needed."},
-    {Status::does_not_compile, "does not compile",
+    {"does not compile",
      "The file does not compile on its own with the given headers. The compiler's first message is the one "
      "to begin with."},
-    {Status::crashed, "crashed",
+    {"crashed",
      "The program ended in the middle of a call, as after a write outside an array. The debug preset shows "
      "the line."},
-    {Status::timed_out, "timed out",
+    {"timed out",
      "A call did not return within a generous limit. Check that every loop ends, also when the system can't "
      "be solved."},
-    {Status::out_of_memory, "out of memory",
+    {"out of memory",
      "The code asked for more memory than it was given. A few vectors of length n are all that is needed; "
      "free what you allocate."},
-    {Status::broke_rules, "broke the rules",
+    {"broke the rules",
      "The code did something that an exercise may not do, such as starting a program (system(\"pause\") "
      "does), "
      "or opening files or connections. It needs only to compute and return."},
-    {Status::not_taken, "not taken",
+    {"not taken",
      "A person must first say which of your files counts here, so nothing was graded yet. The staff know."},
-    {Status::unreadable, "can't be read",
+    {"can't be read",
      "What you handed in could not be read, so nothing in it was graded. Pack the exercise files into a .zip "
      "or "
      "a .tar.gz, and check that it opens."},
-    {Status::given, "given", "A person gave these points."},
-    {Status::not_given, "not given yet", "A person will give these points."},
-    {Status::excused, "excused", "This exercise does not count for you."},
+    {"given", "A person gave these points."},
+    {"not given yet", "A person will give these points."},
+    {"excused", "This exercise does not count for you."},
 }};
 
 const Wording& wording_of(Status status) {
-  for (const Wording& wording : wordings) {
-    if (wording.status == status) return wording;
-  }
-  throw std::invalid_argument("there is no status " + std::to_string(static_cast<int>(status)));
+  return wordings.at(static_cast<std::size_t>(status));
 }
 
 }  // namespace
+
+std::string to_string(StudyEnd end) {
+  constexpr std::array kNames{"finished", "ran away", "broke"};
+  return kNames.at(static_cast<std::size_t>(end));
+}
 
 std::string to_string(Status status) {
   return wording_of(status).name;

@@ -45,11 +45,11 @@ inline constexpr std::size_t kRunPictures = 3;
 inline constexpr double kNoNumber = std::numeric_limits<double>::max();
 
 struct CaseResult {
-  std::string name;  // for students: "Ill-conditioned systems"
+  std::string name = {};  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;
   double points = 0, max_points = 0;
-  std::string feedback;  // for staff, until for_student writes the student's
-  std::string detail;    // for staff: inputs, expected and actual values
+  std::string feedback = {};  // for staff, until for_student writes the student's
+  std::string detail = {};    // for staff: inputs, expected and actual values
   // For students, too: a likely mistake in its numbers, or the end of its run, in one of our few sentences.
   // Empty: nothing is clear.
   std::string hint = {};
@@ -64,7 +64,7 @@ struct CaseResult {
 // Is a moment of a run. We draw it from the states of the submission's code and of the reference. It contains
 // no text and no name from a student.
 struct PictureResult {
-  std::string name;                      // "0.50 s"
+  std::string name = {};                 // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
   std::string student, reference, heat;  // PNG files' bytes; heat is empty if both pictures are the same
   // True if its particles are far from the reference's: students see it coarsely (student_view.h).
@@ -95,19 +95,19 @@ struct Said {
 };
 
 struct ExerciseResult {
-  std::string id, title, file;
+  std::string id = {}, title = {}, file = {};
   bool extra_credit = false;  // an optional exercise: its points are added on top of the total
   bool points_set = false;    // a person gave points of it (SubmissionResult::decided)
   Status status = Status::missing;
   double points = 0, max_points = 0;
-  std::string feedback;           // for students
-  std::string compiler_messages;  // for students: the compiler's messages about their own lines
-  std::vector<CaseResult> cases;
-  std::vector<PictureResult> pictures;  // show the whole run
-  RunMotions motions = {};              // the same
-  std::string staff_log;                // the whole output of compiler, linker and worker
-  std::string source = {};              // is the beginning of the student's file
-  std::vector<Said> said = {};          // by people, for students, too
+  std::string feedback = {};           // for students
+  std::string compiler_messages = {};  // for students: the compiler's messages about their own lines
+  std::vector<CaseResult> cases = {};
+  std::vector<PictureResult> pictures = {};  // show the whole run
+  RunMotions motions = {};                   // the same
+  std::string staff_log = {};                // the whole output of compiler, linker and worker
+  std::string source = {};                   // is the beginning of the student's file
+  std::vector<Said> said = {};               // by people, for students, too
 
   bool operator==(const ExerciseResult&) const = default;
 };
@@ -120,6 +120,17 @@ struct Adjustment {
   bool operator==(const Adjustment&) const = default;
 };
 
+// Is the lateness of a hand-in, and the points that the course's rules took for it.
+struct Lateness {
+  std::string handed_in;  // as in the download; "": it has no time
+  int days = 0;           // begun days of the calendar; 0: not late, or unknown
+  double free_days = 0;   // are a part of these
+  double taken = 0;       // are points
+  bool marked = false;    // by the learning system
+
+  bool operator==(const Lateness&) const = default;
+};
+
 // Is a decision of a person, for staff (grader/record/points/decisions.h).
 struct Decided {
   std::string place, kind;  // "H2.3", "points"; place "": the whole
@@ -130,11 +141,11 @@ struct Decided {
 };
 
 struct SubmissionResult {
-  std::string name;
-  std::string origin;  // see grader/intake/names/origin.h; for staff
-  std::vector<ExerciseResult> exercises;
-  std::string note;         // not empty: an error of the whole submission, for the student
-  std::string fingerprint;  // hashes the submission's bytes and the suite, in hexadecimal
+  std::string name = {};
+  std::string origin = {};  // see grader/intake/names/origin.h; for staff
+  std::vector<ExerciseResult> exercises = {};
+  std::string note = {};         // not empty: an error of the whole submission, for the student
+  std::string fingerprint = {};  // hashes the submission's bytes and the suite, in hexadecimal
   Isolation isolation = Isolation::namespaces;  // every page names any other kind
   bool images = true;                           // false: graded without pictures; every page says so
   // Lists exercises that ended by wall time: their points are not final, and a person looks.

@@ -21,80 +21,26 @@ inline constexpr Isolation kLast<Isolation> = Isolation::container;
 template <>
 inline constexpr StudyEnd kLast<StudyEnd> = StudyEnd::broke;
 
-template <>
-struct Fields<CaseResult> {
-  static const Rows<CaseResult>& rows();
-};
-template <>
-struct Fields<PictureResult> {
-  static const Rows<PictureResult>& rows();
-};
-template <>
-struct Fields<RunMotions> {
-  static const Rows<RunMotions>& rows();
-};
-template <>
-struct Fields<Said> {
-  static const Rows<Said>& rows();
-};
-template <>
-struct Fields<ExerciseResult> {
-  static const Rows<ExerciseResult>& rows();
-};
-template <>
-struct Fields<Adjustment> {
-  static const Rows<Adjustment>& rows();
-};
-template <>
-struct Fields<SubmissionResult> {
-  static const Rows<SubmissionResult>& rows();
-};
+const Rows<CaseResult>& rows_of(As<CaseResult>);
+const Rows<PictureResult>& rows_of(As<PictureResult>);
+const Rows<RunMotions>& rows_of(As<RunMotions>);
+const Rows<Said>& rows_of(As<Said>);
+const Rows<ExerciseResult>& rows_of(As<ExerciseResult>);
+const Rows<Adjustment>& rows_of(As<Adjustment>);
+const Rows<SubmissionResult>& rows_of(As<SubmissionResult>);
 
-template <>
-struct Fields<StudyPoint> {
-  static const Rows<StudyPoint>& rows();
-};
-template <>
-struct Fields<StudyCurve> {
-  static const Rows<StudyCurve>& rows();
-};
-template <>
-struct Fields<TimeRatio> {
-  static const Rows<TimeRatio>& rows();
-};
-template <>
-struct Fields<PartStudy> {
-  static const Rows<PartStudy>& rows();
-};
-template <>
-struct Fields<SceneStudy> {
-  static const Rows<SceneStudy>& rows();
-};
-template <>
-struct Fields<SubmissionStudy> {
-  static const Rows<SubmissionStudy>& rows();
-};
+const Rows<StudyPoint>& rows_of(As<StudyPoint>);
+const Rows<StudyCurve>& rows_of(As<StudyCurve>);
+const Rows<TimeRatio>& rows_of(As<TimeRatio>);
+const Rows<PartStudy>& rows_of(As<PartStudy>);
+const Rows<SceneStudy>& rows_of(As<SceneStudy>);
+const Rows<SubmissionStudy>& rows_of(As<SubmissionStudy>);
 
-template <>
-struct Fields<Budget> {
-  static const Rows<Budget>& rows();
-};
-template <>
-struct Fields<ExerciseTiming> {
-  static const Rows<ExerciseTiming>& rows();
-};
-template <>
-struct Fields<LastRun> {
-  static const Rows<LastRun>& rows();
-};
-template <>
-struct Fields<ClassCosts> {
-  static const Rows<ClassCosts>& rows();
-};
+const Rows<Budget>& rows_of(As<Budget>);
+const Rows<ExerciseTiming>& rows_of(As<ExerciseTiming>);
+const Rows<LastRun>& rows_of(As<LastRun>);
+const Rows<ClassCosts>& rows_of(As<ClassCosts>);
 
-template <>
-struct Fields<SuiteResult> {
-  static const Rows<SuiteResult>& rows();
-};
+const Rows<SuiteResult>& rows_of(As<SuiteResult>);
 
 }  // namespace grader::result

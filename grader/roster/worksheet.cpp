@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "grader/text/letters.h"
-#include "grader/text/number.h"
 
 namespace grader::inline roster {
 namespace {

@@ -18,13 +18,12 @@
 #include "grader/course/input.h"
 #include "grader/intake/names/names.h"
 #include "grader/record/record.h"
-#include "grader/result/base64.h"
 #include "grader/result/result.h"
 #include "grader/samples/sample.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tests/run_program.h"
-#include "grader/tests/traces.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/plot/base64.h"
 #include "solver/test_refusal.h"
 
 namespace grader {
@@ -37,19 +36,12 @@ using tests::says;
 // Attacks print, throw or claim this text in a worker.
 const std::string kMarker = "hair-attack-says";
 
-std::string set_in(const char* variable, const char* such_as) {
-  const char* word = std::getenv(variable);
-  if (word == nullptr)
-    throw std::runtime_error(std::string(variable) + " is not set: name one, such as " + such_as);
-  return word;
-}
-
 std::string place() {
-  return set_in("HAIR_PLACE", "run");
+  return environment("HAIR_PLACE", "run");
 }
 
 std::string isolation() {
-  return set_in("HAIR_ISOLATION", to_string(Isolation::namespaces));
+  return environment("HAIR_ISOLATION", to_string(Isolation::namespaces));
 }
 
 fs::path folder() {
@@ -142,17 +134,12 @@ class AttackCorpus : public testing::Test {
   }
 
   static SubmissionResult result_of(const Sample& sample) {
-    std::optional<SubmissionResult> result = recorded_result(grades(), submission_name(sample.name));
-    if (!result) throw std::runtime_error("no result for " + sample.name);
-    return *result;
+    return recorded_result(grades(), submission_name(sample.name)).value();
   }
 
-  static ShardRun run_;
-  static json timing_;
+  inline static ShardRun run_;
+  inline static json timing_;
 };
-
-ShardRun AttackCorpus::run_;
-json AttackCorpus::timing_;
 
 // Reads both files for a student.
 std::vector<std::string> pages_of(const Sample& sample) {
@@ -322,7 +309,7 @@ TEST_F(AttackCorpus, ShowsNoPictureThatItMustNot) {
     const auto check = [&](const std::vector<PictureResult>& pictures) {
       for (const PictureResult& picture : pictures) {
         if (picture.student.empty() || picture.student == picture.reference) continue;
-        EXPECT_FALSE(says(page, base64(picture.student))) << sample.name << ", " << picture.name;
+        EXPECT_FALSE(says(page, hair::base64(picture.student))) << sample.name << ", " << picture.name;
       }
     };
     for (const ExerciseResult& exercise : result.exercises) check(exercise.pictures);

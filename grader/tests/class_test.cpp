@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -19,7 +18,6 @@
 #include "grader/samples/sample.h"
 #include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
-#include "grader/tests/traces.h"
 #include "hair/io/files/read_file.h"
 #include "solver/test_refusal.h"
 
@@ -30,8 +28,7 @@ namespace fs = std::filesystem;
 using tests::says;
 
 std::string class_name() {
-  const char* name = std::getenv("HAIR_CLASS");
-  return name == nullptr ? "first" : name;
+  return environment("HAIR_CLASS", "first");
 }
 
 fs::path graded() {
@@ -48,9 +45,7 @@ std::vector<Sample> samples() {
 }
 
 SubmissionResult result_of(const std::string& name) {
-  std::optional<SubmissionResult> result = recorded_result(graded(), name);
-  if (!result) throw std::runtime_error("no result for " + name);
-  return *result;
+  return recorded_result(graded(), name).value();
 }
 
 TEST(SampleClass, HasAReportForEverySampleAndNobodyElse) {

@@ -36,13 +36,7 @@ class CourseFolder : public testing::Test {
     fs::create_directories("grades");
     Record record("grades", hand_in);
     record.put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, "canvas"}});
-    SubmissionResult result;
-    result.name = "alice";
-    ExerciseResult& exercise = result.exercises.emplace_back();
-    exercise.id = "H2";
-    exercise.points = 2;
-    exercise.max_points = 8;
-    record.put({result});
+    record.put({{.name = "alice", .exercises = {{.id = "H2", .points = 2, .max_points = 8}}}});
     ran(record, "2999-01-01 00:00:00");
   }
 
@@ -65,6 +59,9 @@ TEST_F(CourseFolder, NamesTheNextCommand) {
   write("downloads/lab 1.zip");
   expect_next("hairgrade grade 'downloads/lab 1.zip'", "not graded");
   put("");
+  fs::create_directory("grades/.slurm-1");
+  expect_next("hairgrade collect", "a cluster has hand-ins that are not in the grades yet");
+  fs::remove("grades/.slurm-1");
   expect_next("hairgrade gradebook canvas --fill EXPORTED.csv --out filled.csv",
               "1 hand-in: graded, and in no gradebook yet");
   EXPECT_EQ(run_hairgrade({"request", "alice", "H2", "Look again"}).code, 0) << "no --out";

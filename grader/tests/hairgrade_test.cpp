@@ -1,22 +1,12 @@
 // STAFF ONLY. Tests hairgrade as a person uses it: options, errors, reruns, interruptions.
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
 
 #include "grader/course/course.h"
 #include "grader/intake/read_submissions.h"
 #include "grader/record/record.h"
 #include "grader/report/report.h"
-#include "grader/tests/run_program.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/temporary_folder.h"
-#include "solver/test_refusal.h"
+#include "grader/tests/in_a_folder.h"
 
 namespace grader {
 namespace {
@@ -27,15 +17,16 @@ using tests::says;
 
 // Is a course of S1 and S2 alone. All tests share its secret and its cache, so that only the first one
 // compiles and draws.
-class Hairgrade : public testing::Test {
+class Hairgrade : public InAFolder {
  protected:
+  Hairgrade() : InAFolder(nlohmann::json::object()) {}
   static void SetUpTestSuite() {
     static const hair::TemporaryFolder shared("hairgrade-tests");
     course_ = shared.path();
     std::ofstream(course_ / "secret") << "a secret for this test";
     std::ofstream(course_ / "course.json") << course_of({"S1", "S2"});
   }
-  string out() const { return (folder_ / "grades").string(); }
+  string out() const { return path("grades"); }
 
   static ProgramRun grade(std::vector<string> arguments,
                           const std::function<void(const RunningProgram&)>& meanwhile = {},
@@ -62,17 +53,15 @@ class Hairgrade : public testing::Test {
 
   // Expects exit code 2, one line with these words, and no files.
   void expect_refused(const ProgramRun& run, const std::vector<string>& words) const {
-    EXPECT_EQ(run.code, 2) << run.errors;
-    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-    for (const string& word : words)
-      EXPECT_NE(run.errors.find(word), string::npos) << "no \"" << word << "\" in: " << run.errors;
+    for (const string& word : words) InAFolder::expect_refused(run, word);
     EXPECT_FALSE(fs::exists(out()));
   }
 
-  string write(const string& name, const string& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
+  void add_to_class(const std::vector<string>& names) const {
+    fs::create_directory(root_ / "class");
+    for (const string& name : names)
+      fs::copy(sample(name), root_ / "class" / fs::path(sample(name)).filename(),
+               fs::copy_options::recursive);
   }
 
   // Returns a sample's code for an exercise.
@@ -82,13 +71,10 @@ class Hairgrade : public testing::Test {
   }
 
   inline static fs::path course_;
-  hair::TemporaryFolder temporary_{"hairgrade-test"};
-  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
-  const string gone = (folder_ / "gone").string(), one = sample("other-order"),
-               short_secret = write("short", "123");
+  const string gone = path("gone"), one = sample("other-order"), short_secret = write("short", "123");
   const string odd = write("odd.json", R"({"exercises": {"S1": {"role": "homework"}}})"),
                given = write("given.json", R"({"exercises": {"S1": {"role": "given"}}})");
   expect_refused(run_hairgrade({}), {"--help"});
@@ -126,7 +112,7 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
 // Each stray, name that clashes and archive beside exercise files has a line; the exit code is 3, and the
 // rest is graded.
 TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
-  const fs::path everybody = folder_ / "class";
+  const fs::path everybody = root_ / "class";
   for (const char* name : {"x", "alice"})
     write("class/" + string(name) + "/conj_grad.cpp", code_of("perfect", "conj_grad.cpp"));
   for (const char* file : {"x.zip", "bob.rar", "conj_grad.cpp"}) write("class/" + string(file), "Rar!");
@@ -136,14 +122,10 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   for (const char* line :
        {"/conj_grad.cpp: was not graded", "/bob.rar: was not graded: bob.rar is a RAR archive",
         "/x.zip are both", "/x are both"})
-    EXPECT_TRUE(says(run.errors, line)) << "\nnot in: ";
+    EXPECT_TRUE(says(run.errors, line));
   EXPECT_EQ(points(recorded_result(out(), "alice").value()), 32);
   const SubmissionResult bob = recorded_result(out(), "bob").value();
   for (const ExerciseResult& exercise : bob.exercises) EXPECT_EQ(exercise.status, Status::unreadable);
-  const auto left_over =
-      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "left-over.json")).at("left_over");
-  ASSERT_EQ(left_over.size(), 1U);
-  EXPECT_EQ(left_over[0].at("path"), (everybody / "conj_grad.cpp").string());
   EXPECT_TRUE(says(hair::bytes_of(fs::path(out()) / "index.html"),
                    ">" + (everybody / "conj_grad.cpp").string() + "</th><td>nobody&#39;s</td>"));
 }
@@ -159,11 +141,11 @@ TEST_F(Hairgrade, GivesTheSameBytesAgain) {
                                              sample("segfault")};
   auto once = [&](const string& where, const char* jobs, const string& script) {
     std::vector<string> arguments = class_of_four;
-    for (const string& word : {string("--out"), (folder_ / where).string(), string("-j"), string(jobs)})
+    for (const string& word : {string("--out"), path(where), string("-j"), string(jobs)})
       arguments.push_back(word);
     const ProgramRun run = grade(arguments, {}, script);
     EXPECT_EQ(run.code, 0) << run.errors;
-    std::map<string, string> all = files_in(folder_ / where);
+    std::map<string, string> all = files_in(root_ / where);
     EXPECT_EQ(all.erase("timing.json") + all.erase("costs.html"), 2U);
     return all;
   };
@@ -182,8 +164,8 @@ TEST_F(Hairgrade, ListsWhatTheClockEnded) {
         "#include \"solver/linearSolver.h\"\n#include <unistd.h>\n"
         "double ConjGrad(int, implicitMatrix*, double*, double*, double, int*) { for (;;) sleep(1); }\n");
   const std::vector<string> words = {
-      (folder_ / "sleeper").string(),      "--out",      out(), "--exercise", "S1", "--course",
-      write("course.json", course.dump()), "--no-images"};
+      path("sleeper"), "--out", out(), "--exercise", "S1", "--course", write("course.json", course.dump()),
+      "--no-images"};
   const ProgramRun run = grade(words);
   EXPECT_EQ(run.code, 3) << run.errors;
   EXPECT_TRUE(says(run.errors, "not final, since the clock ended them: sleeper;"));
@@ -203,7 +185,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // This submission has the same name with other bytes.
   write("other-order/conj_grad.cpp", code_of("entry-test-inverted", "conj_grad.cpp"));
-  const string changed = (folder_ / "other-order").string(), grades = hair::bytes_of(out() + "/grades.csv");
+  const string changed = path("other-order"), grades = hair::bytes_of(out() + "/grades.csv");
   const ProgramRun refused = grade({changed, "--out", out(), "--resume"});
   EXPECT_EQ(refused.code, 2) << "it is of another origin";
   EXPECT_TRUE(says(refused.errors, "--replace"));
@@ -227,11 +209,11 @@ TEST_F(Hairgrade, GradesOneExerciseAloneAndKeepsTheOthersOfAnEarlierRun) {
 TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
   // Outside of the sandbox this file can include the staff's files; its object must not be used inside.
   write("thief/conj_grad.cpp", "#include \"" HAIR_PROJECT "/reference/S1/conj_grad.cpp\"\n");
-  const string thief = (folder_ / "thief").string();
+  const string thief = path("thief");
   auto score = [](const string& folder) {
     return nlohmann::json::parse(hair::bytes_of(fs::path(folder) / "thief" / "results.json")).at("score");
   };
-  const string outside = (folder_ / "outside").string();
+  const string outside = path("outside");
   ASSERT_EQ(grade({thief, "--out", outside, "--unsafe-no-sandbox"}).code, 0);
   EXPECT_EQ(score(outside), 32);
   EXPECT_TRUE(says(hair::bytes_of(fs::path(outside) / "index.html"), "without a sandbox"));
@@ -240,16 +222,11 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
 }
 
 TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
-  fs::create_directory(folder_ / "class");
-  auto add = [&](const string& name) {
-    fs::copy(sample(name), folder_ / "class" / fs::path(sample(name)).filename(),
-             fs::copy_options::recursive);
-  };
-  const string everybody = (folder_ / "class").string();
-  add("stubs");
+  const string everybody = path("class");
+  add_to_class({"stubs"});
   ASSERT_EQ(grade({everybody, "--out", out()}).code, 0);
   // Submissions run in turn: `sleeps` would sleep until the watchdog ends it, and `stubs` is not reached.
-  add("other-order");
+  add_to_class({"other-order"});
   write("class/sleeps/conj_grad.cpp", "#include <unistd.h>\nstruct Sleep { Sleep() { sleep(100); } } now;\n" +
                                           code_of("perfect", "conj_grad.cpp"));
   const fs::path first = fs::path(out()) / "other-order" / "results.json",
@@ -273,11 +250,8 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
 
 // The same course gives other points to S2.
 TEST_F(Hairgrade, RegradesInPlaceAndLeavesTheResultsBeforeWhenKilled) {
-  fs::create_directory(folder_ / "class");
-  for (const char* name : {"stubs", "other-order"})
-    fs::copy(sample(name), folder_ / "class" / fs::path(sample(name)).filename(),
-             fs::copy_options::recursive);
-  const string everybody = (folder_ / "class").string();
+  const string everybody = path("class");
+  add_to_class({"stubs", "other-order"});
   ASSERT_EQ(grade({everybody, "--out", out(), "--no-images"}).code, 0);
   ASSERT_EQ(run_hairgrade({"set", "stubs", "S2", "15", "--why", "x", "--out", out()}).code, 0);
   ASSERT_EQ(run_hairgrade({"comment", "stubs", "all", "well begun", "--out", out()}).code, 0);
@@ -292,7 +266,7 @@ TEST_F(Hairgrade, RegradesInPlaceAndLeavesTheResultsBeforeWhenKilled) {
   };
   const auto files = [&] { return files_in(out()); };
   const auto before = files();
-  EXPECT_NE(grade(other).errors.find("--regrade to grade all of them again in place"), string::npos);
+  EXPECT_TRUE(says(grade(other).errors, "--regrade to grade all of them again in place"));
   const ProgramRun killed = regrade([&](const RunningProgram& grades) {
     EXPECT_TRUE(grades.wait_until([&] { return Record(out(), kStage).names().size() == 1; }));
     kill(-grades.process, SIGKILL);
@@ -303,17 +277,14 @@ TEST_F(Hairgrade, RegradesInPlaceAndLeavesTheResultsBeforeWhenKilled) {
 
   const ProgramRun whole = regrade();
   EXPECT_EQ(whole.code, 3) << whole.errors;
-  EXPECT_NE(whole.output.find("1 graded, 1 kept from before"), string::npos) << whole.output;
-  EXPECT_NE(whole.errors.find("set S2 to 15 where 0 of 20 points had been computed, and now it is worth 10"),
-            string::npos)
-      << whole.errors;
-  EXPECT_NE(whole.output.find("1 of 2 have other points: " + out() + "/changes.html\n"), string::npos)
-      << whole.output;
-  EXPECT_NE(files().at("changes.html").find("S2.1 4 -&gt; 2; S2.2 "), string::npos);
-  EXPECT_NE(files().at("stubs/report.html").find("well begun"), string::npos);
+  EXPECT_TRUE(says(whole.output, "1 graded, 1 kept from before"));
+  EXPECT_TRUE(
+      says(whole.errors, "set S2 to 15 where 0 of 20 points had been computed, and now it is worth 10"));
+  EXPECT_TRUE(says(whole.output, "1 of 2 have other points: " + out() + "/changes.html\n"));
+  EXPECT_TRUE(says(files().at("changes.html"), "S2.1 4 -&gt; 2; S2.2 "));
+  EXPECT_TRUE(says(files().at("stubs/report.html"), "well begun"));
   EXPECT_EQ(grade(other).code, 3) << "the record is of the other course now";
-  EXPECT_NE(grade({everybody, "--out", out(), "--regrade", "--exercise", "S1"}).errors.find("--exercise"),
-            string::npos);
+  EXPECT_TRUE(says(grade({everybody, "--out", out(), "--regrade", "--exercise", "S1"}).errors, "--exercise"));
 }
 
 TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
@@ -325,7 +296,7 @@ TEST_F(Hairgrade, WithoutImagesTheWholeRunHasItsPoints) {
       for (const CaseResult& one : exercise.cases) all[exercise.id + " " + one.name] = one.points;
     return all;
   };
-  const fs::path blind = folder_ / "blind";
+  const fs::path blind = root_ / "blind";
   const ProgramRun run = grade({sample("other-order"), "--out", blind.string(), "--no-images"});
   EXPECT_TRUE(says(run.output, ", without pictures"));
   EXPECT_EQ(points_in(blind), points_in(out()));

@@ -2,7 +2,6 @@
 // succeed or both fail, for the same reason.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cstdio>
 #include <cstring>
@@ -15,6 +14,7 @@
 #include "grader/package/handout.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"
 
@@ -33,13 +33,12 @@ struct Ran {
 
 // Runs a command with the environment of a new shell.
 Ran run(const std::string& command, const fs::path& folder = "/") {
-  FILE* pipe =
-      popen(("cd '" + folder.string() + "' && exec env -i PATH=\"$PATH\" " + command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return {false, "can't start a shell"};
-  std::string output;
-  char buffer[4096];
-  while (std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
-  return {pclose(pipe) == 0, output};
+  const hair::TemporaryFolder said("hair-said");
+  const auto code = hair::exit_code_of(
+      hair::start_program({.words = {"/bin/sh", "-c", "exec env -i PATH=\"$PATH\" " + command + " 2>&1"},
+                           .output = said.path() / "output",
+                           .folder = folder}));
+  return {code == 0, hair::bytes_of(said.path() / "output")};
 }
 
 class HomeAndGrading : public testing::Test {

@@ -13,7 +13,6 @@
 #include "grader/mutants/equivalents.h"
 #include "grader/mutants/mutation.h"
 #include "grader/tests/run_program.h"
-#include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {

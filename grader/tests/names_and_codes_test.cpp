@@ -1,14 +1,8 @@
 // STAFF ONLY. Tests that staff read people's names next to the folders' names; in blind grading they read
 // codes, and no file or line for them has a name.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
-
 #include "grader/record/record.h"
 #include "grader/tests/in_a_folder.h"
 #include "grader/text/letters.h"
-#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {
@@ -50,16 +44,9 @@ TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
                        {"plain", {.name = "plain"}, "folders"}},
                       roster.people());
     for (const char* name : {"mueller_4711047110", "plain"})
-      for (const double points : {1., 2.}) {
-        Recorded one;
-        one.result.name = name;
-        ExerciseResult& exercise = one.result.exercises.emplace_back();
-        exercise.id = "H2";
-        exercise.title = "Two";
-        exercise.points = points;
-        exercise.max_points = 8;
-        record.put(one);
-      }
+      for (const double points : {1., 2.})
+        record.put(
+            {{.name = name, .exercises = {{.id = "H2", .title = "Two", .points = points, .max_points = 8}}}});
   }
   ASSERT_EQ(run({"comment", "mueller_4711047110", "all", "x"}).code, 0);
   std::map<string, string> all = files();

@@ -1,16 +1,7 @@
 // STAFF ONLY. Makes PrairieLearn's questions, and grades hand-ins as its container does, by the platform's
 // documents.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 #include "grader/report/results_json.h"
-#include "grader/tests/run_program.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/temporary_folder.h"
-#include "solver/test_refusal.h"
+#include "grader/tests/in_a_folder.h"
 
 namespace grader {
 namespace {
@@ -20,45 +11,33 @@ using Json = nlohmann::json;
 using std::string;
 using tests::says;
 
-class PrairieLearn : public testing::Test {
+class PrairieLearn : public InAFolder {
  protected:
-  PrairieLearn() {
-    std::ofstream(folder_.path() / "course.json") << course_of({"S1"});
-    std::ofstream(folder_.path() / "secret") << "a secret for this test";
-    questions_ = questions();
-  }
-
-  fs::path questions() const {
-    const fs::path out = folder_.path() / "questions-of-s1";
-    const ProgramRun packed =
-        run_hairgrade({"package", "prairielearn", "--out", out, "--course", folder_.path() / "course.json",
-                       "--secret", folder_.path() / "secret"});
+  PrairieLearn() : InAFolder(course_of({"S1"})) {
+    const ProgramRun packed = run_hairgrade({"package", "prairielearn", "--out", questions_, "--course",
+                                             path("course.json"), "--secret", path("secret")});
     EXPECT_EQ(packed.code, 0) << packed.errors;
-    return out;
   }
 
   // Returns results.json of a hand-in with this file.
   Json results_of(const string& name, const string& text) const {
-    const fs::path grade = folder_.path() / "grade";
-    fs::remove_all(grade);
-    fs::create_directories(grade / "student");
-    std::ofstream(grade / "student" / name) << text;
+    fs::remove_all(root_ / "grade");
+    write("grade/student/" + name, text);
     const Json info = Json::parse(hair::bytes_of(questions_ / "questions/hair-S1/info.json"));
     std::vector<string> words = info["externalGradingOptions"]["entrypoint"];
     words.erase(words.begin());
     for (string& word : words)
       if (const string place = "/grade/serverFilesCourse"; word.starts_with(place))
         word.replace(0, place.size(), (questions_ / "serverFilesCourse").string());
-    words.insert(words.end(), {grade, "--cache", folder_.path() / "cache"});
+    words.insert(words.end(), {path("grade"), "--cache", path("cache")});
     const ProgramRun run = run_hairgrade(words);
     EXPECT_EQ(run.code, 0) << run.errors;
-    const string bytes = hair::bytes_of(grade / "results/results.json");
+    const string bytes = read("grade/results/results.json");
     EXPECT_LE(bytes.size(), kMostResultsBytes);
     return Json::parse(bytes);
   }
 
-  const hair::TemporaryFolder folder_{"prairielearn"};
-  fs::path questions_;
+  const fs::path questions_ = root_ / "questions-of-s1";
 };
 
 TEST_F(PrairieLearn, GivesAScoreBetweenNoneAndAll) {

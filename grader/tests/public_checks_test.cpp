@@ -22,7 +22,6 @@
 #include "grader/sandbox/system_mounts.h"
 #include "grader/tests/mutants_found.h"
 #include "grader/tests/run_program.h"
-#include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {

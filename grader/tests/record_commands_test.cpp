@@ -1,17 +1,6 @@
 // STAFF ONLY. Tests the commands that read and change the record of a class, from outside.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
-
-#include "grader/course/input.h"
 #include "grader/record/record.h"
-#include "grader/tests/run_program.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/temporary_folder.h"
-#include "solver/test_refusal.h"
+#include "grader/tests/in_a_folder.h"
 
 namespace grader {
 namespace {
@@ -22,31 +11,24 @@ using tests::says;
 
 // All texts about a student have a word that occurs nowhere else.
 SubmissionResult result_of(const string& name, double points) {
-  SubmissionResult result;
-  result.name = name;
-  result.origin = "hand-in /" + name + ".zip";
-  ExerciseResult exercise;
-  exercise.id = "H2";
-  exercise.title = "Two";
-  exercise.points = points;
-  exercise.max_points = 8;
-  exercise.cases = {{"Easy", Status::passed, points, 8, "Feedback for " + name + ".", ""}};
-  exercise.staff_log = "log of " + name;
-  exercise.pictures = {{"1 s", 0, 0, "picture of " + name, "the reference's", ""}};
-  result.exercises = {exercise};
-  return result;
+  const ExerciseResult exercise{
+      .id = "H2",
+      .title = "Two",
+      .points = points,
+      .max_points = 8,
+      .cases = {{"Easy", Status::passed, points, 8, "Feedback for " + name + ".", ""}},
+      .pictures = {{"1 s", 0, 0, "picture of " + name, "the reference's", ""}},
+      .staff_log = "log of " + name};
+  return {.name = name, .origin = "hand-in /" + name + ".zip", .exercises = {exercise}};
 }
 
-class RecordCommands : public testing::Test {
+class RecordCommands : public InAFolder {
  protected:
-  RecordCommands() {
+  RecordCommands() : InAFolder({{"exercises", nlohmann::json::object()}}) {
+    fs::create_directory(out_);
     for (const char* name : {"alice", "bobwillgo", "carol", "dave"}) Record(out_).put({result_of(name, 2)});
     EXPECT_EQ(run({"comment", "alice", "all", "x"}).code, 0);  // makes the files
     EXPECT_EQ(run({"unset", "alice", "--kind", "comment"}).code, 0);
-  }
-  ProgramRun run(std::vector<string> words) const {
-    words.insert(words.end(), {"--out", out_.string()});
-    return run_hairgrade(words);
   }
   void name_people() const {
     Record(out_).put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, "moodle"},
@@ -56,14 +38,10 @@ class RecordCommands : public testing::Test {
   }
   std::map<string, string> files() const { return files_in(out_); }
   void expect_refused(const std::vector<string>& words, const string& because) const {
-    const ProgramRun refused = run(words);
-    EXPECT_EQ(refused.code, 2) << refused.errors;
-    EXPECT_TRUE(says(refused.errors, because));
-    EXPECT_EQ(refused.errors.find('\n') + 1, refused.errors.size()) << refused.errors;
+    InAFolder::expect_refused(run(words), because);
   }
 
-  hair::TemporaryFolder temporary_{"commands"};
-  const fs::path out_ = temporary_.path();
+  const fs::path out_ = root_ / "grades";
 };
 
 TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
@@ -74,14 +52,13 @@ TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
   EXPECT_TRUE(says(files().at("grades.csv"), "alice,7.5,8"));
   Record(out_).put({result_of("alice", 3)});
   ASSERT_EQ(run({"comment", "carol", "H2", "well done"}).code, 0);
-  EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";
-  EXPECT_NE(files().at("index.html").find("conflict: points H2.1</a>"), string::npos);
+  EXPECT_TRUE(says(files().at("grades.csv"), "alice,7.5,8")) << "graded again";
+  EXPECT_TRUE(says(files().at("index.html"), "conflict: points H2.1</a>"));
   const ProgramRun log = run({"log", "alice"});
-  EXPECT_NE(log.output.find("points H2.1: 7.5 (computed: 2): the test <was> wrong"), string::npos)
-      << log.output;
-  EXPECT_NE(log.output.find("3 points computed"), string::npos) << log.output;
-  EXPECT_NE(run({"diff"}).output.find("alice  H2.1  2 -> 3  Easy"), string::npos) << run({"diff"}).output;
-  EXPECT_NE(files().at("changes.html").find("H2.1 2 -&gt; 3"), string::npos);
+  EXPECT_TRUE(says(log.output, "points H2.1: 7.5 (computed: 2): the test <was> wrong"));
+  EXPECT_TRUE(says(log.output, "3 points computed"));
+  EXPECT_TRUE(says(run({"diff"}).output, "alice  H2.1  2 -> 3  Easy"));
+  EXPECT_TRUE(says(files().at("changes.html"), "H2.1 2 -&gt; 3"));
   for (int i = 0; i < 2; ++i) Record(out_).put({result_of("alice", 2)});
   ASSERT_EQ(run({"unset", "alice", "H2.1"}).code, 0);
   ASSERT_EQ(run({"unset", "carol", "H2", "--kind", "comment"}).code, 0);
@@ -101,29 +78,27 @@ TEST_F(RecordCommands, FindPeopleAsTheRosterCallsThemAndPrintOldAndNewPoints) {
   EXPECT_EQ(run({"unset", "alice", "--kind", "excuse"}).output,
             "Alice Ames (alice): 0 of 0 points -> 2 of 8 points\n");
   expect_refused({"comment", "Sam Same", "all", "x"}, "Sam Same: may be bobwillgo, dave; write one of these");
-  const string course = (temporary_.path() / "course.json").string();
-  std::ofstream(course) << R"({"exercises": {}, "hand_in": {"due": "2025-03-04 23:59"}})";
-  EXPECT_NE(run({"whatif", course}).errors.find("nobody knows whether these are late"), string::npos);
+  const string course = write("due.json", R"({"exercises": {}, "hand_in": {"due": "2025-03-04 23:59"}})");
+  EXPECT_TRUE(says(run({"whatif", course}).errors, "nobody knows whether these are late"));
 }
 
 TEST_F(RecordCommands, KeepWhomTheyHoldOutOfFeedbackAndGradebookAndRememberWhatWasPublished) {
   name_people();
-  const string sheet = (temporary_.path() / "sheet.csv").string(),
-               table = (temporary_.path() / "t.csv").string(),
-               archive = (temporary_.path() / "f.zip").string();
-  std::ofstream(sheet)
-      << "Identifier,Full name,Status,Grade,Maximum grade,Grade can be changed,Last modified "
-         "(submission),Last modified (grade),Feedback comments\n"
-         "Participant 1,Alice Ames,Submitted for grading,,8.00,Yes,-,-,\n"
-         "Participant 3,Carol Coe,Submitted for grading,,8.00,Yes,-,-,\n";
+  const string sheet =
+                   write("sheet.csv",
+                         "Identifier,Full name,Status,Grade,Maximum grade,Grade can be changed,Last modified "
+                         "(submission),Last modified (grade),Feedback comments\n"
+                         "Participant 1,Alice Ames,Submitted for grading,,8.00,Yes,-,-,\n"
+                         "Participant 3,Carol Coe,Submitted for grading,,8.00,Yes,-,-,\n"),
+               table = path("t.csv"), archive = path("f.zip");
   const auto give_back = [&](bool held) {
     const ProgramRun feedback =
         run_hairgrade({"feedback", "moodle", sheet, "--grades", out_.string(), "--out", archive});
     const ProgramRun gradebook = run_hairgrade(
         {"gradebook", "moodle", "--fill", sheet, "--grades", out_.string(), "--out", table, "--overwrite"});
-    EXPECT_NE(feedback.output.find(held ? "1 reports" : "2 reports"), string::npos) << feedback.errors;
+    EXPECT_TRUE(says(feedback.output, held ? "1 reports" : "2 reports")) << feedback.errors;
     EXPECT_EQ(hair::bytes_of(table).find("Alice Ames,Submitted for grading,2,") == string::npos, held);
-    EXPECT_NE(hair::bytes_of(table).find("Carol Coe,Submitted for grading,2,"), string::npos);
+    EXPECT_TRUE(says(hair::bytes_of(table), "Carol Coe,Submitted for grading,2,"));
     for (const ProgramRun& run : {feedback, gradebook})
       EXPECT_EQ(run.errors.find("alice: gets nothing, since ") != string::npos, held) << run.errors;
   };
@@ -132,23 +107,44 @@ TEST_F(RecordCommands, KeepWhomTheyHoldOutOfFeedbackAndGradebookAndRememberWhatW
     return hair::bytes_of(table);
   };
   ASSERT_EQ(run({"hold", "Alice Ames", "--why", "a secret case"}).code, 0);
-  EXPECT_EQ(files().at("alice/report.html").find("a secret case"), string::npos);
+  EXPECT_FALSE(says(files().at("alice/report.html"), "a secret case"));
   give_back(true);
   ASSERT_EQ(run({"set", "alice", "H2", "5", "--why", "x"}).code, 0);
   ASSERT_EQ(run({"set", "carol", "H2.1", "5", "--why", "x"}).code, 0);
-  EXPECT_NE(
-      published().find("\r\ncarol,Carol Coe,3,c@x.de,2,5,H2.1 Easy 2 -> 5,Your total was 2 of 8 points and "
-                       "is 5 of 8 now: H2.1 Easy 2 -> 5.,20"),
-      string::npos)
-      << published();
-  EXPECT_NE(published().find(",gradebook moodle\r\n"), string::npos);
-  EXPECT_EQ(published().find("alice"), string::npos) << "nothing of alice was published";
+  EXPECT_TRUE(says(published(),
+                   "\r\ncarol,Carol Coe,3,c@x.de,2,5,H2.1 Easy 2 -> 5,Your total was 2 of 8 points and "
+                   "is 5 of 8 now: H2.1 Easy 2 -> 5.,20"));
+  EXPECT_TRUE(says(published(), ",gradebook moodle\r\n"));
+  EXPECT_FALSE(says(published(), "alice")) << "nothing of alice was published";
   ASSERT_EQ(run({"unset", "alice", "H2"}).code + run({"unset", "carol", "H2.1"}).code, 0);
-  EXPECT_EQ(published().find("carol"), string::npos);
+  EXPECT_FALSE(says(published(), "carol"));
   ASSERT_EQ(run({"unhold", "alice"}).code, 0);
   give_back(false);
-  EXPECT_NE(run({"log", "alice"}).output.find("published  2 of 8 points, by gradebook moodle\n"),
-            string::npos);
+  EXPECT_TRUE(says(run({"log", "alice"}).output, "published  2 of 8 points, by gradebook moodle\n"));
+}
+
+// The first call enters 2 points; others come from a person.
+TEST_F(RecordCommands, AGradebookHasDecisionsAndKeepsWhatAPersonEntered) {
+  Record(out_).put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, "canvas"}});
+  const auto cell = [&](const string& there, const char* option = "--scale") {
+    run_hairgrade({"gradebook", "canvas", "--grades", out_.string(), "--out", path("filled.csv"), "--fill",
+                   write("t.csv",
+                         "Student,ID,SIS Login ID,Section,H2 (7)\n    Points Possible,,,,8\n\"Ames, "
+                         "Alice\",1,aa,A," +
+                             there + "\n"),
+                   option});
+    const string filled = read("filled.csv"), before = "1,aa,A,";
+    const std::size_t at = filled.find(before) + before.size();
+    return filled.substr(at, filled.find('\n', at) - at);
+  };
+  EXPECT_EQ(cell(""), "2");
+  ASSERT_EQ(run({"set", "alice", "H2", "5.5", "--why", "a talk"}).code, 0);
+  EXPECT_EQ(cell("2.00"), "5.5");
+  EXPECT_EQ(cell("5.5"), "5.5");
+  EXPECT_EQ(cell("7"), "7");
+  EXPECT_EQ(cell("7", "--overwrite"), "5.5");
+  ASSERT_EQ(run({"excuse", "alice", "--why", "ill"}).code, 0);
+  EXPECT_EQ(cell("5.5"), "EX");
 }
 
 TEST_F(RecordCommands, ACommentChangesForAllWhoHaveIt) {
@@ -158,7 +154,7 @@ TEST_F(RecordCommands, ACommentChangesForAllWhoHaveIt) {
   EXPECT_EQ(changed.output, "2  -1.5 points  too <long>\n    alice H2.1, carol H2\n") << changed.errors;
   EXPECT_EQ(run({"comments"}).output, "1  x\n    nobody\n" + changed.output);
   for (const char* name : {"alice", "carol"}) {
-    EXPECT_NE(files().at(string(name) + "/report.html").find("too &lt;long&gt; (-1.5 points)"), string::npos);
+    EXPECT_TRUE(says(files().at(string(name) + "/report.html"), "too &lt;long&gt; (-1.5 points)"));
     EXPECT_EQ(nlohmann::json::parse(files().at(string(name) + "/results.json")).at("score"), 0.5);
   }
   expect_refused({"comment", "alice", "H2"}, "--id");
@@ -169,11 +165,11 @@ TEST_F(RecordCommands, ACommentChangesForAllWhoHaveIt) {
 
 TEST_F(RecordCommands, ARequestIsAnsweredOnce) {
   EXPECT_EQ(run({"request", "alice", "H2.1", "why <2>?"}).output, "request 1\n");
-  EXPECT_NE(files().at("alice/report.html").find("not answered yet"), string::npos);
-  EXPECT_NE(run({"requests"}).output.find("alice H2.1  why <2>?\n1 open\n"), string::npos);
+  EXPECT_TRUE(says(files().at("alice/report.html"), "not answered yet"));
+  EXPECT_TRUE(says(run({"requests"}).output, "alice H2.1  why <2>?\n1 open\n"));
   ASSERT_EQ(run({"answer", "1", "since"}).code, 0);
-  EXPECT_NE(files().at("alice/report.html").find("The staff answered on "), string::npos);
-  EXPECT_NE(run({"requests"}).output.find("  since\n0 open\n"), string::npos) << run({"requests"}).output;
+  EXPECT_TRUE(says(files().at("alice/report.html"), "The staff answered on "));
+  EXPECT_TRUE(says(run({"requests"}).output, "  since\n0 open\n"));
   expect_refused({"answer", "1", "again"}, "answered once");
 }
 
@@ -189,10 +185,7 @@ TEST_F(RecordCommands, ATableHasPointsDaysAndRequests) {
   hand_ins.push_back({"dave", team("d1", "e1"), "folders"});
   Record(out_).put_people(hand_ins);
   Record(out_).set_rules(rules);
-  const auto enter = [&](const string& table) {
-    hair::write_file(temporary_.path() / "t.csv", table);
-    return run({"enter", (temporary_.path() / "t.csv").string()});
-  };
+  const auto enter = [&](const string& table) { return run({"enter", write("t.csv", table)}); };
   const string table =
       "id,name,Oral examination,style,late days,why,request,place\n"
       "alice1,A,7,\"1,5\",2,ill,=why?,H2.1\nalice1,A,,,,,and this,all\n"
@@ -202,9 +195,9 @@ TEST_F(RecordCommands, ATableHasPointsDaysAndRequests) {
   EXPECT_EQ(first.output, "7 entered\n") << first.errors;
   for (const char* line : {"line 4: B: \"x\" is no number", "line 4: 11 points: oral is worth 10",
                            "line 8: Z has no hand-in here", "dave: other rows have another number"})
-    EXPECT_NE(first.errors.find(line), string::npos) << line << "\n" << first.errors;
-  EXPECT_NE(files().at("grades.csv").find("alice,10.5,20"), string::npos) << files().at("grades.csv");
-  EXPECT_NE(files().at("alice/report.html").find("=why?"), string::npos);
+    EXPECT_TRUE(says(first.errors, line));
+  EXPECT_TRUE(says(files().at("grades.csv"), "alice,10.5,20"));
+  EXPECT_TRUE(says(files().at("alice/report.html"), "=why?"));
   EXPECT_EQ(Record(out_).requests().size(), 2U);
   EXPECT_EQ(enter(table).output, "0 entered\n") << "it was entered before";
   EXPECT_EQ(enter("id,oral\nalice1,8\n").output, "1 entered\n") << "a corrected table";
@@ -218,6 +211,22 @@ TEST_F(RecordCommands, SayWhatIsWrongInOneLine) {
   expect_refused({"log", "nobody"}, "nobody in ");
   expect_refused({"forget", "../alice"}, "nobody in ");
   EXPECT_EQ(files(), before);
+  fs::create_directory(out_ / ".slurm-1");
+  expect_refused({"forget", "alice"}, "its hand-ins are on a cluster, which would bring alice back; ");
+  const string bad = write("bad.csv", "id,name\n1,\"A\n"), out = path("out.csv"), grades = out_.string();
+  for (const auto& [words, because] : std::vector<std::pair<std::vector<string>, string>>{
+           {{"grade", sample("stubs"), "--out", grades, "--roster", bad},
+            "bad.csv, line 2: a quote begins here and never ends"},
+           {{"gradebook", "canvas", "--grades", grades, "--out", out}, "needs --fill"},
+           {{"gradebook", "canvas", "--grades", path("elsewhere"), "--fill", bad, "--out", out},
+            "has no class.sqlite"},
+           {{"gradebook", "canvas", "--grades", grades, "--fill", bad, "--out", bad},
+            "is the exported table itself"},
+           {{"gradebook", "sakai", "--grades", grades, "--out", out}, "sakai"},
+           {{"feedback", "moodle", bad, "--grades", grades, "--out", path("x.tar")},
+            "the archive is a .zip"}})
+    InAFolder::expect_refused(run_hairgrade(words), because);
+  EXPECT_FALSE(fs::exists(out));
   const ProgramRun elsewhere = run_hairgrade({"export", "--out", (out_ / "staff").string()});
   EXPECT_EQ(elsewhere.code, 2);
   EXPECT_FALSE(Record::is_in(out_ / "staff"));

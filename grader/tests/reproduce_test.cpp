@@ -1,7 +1,5 @@
 // STAFF ONLY. Tests that a failing case builds and fails again without the grader, and that its folder tells
 // nothing of the reference; and that hairgrade's try keeps nothing.
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 
 #include "grader/course/course.h"
@@ -15,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using std::string;
+using tests::says;
 
 const fs::path kProject = HAIR_PROJECT;
 
@@ -34,18 +33,14 @@ string build_and_run(const fs::path& folder, bool ends_well = true) {
   return hair::bytes_of(log);
 }
 
-bool says(const string& text, const string& words) {
-  return text.find(words) != string::npos;
-}
-
 // Expects that the program prints the numbers that the suite names: "worst entry 5: 1, expected 2".
 void expect_numbers_of_the_suite(const string& output) {
-  EXPECT_TRUE(says(output, "These are the numbers that grading saw.")) << output;
+  EXPECT_TRUE(says(output, "These are the numbers that grading saw."));
   const size_t at = output.find("worst entry ");
   if (at == string::npos) return;
   string words = output.substr(at + 6, output.find_first_of(";\n", at) - at - 6);
   words.replace(words.find(": ") + 2, 0, "actual ");
-  EXPECT_TRUE(says(output, "\n" + words + "\n")) << words << "\n" << output;
+  EXPECT_TRUE(says(output, "\n" + words + "\n"));
 }
 
 void expect_no_secrets(const fs::path& folder, const string& secret) {
@@ -105,7 +100,7 @@ TEST_F(OfARecord, IsReproducedAndTriedAndKeepsNothing) {
   const ProgramRun tried = again({"try", "ada", "H2", "--with", right});
   EXPECT_EQ(tried.code, 0) << tried.errors;
   for (const char* words : {"0 wrong                     5 passed\n", "30 passed\n"})
-    EXPECT_TRUE(says(tried.output, words)) << tried.output;
+    EXPECT_TRUE(says(tried.output, words));
 
   write("other", "another secret for this test");
   struct Refused {

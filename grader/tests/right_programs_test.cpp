@@ -21,7 +21,6 @@
 #include "grader/samples/solution_files.h"
 #include "grader/sandbox/processes/processors.h"
 #include "grader/tests/run_program.h"
-#include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {

@@ -2,9 +2,11 @@
 #include "grader/tests/run_program.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
+#include <thread>
 
 #include "grader/course/course.h"
 #include "grader/record/record.h"
@@ -14,12 +16,10 @@
 
 namespace grader {
 
+namespace fs = std::filesystem;
+
 bool RunningProgram::wait_until(const std::function<bool()>& happened) const {
   return hair::wait_until(happened, process);
-}
-
-bool RunningProgram::wait_until_it_says(const std::string& words) const {
-  return wait_until([&] { return hair::bytes_of(errors).find(words) != std::string::npos; });
 }
 
 namespace {
@@ -37,14 +37,14 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(const RunningProgram&)>& meanwhile,
                          const std::string& script) {
   const hair::TemporaryFolder temporary{"hairgrade"};
-  const std::filesystem::path output = temporary.path() / "output", errors = temporary.path() / "errors";
+  const fs::path output = temporary.path() / "output", errors = temporary.path() / "errors";
   std::vector<std::string> words;
   if (!script.empty()) words = {"/usr/bin/bash", "-c", script + "\nexec \"$0\" \"$@\""};
   words.emplace_back(HAIRGRADE);
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t process = hair::start_program(
       {.words = words, .output = output, .errors = errors, .leads_group = static_cast<bool>(meanwhile)});
-  if (meanwhile) meanwhile({process, errors});
+  if (meanwhile) meanwhile({process});
   const int code = hair::exit_code_of(process).value_or(-1);
   ProgramRun run{code, hair::bytes_of(output), without_places_open_to_others(hair::bytes_of(errors))};
   // Codes 1 and -1 are faults of the program: a failing test shows its errors.
@@ -55,26 +55,48 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
 
 nlohmann::json course_of(const std::vector<std::string>& ids) {
   nlohmann::json roles;
-  for (const Exercise& exercise :
-       read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json").exercises)
+  for (const Exercise& exercise : read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises)
     if (std::ranges::count(ids, exercise.id) == 0) roles[exercise.id] = {{"role", "given"}};
   return {{"exercises", roles}};
 }
 
-std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
+std::map<std::string, std::string> files_in(const fs::path& folder) {
   std::map<std::string, std::string> all;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && !entry.path().filename().string().starts_with(kRecordFile))
-      all[std::filesystem::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
+      all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
   return all;
 }
 
 std::string sample(const std::string& name) {
   for (const char* ending : {"", ".zip", ".tar.gz"})
-    if (const std::filesystem::path path = std::filesystem::path(HAIR_SAMPLE_CLASS) / (name + ending);
-        std::filesystem::exists(path))
-      return path;
+    if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
   throw std::runtime_error("the sample class has no " + name);
+}
+
+std::vector<fs::path> traces(std::vector<fs::path> places) {
+  for (const char* place : {"/", "/tmp", "/var/tmp", "/dev/shm"}) places.emplace_back(place);
+  places.push_back(fs::temp_directory_path());
+  places.push_back(fs::current_path());
+  if (const char* home = std::getenv("HOME")) places.emplace_back(home);
+
+  std::vector<fs::path> found;
+  for (const fs::path& place : places) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(place, error))
+      if (entry.path().filename().string().find("hair-sample-was-here") != std::string::npos)
+        found.push_back(entry.path());
+  }
+  return found;
+}
+
+void side_by_side(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::jthread> threads;
+  for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
+    threads.emplace_back([&] {
+      for (std::size_t i = next++; i < count; i = next++) body(i);
+    });
 }
 
 std::string environment(const char* name, const std::string& otherwise) {

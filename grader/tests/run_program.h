@@ -15,15 +15,12 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// Is a running hairgrade: its process id, which is also that of its process group, and the file of its
-// errors.
+// Is a running hairgrade: its process id, which is also that of its process group.
 struct RunningProgram {
   int process;
-  std::filesystem::path errors;
 
   // Waits until `happened` returns true. Returns false if the program ended before.
   bool wait_until(const std::function<bool()>& happened) const;
-  bool wait_until_it_says(const std::string& words) const;
 };
 
 // Runs hairgrade with these arguments, and calls `meanwhile` once it runs. If there is a `script`, a shell
@@ -40,6 +37,13 @@ std::map<std::string, std::string> files_in(const std::filesystem::path& folder)
 
 // Returns the path of a sample of the sample class, in its form there.
 std::string sample(const std::string& name);
+
+// Searches `places`, and folders that everybody may write to, for files that samples leave outside of the
+// sandbox; their names show it.
+std::vector<std::filesystem::path> traces(std::vector<std::filesystem::path> places);
+
+// Calls body(0), ..., body(count - 1), as many at a time as there are processors.
+void side_by_side(std::size_t count, const std::function<void(std::size_t)>& body);
 
 // Returns a variable of the environment, or `otherwise`.
 std::string environment(const char* name, const std::string& otherwise);

@@ -1,9 +1,5 @@
 // STAFF ONLY. Tests groups and participants of a learning system, from the download to the gradebook, and
 // again with the next download.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "grader/record/record.h"
 #include "grader/tests/in_a_folder.h"
 #include "grader/text/letters.h"
@@ -85,6 +81,30 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   EXPECT_TRUE(says(third.errors, "solo_4713: is team7_4713, but somebody has left it")) << third.errors;
   EXPECT_EQ(names(), (Words{"roemax_4716", "solo_4713", "team7_4713"}));
   EXPECT_FALSE(says(read("grades/solo_4713/report.html"), "Well spoken."));
+}
+
+TEST_F(SecondDownload, EverybodyOnTheRosterHasARowAndLaterRunsKeepTheRoster) {
+  download({"ada/conj_grad.cpp", "eve/conj_grad.cpp"});
+  const ProgramRun graded =
+      grade({"--roster", write("roster.csv", "login;id;name\r\nada;0011;Jörg Müller\r\ngone;12;Zoë\r\n")});
+  EXPECT_EQ(graded.code, 3) << graded.errors;
+  EXPECT_TRUE(says(graded.output, "roster: 1 of 2 handed in\n"));
+  for (const char* line : {"handed in nothing: Zoë (12); a roster whose column \"id\" has",
+                           "roster.csv: its separator is a semicolon\n",
+                           "eve: is on no roster (its name is on no roster), and graded all the same\n"})
+    EXPECT_TRUE(says(graded.errors, line));
+  EXPECT_TRUE(says(read("grades/index.html"), "Zoë"));
+  EXPECT_EQ(grade({"--only", "eve"}).code, 3);
+  for (const char* row : {",Zoë,12,,,nothing handed in\r\n", ",Jörg Müller,0011,,,\r\n", "\r\neve,0,"})
+    EXPECT_TRUE(says(read("grades/grades.csv"), row));
+
+  const string head = "Student,ID,SIS Login ID,Section,S1 (7)\n    Points Possible,,,,32\n";
+  const ProgramRun filled =
+      run_hairgrade({"gradebook", "canvas", "--grades", path("grades"), "--out", path("filled.csv"), "--fill",
+                     write("export.csv", head + "\"Müller, Jörg\",4711,ada,A,\n\"Z, Zoë\",4712,gone,A,3\n")});
+  EXPECT_EQ(filled.code, 3) << "eve has no row: " << filled.errors;
+  EXPECT_EQ(read("filled.csv"), head + "\"Müller, Jörg\",4711,ada,A,0\n\"Z, Zoë\",4712,gone,A,3\n");
+  EXPECT_TRUE(filled.output.starts_with("1 grades in ")) << filled.output;
 }
 
 // In Moodle's own blind download staff know nobody, and the worksheet with names comes later.

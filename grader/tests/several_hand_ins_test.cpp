@@ -1,13 +1,8 @@
 // STAFF ONLY. Tests a course with several hand-ins, from outside: one record, a folder of pages for each, and
 // the course's page above them.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "grader/record/record.h"
 #include "grader/tests/broken_links.h"
 #include "grader/tests/in_a_folder.h"
-#include "solver/test_refusal.h"
 
 namespace grader {
 namespace {

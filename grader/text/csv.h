@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,9 @@ std::size_t column_of(const Csv& table, const std::string& title);
 
 // Writes "roster.csv, line 7".
 std::string place_of(const Csv& table, const Csv::Row& row);
+
+// Reads the number of a cell, "10", "10.00", "10,00"; returns nothing for other texts.
+std::optional<double> number_in(const std::string& cell);
 
 // True if a spreadsheet would run it: after blanks it begins with = + - or @, also in their wide forms, and
 // has more text, and is no number.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <functional>
 #include <memory>
@@ -139,6 +140,15 @@ std::string without_marks(std::string_view name) {
   if (is_ascii(name)) return std::string(name);
   return mapped(mapped(name, UTF8PROC_STABLE | UTF8PROC_DECOMPOSE | UTF8PROC_STRIPMARK),
                 UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+}
+
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_of_word = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    if (!is_of_word(at - 1) && !is_of_word(at + word.size())) return true;
+  return false;
 }
 
 std::string legible(std::string_view text, std::size_t most) {

@@ -32,6 +32,9 @@ std::string composed_path(std::string_view path);
 // Writes "Müller" as "Muller": letters of ASCII with marks lose these. Others stay.
 std::string without_marks(std::string_view name);
 
+// True if the text has this word of ASCII, apart from other letters, digits and underscores.
+bool has_word(std::string_view text, std::string_view word);
+
 // Returns one line that is safe to print and keeps its letters: control characters, bytes that are no UTF-8
 // and letters that change the direction of others become \xNN. Cuts after about `most` bytes.
 std::string legible(std::string_view text, std::size_t most = 200);

@@ -10,9 +10,12 @@
 #include "grader/report/gradescope_rules.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline tool {
 namespace {
+
+using tests::says;
 
 namespace fs = std::filesystem;
 
@@ -60,15 +63,15 @@ TEST_F(Gradescope, OddMetadataIsToldInALine) {
       read_metadata(metadata(text));
       ADD_FAILURE() << text << " was read";
     } catch (const BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find(sentence), std::string::npos) << text << ": " << error.what();
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      EXPECT_TRUE(says(std::string(error.what()), sentence)) << text << ": " << error.what();
+      EXPECT_FALSE(says(std::string(error.what()), '\n'));
     }
 }
 
 TEST_F(Gradescope, ResultsAreWholeFromTheBeginningAndNameWhatIsNotGradedYet) {
   GradescopeResults file(folder_.path(), course_, {});
   EXPECT_EQ(results()["score"], 0);
-  EXPECT_NE(results()["output"].get<std::string>().find("S1, S2, P1"), std::string::npos) << results();
+  EXPECT_TRUE(says(results()["output"].get<std::string>(), "S1, S2, P1")) << results();
   EXPECT_FALSE(results()["extra_data"].contains("isolation")) << "nothing ran so far";
 
   file.belong_to({"4711", "2026-03-04"});
@@ -79,12 +82,9 @@ TEST_F(Gradescope, ResultsAreWholeFromTheBeginningAndNameWhatIsNotGradedYet) {
   };
   SubmissionResult result;
   for (const Exercise& exercise : course_.exercises) {
-    if (exercise.role != Role::assigned && exercise.role != Role::optional) continue;
+    if (!is_asked_for(exercise.role)) continue;
     EXPECT_TRUE(names(exercise.id)) << exercise.id;
-    ExerciseResult graded;
-    graded.id = exercise.id;
-    graded.points = graded.max_points = 3;
-    result.exercises.push_back(graded);
+    result.exercises.push_back({.id = exercise.id, .points = 3, .max_points = 3});
     file.write(result);
     EXPECT_FALSE(names(exercise.id)) << exercise.id;
     EXPECT_EQ(results()["score"], 3 * static_cast<int>(result.exercises.size()));
@@ -99,7 +99,7 @@ TEST_F(Gradescope, WhatCouldNotBeGradedIsNotTheStudentsFault) {
   const GradescopeResults file(folder_.path(), course_, {});
   file.could_not_grade();
   EXPECT_EQ(results()["score"], 0);
-  EXPECT_NE(results()["output"].get<std::string>().find("not your fault"), std::string::npos);
+  EXPECT_TRUE(says(results()["output"].get<std::string>(), "not your fault"));
 }
 
 }  // namespace

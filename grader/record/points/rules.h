@@ -28,7 +28,6 @@
 #include <vector>
 
 #include "grader/result/fields.h"
-#include "grader/result/lateness.h"
 #include "grader/result/result.h"
 
 namespace grader::inline record {

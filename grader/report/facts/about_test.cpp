@@ -46,15 +46,7 @@ TEST(About, HoursAreTheFirstNumber) {
 }
 
 SubmissionResult says(const std::string& about) {
-  SubmissionResult result;
-  result.name = "somebody";
-  for (const char* id : {"H1", "H6", "H10"}) {
-    ExerciseResult exercise;
-    exercise.id = id;
-    result.exercises.push_back(exercise);
-  }
-  result.about = about;
-  return result;
+  return {.name = "somebody", .exercises = {{.id = "H1"}, {.id = "H6"}, {.id = "H10"}}, .about = about};
 }
 
 TEST(AboutSection, CountsAndNamesNobody) {

@@ -10,29 +10,23 @@
 
 #include "grader/report/facts/alike.h"
 #include "grader/report/pages/pages.h"
+#include "solver/test_refusal.h"
 
 namespace grader::inline report {
 namespace {
 
+using tests::says;
+
 // Makes one exercise of two points; each category that `passes` gives one.
 SubmissionResult person(const std::string& name, std::vector<bool> passes) {
-  SubmissionResult result;
-  result.name = name;
-  ExerciseResult exercise;
-  exercise.id = "S1";
-  exercise.status = Status::partly;
-  exercise.max_points = static_cast<double>(passes.size());
+  ExerciseResult exercise{
+      .id = "S1", .status = Status::partly, .max_points = static_cast<double>(passes.size())};
   for (const bool passed : passes) {
-    CaseResult one;
-    one.name = "A category";
-    one.status = passed ? Status::passed : Status::wrong;
-    one.points = passed;
-    one.max_points = 1;
-    exercise.points += one.points;
-    exercise.cases.push_back(one);
+    const double points = passed ? 1 : 0;
+    exercise.points += points;
+    exercise.cases.push_back({"A category", passed ? Status::passed : Status::wrong, points, 1});
   }
-  result.exercises.push_back(exercise);
-  return result;
+  return {.name = name, .exercises = {exercise}};
 }
 
 // 0.27 * 11 = 2.97: three of eleven people are strong, and three are weak.
@@ -95,50 +89,36 @@ TEST(ClassStatistics, SectionsCountEachOfTheirPeopleOnce) {
   EXPECT_EQ(sections[2].first_quartile, 0.5);
   EXPECT_EQ(sections[2].third_quartile, 1.5);
   const std::string page = class_page(results, {.people = people});
-  EXPECT_NE(
-      page.find(
-          "<tr><th scope=\"row\">&lt;b&gt;</th><td class=\"number\">1</td><td class=\"number\">0</td><td "
-          "class=\"number\"></td>"),
-      std::string::npos);
+  EXPECT_TRUE(
+      says(page,
+           "<tr><th scope=\"row\">&lt;b&gt;</th><td class=\"number\">1</td><td class=\"number\">0</td><td "
+           "class=\"number\"></td>"));
   EXPECT_TRUE(section_statistics(results, {{"p0", "Ann", "1", "", "", ""}}).empty());
-  EXPECT_EQ(class_page(results, {}).find("id=\"sections\""), std::string::npos);
+  EXPECT_FALSE(says(class_page(results, {}), "id=\"sections\""));
 }
 
 // A broken archive is one person, who is in no list of exercises.
 TEST(ClassStatistics, ThePageCountsPeopleAndNotCells) {
   SubmissionResult broken = person("broken", {});
   broken.note = "This is no archive.";
-  ExerciseResult unread;
-  unread.id = "S1";
-  unread.status = Status::unreadable;
-  broken.exercises.assign(14, unread);
+  broken.exercises.assign(14, {.id = "S1", .status = Status::unreadable});
   const std::string page = class_page({broken, person("b", {true, false})});
-  EXPECT_NE(page.find("could not be taken</span> 1"), std::string::npos);
+  EXPECT_TRUE(says(page, "could not be taken</span> 1"));
   const std::string status = badge(Status::unreadable).text + " 1";
-  EXPECT_EQ(page.find(status), std::string::npos);
+  EXPECT_FALSE(says(page, status));
   broken.note.clear();
-  EXPECT_NE(class_page({broken}).find(status + "</summary>"), std::string::npos)
-      << "one person, with 14 exercises";
+  EXPECT_TRUE(says(class_page({broken}), status + "</summary>")) << "one person, with 14 exercises";
 }
 
 constexpr double kPasses = -1;
 
 // Makes a person with one exercise, whose categories pass or have these errors over their limits.
 SubmissionResult who_loses(const std::string& name, const std::vector<double>& errors) {
-  ExerciseResult exercise;
-  exercise.id = "S1";
-  for (const double error : errors) {
-    CaseResult one;
-    if (error == kPasses)
-      one.status = Status::passed;
-    else
-      one.error_in_limits = error;
-    exercise.cases.push_back(one);
-  }
-  SubmissionResult result;
-  result.name = name;
-  result.exercises = {exercise};
-  return result;
+  ExerciseResult exercise{.id = "S1"};
+  for (const double error : errors)
+    exercise.cases.push_back(error == kPasses ? CaseResult{.status = Status::passed}
+                                              : CaseResult{.error_in_limits = error});
+  return {.name = name, .exercises = {exercise}};
 }
 
 TEST(Alike, HasBandsOfErrors) {

@@ -1,6 +1,8 @@
 // STAFF ONLY. Makes synthetic results of a class for tests.
 #include "grader/report/facts/sample_results.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 
 #include "grader/compare/compare.h"
@@ -26,13 +28,12 @@ bool runs(Status status) {
 
 ExerciseResult exercise(const char* id, const char* title, const char* file, double max_points, Status status,
                         int seed) {
-  ExerciseResult result;
-  result.id = id;
-  result.title = title;
-  result.file = file;
-  result.status = status;
-  result.max_points = max_points;
-  result.feedback = sentence_for(status);
+  ExerciseResult result{.id = id,
+                        .title = title,
+                        .file = file,
+                        .status = status,
+                        .max_points = max_points,
+                        .feedback = sentence_for(status)};
   if (status == Status::does_not_compile) {
     result.compiler_messages = std::string(file) +
                                ":12:14: error: 'dott' was not declared in this scope; did you mean 'dot'?\n"
@@ -180,19 +181,29 @@ std::vector<SubmissionResult> class_with_decisions() {
 }
 
 SubmissionResult submission_full_of(const std::string& text) {
-  SubmissionResult result;
-  result.name = "mallory";
-  result.note = text;
-  result.fingerprint = "00ff";
-  ExerciseResult exercise;
-  exercise.id = "S1";
+  ExerciseResult exercise{.id = "S1",
+                          .status = Status::wrong,
+                          .max_points = 10,
+                          .cases = {{text, Status::wrong, 0, 10, text, text}},
+                          .pictures = {{text, 1, 1, text, text, text}}};
   exercise.title = exercise.file = exercise.feedback = exercise.compiler_messages = exercise.staff_log = text;
-  exercise.status = Status::wrong;
-  exercise.max_points = 10;
-  exercise.cases.push_back({text, Status::wrong, 0, 10, text, text});
-  exercise.pictures = {{text, 1, 1, text, text, text}};
-  result.exercises.push_back(exercise);
-  return result;
+  return {.name = "mallory", .exercises = {exercise}, .note = text, .fingerprint = "00ff"};
+}
+
+std::size_t times(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+    ++found;
+  return found;
+}
+
+void expect_in_order(const std::string& text, const std::vector<std::string>& parts) {
+  std::size_t at = 0;
+  for (const std::string& part : parts) {
+    const std::size_t found = text.find(part, at);
+    ASSERT_NE(found, std::string::npos) << "no \"" << part << "\" after \"" << text.substr(at, 200) << "\"";
+    at = found + part.size();
+  }
 }
 
 }  // namespace grader::report

@@ -1,4 +1,4 @@
-// STAFF ONLY. Makes synthetic results for tests.
+// STAFF ONLY. Makes synthetic results for tests, and looks for parts of their pages.
 #pragma once
 
 #include <string>
@@ -32,5 +32,11 @@ std::vector<SubmissionResult> class_with_decisions();
 
 // Makes a submission in which every text is `text`, including the staff's.
 SubmissionResult submission_full_of(const std::string& text);
+
+// Counts a part in a text.
+std::size_t times(const std::string& text, const std::string& part);
+
+// Expects that the parts follow one another.
+void expect_in_order(const std::string& text, const std::vector<std::string>& parts);
 
 }  // namespace grader::report

@@ -7,6 +7,7 @@
 #include "grader/report/facts/columns.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
+#include "grader/text/letters.h"
 #include "solver/timing.h"
 
 namespace grader::inline report {
@@ -21,23 +22,13 @@ Html answers(const char* question, std::vector<std::string> texts) {
   return folded(html("{}:", {question}), texts.size(), html("<ul>\n{}</ul>\n", {items}));
 }
 
-bool is_word_in(const std::string& text, const std::string& word) {
-  const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    const std::size_t after = at + word.size();
-    if ((at == 0 || !is_of_word(text[at - 1])) && (after == text.size() || !is_of_word(text[after])))
-      return true;
-  }
-  return false;
-}
-
 // Returns "H6 12, H4 5": the exercises that answers name, the most frequent first.
 std::string named_exercises(const std::vector<std::string>& texts,
                             const std::vector<SubmissionResult>& results) {
   std::vector<std::pair<std::size_t, std::string>> counts;
   for (const Column& column : columns_of(results)) {
     const auto count = static_cast<std::size_t>(
-        std::ranges::count_if(texts, [&](const std::string& text) { return is_word_in(text, column.id); }));
+        std::ranges::count_if(texts, [&](const std::string& text) { return has_word(text, column.id); }));
     if (count > 0) counts.emplace_back(count, column.id);
   }
   std::ranges::stable_sort(counts, std::greater(), [](const auto& one) { return one.first; });

@@ -8,7 +8,6 @@
 #include "grader/text/time_text.h"
 
 namespace grader::inline report {
-
 namespace {
 
 Html names_of(const Html& heading, const std::vector<const ClassLine*>& lines) {
@@ -26,20 +25,6 @@ Html names_of(const Html& heading, const std::vector<const ClassLine*>& lines) {
   }
   return folded(heading, lines.size(), html("<ul class=\"notes\">\n{}</ul>\n", {items}));
 }
-
-}  // namespace
-
-Html people_section(const std::vector<ClassLine>& people) {
-  std::vector<const ClassLine*> absent, strangers;
-  for (const ClassLine& line : people)
-    if (!line.note.empty()) (line.hand_in.empty() ? absent : strangers).push_back(&line);
-  if (absent.empty() && strangers.empty()) return {};
-  return html("<section id=\"people\">\n<h2>People</h2>\n{}{}</section>\n",
-              {names_of(html("<span class=\"badge quiet\">nothing handed in</span>"), absent),
-               names_of(html("<span class=\"badge bad\">graded, but on no roster</span>"), strangers)});
-}
-
-namespace {
 
 constexpr std::size_t kMostUnfolded = 10;
 
@@ -63,7 +48,23 @@ Html table_of(const std::vector<Accounted>& listed, Accounted::As as, const Name
                 kMostUnfolded);
 }
 
+using Late = std::pair<std::string, Lateness>;
+
+std::string days(double count) {
+  return shown_points(count) + (count == 1 ? " day" : " days");
+}
+
 }  // namespace
+
+Html people_section(const std::vector<ClassLine>& people) {
+  std::vector<const ClassLine*> absent, strangers;
+  for (const ClassLine& line : people)
+    if (!line.note.empty()) (line.hand_in.empty() ? absent : strangers).push_back(&line);
+  if (absent.empty() && strangers.empty()) return {};
+  return html("<section id=\"people\">\n<h2>People</h2>\n{}{}</section>\n",
+              {names_of(html("<span class=\"badge quiet\">nothing handed in</span>"), absent),
+               names_of(html("<span class=\"badge bad\">graded, but on no roster</span>"), strangers)});
+}
 
 Html left_over_section(const std::vector<Accounted>& listed, const NamesForPeople& people) {
   using enum Accounted::As;
@@ -96,16 +97,6 @@ Html run_section(const std::optional<LastRun>& run) {
                                      " (UTC); the same command with --resume goes on.";
   return html("<p class=\"stamp\" id=\"run\">{}</p>\n", {said});
 }
-
-namespace {
-
-using Late = std::pair<std::string, Lateness>;
-
-std::string days(double count) {
-  return shown_points(count) + (count == 1 ? " day" : " days");
-}
-
-}  // namespace
 
 Html late_section(const ClassFacts& facts, const NamesForPeople& people) {
   std::vector<Late> late, marked;

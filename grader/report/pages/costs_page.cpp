@@ -1,12 +1,11 @@
 // STAFF ONLY. Writes the page with the cost of grading.
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
 #include "grader/report/pages/pages.h"
+#include "hair/io/plot/page.h"
 
 namespace grader::inline report {
 namespace {
@@ -24,14 +23,8 @@ double cost_of(const TimingByExercise& parts) {
   return seconds;
 }
 
-std::string shown(double value, int decimals) {
-  std::array<char, 64> digits;
-  std::snprintf(digits.data(), digits.size(), "%.*f", decimals, value);
-  return digits.data();
-}
-
 std::string percent_of(double part, double whole) {
-  return shown(whole > 0 ? std::min(100 * part / whole, 100.0) : 0, 0);
+  return hair::printed("%.0f", whole > 0 ? std::min(100 * part / whole, 100.0) : 0);
 }
 
 // Puts the most expensive first; equal ones are sorted by name.
@@ -42,7 +35,8 @@ std::vector<Named> by_cost(const std::map<std::string, double>& costs) {
 }
 
 Html cost_cell(double seconds) {
-  return html("<td class=\"number\" data-value=\"{}\">{}</td>", {std::to_string(seconds), shown(seconds, 2)});
+  return html("<td class=\"number\" data-value=\"{}\">{}</td>",
+              {std::to_string(seconds), hair::printed("%.2f", seconds)});
 }
 
 Html share_cells(double part, double whole) {
@@ -98,13 +92,11 @@ Html by_submission(const ClassCosts& costs, double whole, const NamesForPeople& 
   for (const auto& [name, parts] : costs.submissions) sums[name] = cost_of(parts);
   Html rows;
   for (const auto& [name, seconds] : by_cost(sums)) {
-    const auto person = people.find(name);
-    const bool known = person != people.end();
-    const std::string& called = known ? person->second : name;
+    const std::string shown = shown_name(name, people);
     rows +=
         html("<tr><th scope=\"row\" data-value=\"{}\"><a href=\"staff/{}.html\">{}</a>{}</th>{}{}{}</tr>\n",
-             {called, name, called, known ? html(" <code class=\"quiet\">{}</code>", {name}) : Html(),
-              cost_cell(seconds), most_in(costs.submissions.at(name)), share_cells(seconds, whole)});
+             {shown, name, shown, folder_beside(name, people), cost_cell(seconds),
+              most_in(costs.submissions.at(name)), share_cells(seconds, whole)});
   }
   const Html head = html(
       "<th scope=\"col\" data-sort=\"text\">Submission</th><th scope=\"col\" class=\"number\" "
@@ -127,7 +119,8 @@ std::string costs_page(const ClassCosts& costs, const NamesForPeople& people) {
       "&#183; times differ from run to run; no points depend on them</p>\n"
       "<nav><a href=\"#parts\">By exercise</a> <a href=\"#submissions\">Submissions</a></nav>\n"
       "</header>\n<main>\n",
-      {shown(whole, 0), costs.submissions.size(), shown(cost_of(costs.reference), 2)});
+      {hair::printed("%.0f", whole), costs.submissions.size(),
+       hair::printed("%.2f", cost_of(costs.reference))});
   body += by_part(costs, whole);
   body += by_submission(costs, whole, people);
   body += html("</main>\n");

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "grader/report/facts/sample_results.h"
 #include "hair/io/plot/test_parsed.h"
 
 namespace grader::inline report {
@@ -21,16 +22,6 @@ ClassCosts three_submissions() {
   costs.submissions["bob"] = {{"S1", seconds(0, 2)}, {"H4", seconds(3, 5)}};
   costs.submissions["carol"] = {};
   return costs;
-}
-
-// Tests that the words follow one another in a page.
-void expect_in_order(const std::string& page, const std::vector<std::string>& words) {
-  std::size_t at = 0;
-  for (const std::string& word : words) {
-    const std::size_t found = page.find(word, at);
-    ASSERT_NE(found, std::string::npos) << "no \"" << word << "\" after \"" << page.substr(at, 80) << "\"";
-    at = found + word.size();
-  }
 }
 
 TEST(CostsPage, ShowsTheMostExpensiveFirst) {

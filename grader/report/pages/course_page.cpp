@@ -1,5 +1,5 @@
 // STAFF ONLY. Writes the page of a course with several hand-ins.
-#include "grader/report/facts/course_table.h"
+#include "grader/report/facts/class_facts.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 

@@ -6,7 +6,6 @@
 
 #include "grader/compare/comparison.h"
 #include "grader/report/facts/class_facts.h"
-#include "grader/report/facts/course_table.h"
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"

@@ -10,9 +10,11 @@
 #include "grader/course/input.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/facts/text.h"
-#include "grader/result/base64.h"
+#include "grader/report/pages/pages.h"
 #include "hair/io/image/read_png.h"
+#include "hair/io/plot/base64.h"
 #include "hair/io/plot/page.h"
+#include "hair/view/view_page.h"
 
 namespace grader::inline report {
 namespace {
@@ -144,8 +146,8 @@ std::string shown_distance(double distance) {
 }
 
 Html image(const std::string& png, const std::string& alt, const PicturePlace& place, const char* look) {
-  const std::string source =
-      place.folder.empty() ? "data:image/png;base64," + base64(png) : place.folder + "/" + picture_name(png);
+  const std::string source = place.folder.empty() ? "data:image/png;base64," + hair::base64(png)
+                                                  : place.folder + "/" + picture_name(png);
   return html("<img{}alt=\"{}\" src=\"{}\"/>",
               {*look == '\0' ? html(" ") : html(" class=\"{}\" ", {look}), alt, Html{source}});
 }
@@ -179,7 +181,7 @@ Html film(const std::string& png) {
       "to the right, at {} moments, as coarse as pictures that are far off</label>\n<div role=\"img\" "
       "aria-label=\"Both runs\" style=\"--moments: {}; background-image: "
       "url(data:image/png;base64,{})\"></div></div>\n",
-      {moments, moments, Html{base64(png)}});
+      {moments, moments, Html{hair::base64(png)}});
 }
 
 Html moments(const ExerciseResult& exercise, const std::string& heading, RunEnding ending,
@@ -204,6 +206,17 @@ Html moments(const ExerciseResult& exercise, const std::string& heading, RunEndi
        ending == RunEnding::breaks_off ? ", until it breaks off" : ": FLIP up to " + shown_distance(flip),
        rows, film(exercise.motions.film),
        link_to_run(exercise, "apart=1", place.runs, "Both runs, from where they differ by more than 1 %")});
+}
+
+std::string run_page(const SubmissionResult& result, const ExerciseResult& exercise,
+                     const NamesForPeople& people) {
+  const std::string whose = shown_name(result.name, people);
+  const Html measured =
+      moments(exercise, "As measured", run_breaks_off(exercise) ? RunEnding::breaks_off : RunEnding::whole,
+              whose, {});
+  return hair::view_page({{exercise.id + " of " + whose, exercise.motions.student},
+                          {"the reference", exercise.motions.reference}},
+                         measured);
 }
 
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,

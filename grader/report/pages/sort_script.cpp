@@ -1,13 +1,10 @@
 // STAFF ONLY. Holds the script that sorts the class's table.
-#include <string>
-#include <string_view>
-
 #include "grader/report/pages/pages.h"
 
 namespace grader::inline report {
-namespace {
 
-constexpr std::string_view kSortScript = R"js(
+std::string sort_script() {
+  return R"js(
 for (const th of document.querySelectorAll("table thead th[data-sort]")) {
   const column = th.cellIndex, button = document.createElement("button");
   button.append(...th.childNodes);
@@ -24,11 +21,6 @@ for (const th of document.querySelectorAll("table thead th[data-sort]")) {
   };
 }
 )js";
-
-}  // namespace
-
-std::string sort_script() {
-  return std::string(kSortScript);
 }
 
 }  // namespace grader::report

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "grader/report/pages/pages.h"
@@ -17,9 +16,7 @@ namespace {
 using hair::to_text;
 
 std::string rounded(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
+  return hair::printed("%.3g", value);
 }
 
 // Returns "1/240 s".

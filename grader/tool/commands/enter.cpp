@@ -5,7 +5,6 @@
 #include "grader/course/input.h"
 #include "grader/roster/roster.h"
 #include "grader/text/letters.h"
-#include "grader/text/number.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 

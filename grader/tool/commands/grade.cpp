@@ -30,7 +30,6 @@
 #include "grader/text/shell_word.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/grade_options.h"
 #include "grader/tool/commands/of_a_record.h"
 

@@ -20,6 +20,24 @@
 #include "grader/tool/commands/command.h"
 #include "hair/io/files/finish_output.h"
 
+namespace grader::inline tool {
+namespace {
+
+std::atomic<bool> signal_came = false;  // a signal handler may change nothing else
+
+}  // namespace
+
+const std::atomic<bool>& note_interruptions() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { signal_came = true; };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // nohup ignores it
+  return signal_came;
+}
+
+}  // namespace grader::tool
+
 namespace {
 
 using namespace grader;

@@ -21,7 +21,7 @@
 #include "grader/review/item_list.h"
 #include "grader/text/shell_word.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
+#include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {

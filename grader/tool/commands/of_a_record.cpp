@@ -13,9 +13,17 @@
 #include "grader/text/letters.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
 
 namespace grader::inline tool {
+namespace {
+
+void check_record(const std::filesystem::path& folder) {
+  if (!Record::is_in(folder))
+    throw BadInput(printable(folder.string(), 4096) + ": has no " + kRecordFile +
+                   "; name a folder that hairgrade grade has written, with --out");
+}
+
+}  // namespace
 
 void add_folder(CLI::App& command, OfARecord& options) {
   needed_elsewhere(command.add_option("--out", options.folder, "The folder of grades"), options.folder,
@@ -41,16 +49,6 @@ void add_place_of_words(CLI::App& command, std::string& place) {
           "An exercise, \"H2\"; its third category, \"H2.3\"; line 17 of its file, \"H2:17\"; or \"all\"")
       ->required();
 }
-
-namespace {
-
-void check_record(const std::filesystem::path& folder) {
-  if (!Record::is_in(folder))
-    throw BadInput(printable(folder.string(), 4096) + ": has no " + kRecordFile +
-                   "; name a folder that hairgrade grade has written, with --out");
-}
-
-}  // namespace
 
 std::unique_ptr<Record> open_record(const std::filesystem::path& folder, const std::string& hand_in) {
   check_record(folder);

@@ -14,8 +14,8 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/text/shell_word.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/grade_options.h"
+#include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
 
@@ -220,8 +220,8 @@ int collect(GradeOptions options) {
     numbers[plan.submissions[i].name] = i;
     if (!shared.has(numbered("results", i))) missing.push_back(i);
   }
-  ReferenceGraded reference;
-  if (shared.has("first")) reference.timing = shared.get<FirstTask>("first").reference;
+  TimingByExercise reference;
+  if (shared.has("first")) reference = shared.get<FirstTask>("first").reference;
   const auto fingerprint = [&](const Submission& one) {
     const auto number = numbers.find(one.name);
     return number == numbers.end() ? record.find(one.name).value().result.fingerprint

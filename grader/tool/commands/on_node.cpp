@@ -57,8 +57,8 @@ Node ready(GradeSettings options, const SharedPlan& plan, const std::string& nod
   std::optional<FirstTask> first;
   if (plan.has("first")) first = plan.get<FirstTask>("first");
   Node made_ready;
-  made_ready.grading = std::make_unique<Grading>(
-      settings, first ? std::optional(ReferenceGraded{first->reference, {}}) : std::nullopt);
+  made_ready.grading =
+      std::make_unique<Grading>(settings, first ? std::optional(first->reference) : std::nullopt);
   made_ready.common = sha256(made_ready.grading->fingerprint({}) + sha256_of(system_compiler()));
   if (first && first->common != made_ready.common)
     throw BadInput("its compiler, suite or renderer is another one than the first task's node has");
@@ -128,7 +128,7 @@ int do_step(GradeOptions options) {
     return 3;
   }
   if (!is_first) return grade_share(made_ready, plan, hand_ins);
-  plan.put("first", FirstTask{made_ready.grading->reference().timing, made_ready.common, made_ready.seconds});
+  plan.put("first", FirstTask{made_ready.grading->reference(), made_ready.common, made_ready.seconds});
   return 0;
 }
 

@@ -8,7 +8,6 @@
 #include "grader/course/input.h"
 #include "grader/review/desk.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
 
 namespace grader::inline tool {

@@ -14,7 +14,6 @@
 #include "grader/record/points/hand_ins.h"
 #include "grader/similar/similar_pages.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
 

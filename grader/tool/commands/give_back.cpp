@@ -1,17 +1,23 @@
-// STAFF ONLY. `hairgrade gradebook`: writes grades for a learning system's import.
+// STAFF ONLY. `hairgrade gradebook` and `feedback` write grades and reports in the forms of learning systems.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>
 #include <memory>
 
+#include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/gradebook/feedback.h"
 #include "grader/gradebook/filling.h"
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/gradebook/rows.h"
+#include "grader/grading/isolation_here.h"
+#include "grader/intake/archives/sandboxed_archive.h"
+#include "grader/intake/submission.h"
+#include "grader/record/record.h"
 #include "grader/report/facts/student_text.h"
 #include "grader/tool/commands/command.h"
-#include "grader/tool/commands/course_folder.h"
 #include "grader/tool/commands/of_a_record.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader::inline tool {
 namespace {
@@ -78,6 +84,64 @@ int write_gradebook(const GradebookOptions& options) {
   return book.all_entered && recorded.held.empty() ? 0 : 3;
 }
 
+struct FeedbackOptions {
+  std::string system, hand_in;
+  fs::path table, grades, out;
+};
+
+std::vector<std::string> files_in(const fs::path& download) {
+  std::vector<std::string> files;
+  if (fs::is_directory(download)) {
+    for (const auto& entry : fs::recursive_directory_iterator(download))
+      if (entry.is_regular_file()) files.push_back(entry.path().filename().string());
+    return files;
+  }
+  if (!fs::exists(download))
+    throw BadInput(printable(download.string(), 4096) + ": is not there; give the download that was graded");
+  const IntakeLimits limits;
+  const StagedKit kit(HAIR_KIT_DIR, read_course(HAIR_EXERCISES_JSON));
+  const SandboxedReader reader(HAIR_READER, isolation_here(kit, {}));
+  try {
+    const auto archive =
+        reader.open(download, download.filename().string(),
+                    {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
+    for (const Entry& entry : archive->list()) files.push_back(entry.path);
+  } catch (const std::exception& problem) {
+    throw BadInput(printable(download.string(), 4096) + ": can't be read (" + problem.what() +
+                   "); give the download that was graded");
+  }
+  return files;
+}
+
+int write_feedback(const FeedbackOptions& options) {
+  if (options.out.extension() != ".zip")
+    throw BadInput("--out " + printable(options.out.string(), 4096) +
+                   ": the archive is a .zip; give it such a name");
+  const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
+  const RecordedGrades recorded = recorded_grades(*record, options.grades);
+  std::set<std::string> given;
+  const ReportOf report = [&](const std::string& hand_in) {
+    given.insert(hand_in);
+    const fs::path page = record->pages() / hand_in / "report.html";
+    std::string bytes = hair::bytes_of(page);
+    if (bytes.empty())
+      throw BadInput(printable(page.string(), 4096) + ": is not there; grade again, which writes it");
+    return ReportOfStudent{std::move(bytes), student_text(record->find_decided(hand_in)->result)};
+  };
+  const Feedback feedback = options.system == "canvas"
+                                ? feedback_for_canvas(files_in(options.table), recorded.grades, report)
+                                : feedback_for_moodle(read_csv(options.table), recorded.grades, report);
+  for (const std::string& line : recorded.held) std::cerr << "hairgrade: " << line << "\n";
+  for (const std::string& line : feedback.said) std::cerr << "hairgrade: " << line << "\n";
+  if (feedback.entries.empty())
+    throw BadInput(printable(options.table.string(), 4096) +
+                   ": nobody in it gets feedback; give the one that these hand-ins came with");
+  write_zip(options.out, feedback.entries);
+  put_published(*record, recorded, given, "feedback " + options.system);
+  std::cout << feedback.entries.size() << " reports in " << options.out.string() << "\n";
+  return 0;
+}
+
 }  // namespace
 
 Command add_gradebook(CLI::App& hairgrade) {
@@ -108,6 +172,24 @@ Command add_gradebook(CLI::App& hairgrade) {
                    "autolab: exercises, or total, in the order of the lab's problems")
       ->delimiter(',');
   return {command, [options] { return write_gradebook(*options); }};
+}
+
+Command add_feedback(CLI::App& hairgrade) {
+  const auto options = std::make_shared<FeedbackOptions>();
+  CLI::App* command = hairgrade.add_subcommand(
+      "feedback", "Pack the reports into an archive that a learning system hands out");
+  command->add_option("SYSTEM", options->system, "canvas or moodle")
+      ->required()
+      ->check(CLI::IsMember({"canvas", "moodle"}));
+  command
+      ->add_option("TABLE", options->table,
+                   "canvas: the download that was graded. moodle: the grading worksheet")
+      ->required();
+  needed_elsewhere(command->add_option("--grades", options->grades, "The folder of hairgrade grade --out"),
+                   options->grades, kGrades);
+  add_hand_in(*command, options->hand_in);
+  command->add_option("--out", options->out, "The archive, a .zip")->required();
+  return {command, [options] { return write_feedback(*options); }};
 }
 
 }  // namespace grader::tool
