@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "grader/course/input.h"
-#include "grader/record/published.h"
+#include "grader/record/changes.h"
 #include "grader/report/facts/text.h"
 #include "grader/result/json_fields.h"
 #include "grader/tool/commands/command.h"
@@ -19,7 +19,7 @@ std::string in_short(const LogEntry& entry) {
   }
   if (entry.did != "graded") return entry.detail;
   double sum = 0;
-  for (const PointsThen& one : points_then(entry.detail, "the log")) sum += one.points;
+  for (const PointsThen& one : points_then(entry)) sum += one.points;
   return shown_points(sum) + " points computed";
 }
 
