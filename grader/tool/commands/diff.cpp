@@ -1,7 +1,7 @@
 // STAFF ONLY. `hairgrade diff`: lists changes of the last grading, by student and category.
 #include <iostream>
 
-#include "grader/class_folder/changes_page.h"
+#include "grader/class_folder/class_files.h"
 #include "grader/course/input.h"
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/report/report.h"

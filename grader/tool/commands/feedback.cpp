@@ -41,8 +41,8 @@ std::vector<std::string> files_in(const fs::path& download) {
   const SandboxedReader reader(HAIR_READER, isolation_here(kit, {}));
   try {
     const auto archive =
-        reader.open(download, download.filename().string(),
-                    {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
+        reader.opener()(download, download.filename().string(),
+                        {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
     for (const Entry& entry : archive->list()) files.push_back(entry.path);
   } catch (const std::exception& problem) {
     throw BadInput(printable(download.string(), 4096) + ": can't be read (" + problem.what() +

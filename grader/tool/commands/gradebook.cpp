@@ -37,7 +37,7 @@ const std::map<std::string, Fill>& fills() {
 
 Gradebook gradebook_of(const GradebookOptions& options, Record& record, const std::vector<Grade>& grades) {
   std::optional<Roster> roster;
-  if (options.roster) roster = read_roster(*options.roster);
+  if (options.roster) roster = Roster(read_csv(*options.roster));
   const FillOptions filling{options.column.empty() ? record.rules().column : options.column, options.scale,
                             roster ? &*roster : nullptr, options.overwrite, [&](const std::string& hand_in) {
                               return first_lines(record.find_decided(hand_in)->result);
