@@ -7,7 +7,6 @@
 #include "grader/course/input.h"
 #include "grader/gradebook/filling.h"
 #include "grader/gradebook/recorded_grades.h"
-#include "grader/gradebook/rows.h"
 #include "grader/report/facts/student_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/course_folder.h"
