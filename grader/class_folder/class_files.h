@@ -8,9 +8,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "grader/record/record.h"
+#include "grader/record/changes.h"
 
 namespace grader::inline class_folder {
 
@@ -20,6 +21,15 @@ void write_student_files(const std::filesystem::path& folder, const Recorded& on
 // Returns a result with people's decisions; `hidden` names are hidden in it.
 std::optional<Recorded> find_shown(Record& record, const std::string& name,
                                    const std::optional<HiddenNames>& hidden);
+
+// Is the page beside the class's of what each student's last grading changed.
+inline constexpr const char* kChangesPage = "changes.html";
+
+// Lists students with changes, by name.
+using ClassChanges = std::vector<std::pair<std::string, std::vector<PointsChange>>>;
+ClassChanges class_changes(Record& record);
+
+std::string shown_change(const PointsChange& change);  // "1.5 -> 4"
 
 std::string class_page_of(Record& record);
 

@@ -1,10 +1,15 @@
 // STAFF ONLY. Opens a folder of grades, and compares how its grades were made.
 #include "grader/class_folder/folder_of_grades.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <ostream>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "grader/class_folder/shared_plan.h"
@@ -15,6 +20,13 @@ namespace grader::inline class_folder {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFolderLock = ".lock";  // no submission has this name
+
+[[noreturn]] void can_not_write(const std::filesystem::path& folder, const std::string& why) {
+  throw BadInput(printable(folder.string(), 4096) + ": reports can't be written there: " + why +
+                 "; name a folder that can be written with --out");
+}
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why, const std::string& way) {
   throw BadInput(printable(folder.string(), 4096) + ": " + why + "; " + way +
@@ -64,6 +76,25 @@ void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string
 }
 
 }  // namespace
+
+std::optional<FolderLock> FolderLock::take(const std::filesystem::path& folder,
+                                           const std::atomic<bool>& interrupted, std::ostream& says) {
+  // No program that we start inherits it, so a killed hairgrade's workers do not keep the lock.
+  Descriptor lock(::open((folder / kFolderLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (!lock) can_not_write(folder, std::generic_category().message(errno));
+  bool said = false;
+  while (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR) can_not_write(folder, std::generic_category().message(errno));
+    if (interrupted) return {};
+    if (!said)
+      says << "hairgrade: " << printable(folder.string(), 4096)
+           << " is in use by another hairgrade; waiting until it has finished\n"
+           << std::flush;
+    said = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return FolderLock(std::move(lock));
+}
 
 std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
                                                    const std::atomic<bool>& interrupted, std::ostream& says,

@@ -7,12 +7,28 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <utility>
 
-#include "grader/class_folder/folder_lock.h"
 #include "grader/grading/made_by.h"
 #include "grader/record/record.h"
+#include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline class_folder {
+
+// Is the right to write to a folder of grades: one process at a time has it, until this object's destructor
+// or the end of the process, however it ends.
+class FolderLock {
+ public:
+  // Waits while another process has it, and says so once on `says`. Returns nothing if `interrupted` was set
+  // meanwhile. Throws BadInput for a folder that can't be written.
+  static std::optional<FolderLock> take(const std::filesystem::path& folder,
+                                        const std::atomic<bool>& interrupted, std::ostream& says);
+
+ private:
+  explicit FolderLock(Descriptor lock) : lock_(std::move(lock)) {}
+
+  Descriptor lock_;  // the kernel releases it when it is closed
+};
 
 // Holds the right to write to a folder, and its record, until this object's destructor or the end of the
 // process, however it ends.

@@ -6,8 +6,7 @@
 
 #include "grader/grading/grading.h"
 #include "grader/intake/names/names.h"
-#include "grader/intake/names/origin.h"
-#include "grader/intake/question.h"
+#include "grader/intake/submission.h"
 #include "grader/record/record.h"
 
 namespace grader::inline class_folder {

@@ -8,8 +8,7 @@
 
 #include "grader/class_folder/says_yes.h"
 #include "grader/grading/grading.h"
-#include "grader/intake/names/origin.h"
-#include "grader/intake/question.h"
+#include "grader/intake/submission.h"
 #include "grader/record/record.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/test_refusal.h"

@@ -41,6 +41,10 @@ struct Plan {
   std::vector<std::string> remarks = {};    // are other lines for staff
 };
 
+// Gives groups their members from the roster, see grader/roster/groups.h; remarks say what was found, and a
+// person must look at notices.
+void give_members(Intake& intake, const Roster& roster);
+
 // Writes nothing into `record`, which is the folder's. `known` are the people of the class: the new roster,
 // or else the record's. Throws BadInput if settings.only names no submission, and Question as settle_origins
 // does.

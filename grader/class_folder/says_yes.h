@@ -1,7 +1,7 @@
 // STAFF ONLY. Asks the person at the terminal.
 #pragma once
 
-#include "grader/intake/question.h"
+#include "grader/intake/submission.h"
 
 namespace grader::inline class_folder {
 

@@ -25,35 +25,27 @@ std::optional<GradeColumn> grade_column(const std::string& head, std::size_t pla
 
 GradeColumn column_for(const Csv& table, const std::string& wanted) {
   const std::string where = place_of(table, table.rows.front()) + ": ";
-  const Cells& head = table.rows.front().cells;
-  std::vector<GradeColumn> found;
-  std::string known;
-  for (std::size_t i = 0; i < head.size(); ++i) {
-    const std::string title = composed(head[i]);
-    const std::optional<GradeColumn> column = grade_column(title, i);
-    if (!column) {
-      if (!wanted.empty() && composed(wanted) == title)
-        throw BadInput(
-            where + "\"" + title +
-            "\" ends with no number such as |664617, without which Blackboard makes a new column of "
-            "text; download the Grade Center again");
-      continue;
-    }
-    known += (known.empty() ? "\"" : ", \"") + title + "\"";
-    if (wanted.empty() || wanted == column->number || wanted == "|" + column->number ||
-        composed(wanted) == column->title || composed(wanted) == title)
-      found.push_back(*column);
-  }
-  if (found.size() != 1)
-    throw BadInput(
-        where +
-        (known.empty()    ? "no title is as \"Lab 3 [Total Pts: 10 Score] |664617\"; in Blackboard's Grade "
-                            "Center choose Work Offline, Download"
-         : !found.empty() ? "several columns have grades; give --column with one of " + known
-                          : "no column is \"" + composed(wanted) + "\"; give --column with one of " + known));
-  const GradeColumn& column = found.front();
+  const auto title_of = [&](std::size_t i) { return composed(table.rows.front().cells[i]); };
+  const auto is_wanted = [&](std::size_t i) -> std::optional<bool> {
+    const std::string title = title_of(i);
+    if (const std::optional<GradeColumn> column = grade_column(title, i))
+      return wanted.empty() || wanted == column->number || wanted == "|" + column->number ||
+             composed(wanted) == column->title || composed(wanted) == title;
+    if (!wanted.empty() && composed(wanted) == title)
+      throw BadInput(where + "\"" + title +
+                     "\" ends with no number such as |664617, without which Blackboard makes a new column of "
+                     "text; download the Grade Center again");
+    return {};
+  };
+  const std::size_t place =
+      wanted_column(table, is_wanted,
+                    "no title is as \"Lab 3 [Total Pts: 10 Score] |664617\"; in Blackboard's Grade Center "
+                    "choose Work Offline, "
+                    "Download",
+                    "no column is \"" + composed(wanted) + "\"", "several columns have grades");
+  const GradeColumn column = *grade_column(title_of(place), place);
   if (!number_in(column.points) || (!column.shown_as.empty() && column.shown_as != "Score"))
-    throw BadInput(where + "\"" + composed(head[column.place]) + "\" is " +
+    throw BadInput(where + "\"" + title_of(place) + "\" is " +
                    (number_in(column.points) ? "no column of scores" : "computed from others") +
                    "; choose one with \"Score\" by --column, or make it one in Blackboard");
   return column;

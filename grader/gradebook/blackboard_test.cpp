@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/course/input.h"
-#include "grader/gradebook/said_for_tests.h"
+#include "grader/gradebook/importers.h"
 #include "solver/test_refusal.h"
 
 namespace grader::inline gradebook {

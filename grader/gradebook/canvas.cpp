@@ -46,29 +46,19 @@ std::size_t last_column_of_people(const Csv& table) {
 }
 
 std::size_t column_for(const Csv& table, std::size_t behind, const std::string& wanted) {
-  const Cells& head = table.rows.front().cells;
-  std::vector<std::size_t> found;
-  std::string known;
-  for (std::size_t i = behind + 1; i < head.size(); ++i) {
-    const std::string number = assignment_in(head[i]);
-    if (number.empty()) continue;
-    known += (known.empty() ? "\"" : ", \"") + composed(head[i]) + "\"";
-    const std::string title = composed(head[i].substr(0, head[i].rfind('(')));
-    if (wanted.empty() || wanted == number || wanted == "(" + number + ")" ||
-        composed(wanted) == composed(head[i]) || composed(wanted) == title)
-      found.push_back(i);
-  }
-  if (found.size() == 1) return found.front();
-  const std::string where = place_of(table, table.rows.front()) + ": ";
-  if (known.empty())
-    throw BadInput(
-        where +
-        "has no assignment's column, as \"Lab 3 (8801)\"; make the assignment in Canvas, and export again");
-  throw BadInput(where +
-                 (found.empty()    ? "no column is \"" + composed(wanted) + "\""
-                  : wanted.empty() ? "has several assignments"
-                                   : "several columns are \"" + composed(wanted) + "\"") +
-                 "; give --column with one of " + known);
+  const auto is_wanted = [&](std::size_t i) -> std::optional<bool> {
+    const std::string& head = table.rows.front().cells[i];
+    const std::string number = assignment_in(head);
+    if (i <= behind || number.empty()) return {};
+    return wanted.empty() || wanted == number || wanted == "(" + number + ")" ||
+           composed(wanted) == composed(head) ||
+           composed(wanted) == composed(head.substr(0, head.rfind('(')));
+  };
+  const std::string is = " \"" + composed(wanted) + "\"";
+  return wanted_column(
+      table, is_wanted,
+      "has no assignment's column, as \"Lab 3 (8801)\"; make the assignment in Canvas, and export again",
+      "no column is" + is, wanted.empty() ? "has several assignments" : "several columns are" + is);
 }
 
 // Copies a row unchanged if the importer takes the separator: a table from a spreadsheet may have tabs.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grader/archive/archive_writer.h"
-#include "grader/gradebook/grade.h"
+#include "grader/gradebook/filling.h"
 #include "grader/text/csv.h"
 
 namespace grader::inline gradebook {

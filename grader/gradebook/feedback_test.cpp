@@ -74,13 +74,10 @@ TEST(CanvasFeedback, OpensUnderTheNameOfAnAttachment) {
                                   "z_4718_90060_z.ZIP",
                                   "no number__90070_a.html",
                                   "a student's own words_aB3dE_90080_a.html"};
-  const Feedback feedback = feedback_for_canvas(
-      files,
-      {grade_of({"", "4711", ""}), grade_of({"", "4712", ""}), grade_of({"", "4713", ""}),
-       grade_of({"", "4714", ""}), grade_of({.name = "", .id = "aB3dE", .email = "", .anonymous = true}),
-       grade_of({"", "4715", ""}), grade_of({"", "4716", ""}), grade_of({"", "4717", ""}),
-       grade_of({"", "4718", ""}), grade_of({"A", "", ""})},
-      report_of);
+  std::vector<Grade> grades{grade_of({.id = "aB3dE", .anonymous = true}), grade_of({.name = "A"})};
+  for (const char* id : {"4711", "4712", "4713", "4714", "4715", "4716", "4717", "4718"})
+    grades.push_back(grade_of({.id = id}));
+  const Feedback feedback = feedback_for_canvas(files, grades, report_of);
   Files got = received(feedback, canvas_gives);
   const string archive = got["4718 90060"];
   got.erase("4718 90060");

@@ -37,6 +37,23 @@ std::string points_for(const Grade& grade, std::optional<double> maximum, const 
 
 }  // namespace
 
+std::size_t wanted_column(const Csv& table, const std::function<std::optional<bool>(std::size_t)>& is_wanted,
+                          const std::string& none, const std::string& missing, const std::string& several) {
+  const Cells& head = table.rows.front().cells;
+  std::vector<std::size_t> found;
+  std::string known;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    const std::optional<bool> wanted = is_wanted(i);
+    if (!wanted) continue;
+    known += (known.empty() ? "\"" : ", \"") + composed(head[i]) + "\"";
+    if (*wanted) found.push_back(i);
+  }
+  if (found.size() == 1) return found.front();
+  throw BadInput(
+      place_of(table, table.rows.front()) + ": " +
+      (known.empty() ? none : (found.empty() ? missing : several) + "; give --column with one of " + known));
+}
+
 Filling::Filling(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options,
                  ScoreColumn column)
     : exported_(exported), options_(options), column_(std::move(column)), rows_(exported) {

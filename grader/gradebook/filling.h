@@ -3,15 +3,41 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "grader/gradebook/grade.h"
+#include "grader/intake/names/owner.h"
 #include "grader/roster/roster.h"
 #include "grader/text/csv.h"
 
 namespace grader::inline gradebook {
+
+// Is a grade for a learning system.
+struct Grade {
+  std::string hand_in;  // is the submission's name, and its folder among the reports
+  Owner owner;
+  std::string system;  // is the layout of the hand-in, see Roster::find
+  double points = 0, max_points = 0;
+  std::vector<std::pair<std::string, double>> exercises{};  // id, points
+  bool excused = false;
+  std::string not_final{};             // why, "the clock ended a part of it"; "": it is final
+  std::vector<std::string> entered{};  // are cells that gradebooks got so far
+};
+
+// Is a file for a learning system.
+struct Gradebook {
+  std::string csv;
+  std::vector<std::string>
+      said{};  // for staff, a line each: omissions, effects of the importer, rules without a source
+  std::size_t written = 0;                                     // counts its grades
+  std::set<std::string> given{};                               // are the hand-ins that these are of
+  bool all_entered = true;                                     // false: a person must read the lines
+  std::vector<std::pair<std::string, std::string>> entered{};  // hand-in, cell
+};
 
 struct FillOptions {
   // Is the column's title, or its number in Canvas and Blackboard; "": the only column.
@@ -34,6 +60,12 @@ struct ScoreColumn {
   bool comma = false;                    // separates decimals
   const char* beyond_maximum = nullptr;  // why more than the maximum is not entered; null: it is
 };
+
+// Returns the place of the one title that is wanted. `is_wanted` returns nothing for a column that is not for
+// grades. Throws BadInput: `none` if no column is for grades, and else a line with all of them, which begins
+// with `missing` if none is wanted, or with `several`.
+std::size_t wanted_column(const Csv& table, const std::function<std::optional<bool>(std::size_t)>& is_wanted,
+                          const std::string& none, const std::string& missing, const std::string& several);
 
 class Filling {
  public:
@@ -87,5 +119,19 @@ Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, co
 // its number or title, and has a number. Cells with words, such as "Needs Grading", stay; if there is a
 // column "Feedback to Learner", the first lines of the report go there.
 Gradebook fill_blackboard(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
+
+// Writes Brightspace's import: its ids as exported, the points of an existing item, and its mark at the
+// end of each row.
+Gradebook fill_brightspace(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
+
+// Writes Autolab's bulk grades: no titles; e-mail, a value for each of the lab's problems in their order,
+// "excused". `problems` are ids of exercises, or "total".
+Gradebook autolab_rows(const std::vector<Grade>& grades, const std::vector<std::string>& problems,
+                       const Roster* roster);
+
+// Lists everybody of the exported table, or without one everybody with a grade, for people. No source
+// confirms an import by `system`, and the table says so.
+Gradebook plain_rows(const std::string& system, const Csv* exported, const std::vector<Grade>& grades,
+                     const FillOptions& options);
 
 }  // namespace grader::gradebook

@@ -1,10 +1,13 @@
-// STAFF ONLY. The importers of learning systems, as their sources and documents describe them, for tests.
+// STAFF ONLY. For tests: the importers of learning systems, as their sources and documents describe them.
 // Each rule names its line in the project's notes on formats (formats.md:35 is line 35).
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "grader/gradebook/filling.h"
 
 namespace grader::inline gradebook {
 
@@ -26,5 +29,11 @@ Imported import_into_moodle(const std::string& csv, const std::map<std::string, 
 Imported import_into_brightspace(const std::string& csv, const std::vector<std::string>& items);
 
 Imported import_into_autolab(const std::string& csv, std::size_t problems);
+
+// True if a line of the gradebook has these words.
+inline bool says(const Gradebook& book, const std::string& words) {
+  return std::ranges::any_of(book.said,
+                             [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
 
 }  // namespace grader::gradebook

@@ -5,7 +5,6 @@
 
 #include "grader/course/input.h"
 #include "grader/gradebook/importers.h"
-#include "grader/gradebook/said_for_tests.h"
 #include "solver/test_refusal.h"
 
 namespace grader::inline gradebook {
@@ -82,8 +81,7 @@ TEST(MoodleWorksheet, DecimalsAreTheWorksheets) {
 TEST(MoodleWorksheet, AnotherMaximumIsNoAccident) {
   EXPECT_TRUE(says(sheet_error_of(kTitles + "Participant 4711,A,S,,5.00,Yes,-,-,\n"),
                    "is out of 5 points, and the grades are out of 10"));
-  const Gradebook book =
-      fill_sheet(kWorksheet, {moodle_grade("4711", 150, 200)}, {.column = "", .scale = true});
+  const Gradebook book = fill_sheet(kWorksheet, {moodle_grade("4711", 150, 200)}, {.scale = true});
   EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores.at("4711"), "7.5");
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "grader/course/input.h"
-#include "grader/record/published.h"
+#include "grader/record/changes.h"
 #include "grader/record/record.h"
 #include "grader/report/facts/columns.h"
 #include "grader/report/facts/text.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/gradebook/grade.h"
-#include "grader/record/published.h"
+#include "grader/gradebook/filling.h"
+#include "grader/record/changes.h"
 #include "grader/record/record.h"
 
 namespace grader::inline gradebook {

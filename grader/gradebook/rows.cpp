@@ -1,5 +1,5 @@
 // STAFF ONLY. Writes rows of grades.
-#include "grader/gradebook/rows.h"
+#include "grader/gradebook/filling.h"
 
 #include <algorithm>
 
@@ -14,26 +14,18 @@ constexpr std::string_view kPointsGrade = " points grade";
 
 // Finds "Lab 3 Points Grade", which the maximum may follow.
 std::size_t item_column(const Csv& table, const std::string& wanted) {
-  const Cells& head = table.rows.front().cells;
-  std::vector<std::size_t> found;
-  std::string known;
-  for (std::size_t i = 0; i < head.size(); ++i) {
-    const std::string title = lowered(head[i]);
+  const std::string item = lowered(wanted);
+  const auto is_wanted = [&](std::size_t i) -> std::optional<bool> {
+    const std::string title = lowered(table.rows.front().cells[i]);
     const std::size_t end = title.find(kPointsGrade);
-    if (end == title.npos) continue;
-    known += (known.empty() ? "\"" : ", \"") + composed(head[i]) + "\"";
-    const std::string item = lowered(wanted);
-    if (item.empty() || item == title || item == title.substr(0, end) ||
-        item == title.substr(0, end + kPointsGrade.size()))
-      found.push_back(i);
-  }
-  if (found.size() == 1) return found.front();
-  throw BadInput(
-      place_of(table, table.rows.front()) + ": " +
-      (known.empty()
-           ? "no title ends with \"Points Grade\"; export the grade item with its points from Brightspace"
-       : found.empty() ? "no item is \"" + composed(wanted) + "\"; give --column with one of " + known
-                       : "has several items; give --column with one of " + known));
+    if (end == title.npos) return {};
+    return item.empty() || item == title || item == title.substr(0, end) ||
+           item == title.substr(0, end + kPointsGrade.size());
+  };
+  return wanted_column(
+      table, is_wanted,
+      "no title ends with \"Points Grade\"; export the grade item with its points from Brightspace",
+      "no item is \"" + composed(wanted) + "\"", "has several items");
 }
 
 // Reads "<Numeric MaxPoints:10 Weight:5>".

@@ -1,11 +1,10 @@
 // STAFF ONLY. Tests that rows for Brightspace and Autolab are imported, and plain rows have a warning.
-#include "grader/gradebook/rows.h"
+#include "grader/gradebook/filling.h"
 
 #include <gtest/gtest.h>
 
 #include "grader/course/input.h"
 #include "grader/gradebook/importers.h"
-#include "grader/gradebook/said_for_tests.h"
 #include "solver/test_refusal.h"
 
 namespace grader::inline gradebook {

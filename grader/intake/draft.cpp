@@ -1,9 +1,14 @@
-// STAFF ONLY. Collects a submission's files, and checks its limits.
+// STAFF ONLY. Collects a submission's files, checks its limits, and keeps submissions of the same name apart.
 #include "grader/intake/draft.h"
 
+#include <algorithm>
 #include <numeric>
+#include <set>
+#include <tuple>
 #include <utility>
 
+#include "grader/intake/names/names.h"
+#include "grader/intake/submission.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline intake {
@@ -13,6 +18,21 @@ std::string joined(const std::vector<std::string>& words) {
   return std::accumulate(
       words.begin(), words.end(), std::string(),
       [](const std::string& text, const auto& word) { return text + (text.empty() ? "" : ", ") + word; });
+}
+
+bool comes_before(const Draft& a, const Draft& b) {
+  return std::tie(a.submission.name, a.path) < std::tie(b.submission.name, b.path);
+}
+
+// Marks a draft that has the same name as another one.
+void mark(Draft& draft, const std::string& name, const Draft& other) {
+  const std::string both = " are both the submission \"" + name + "\"";
+  draft.submission.origin.clear();  // its name is made of a path, not of a student
+  draft.refuse(Refused(draft.shown + " and " + other.shown + both +
+                       ", so this one was not graded. One of them needs another name."));
+  draft.notices.push_back(draft.origin + " and " + other.origin + both +
+                          "; rename one of them. This one is \"" + draft.submission.name +
+                          "\" for now, and not graded");
 }
 
 }  // namespace
@@ -121,20 +141,58 @@ void Draft::finish(const FileNames& exercise_files) {
 }
 
 std::string problem_of(const Entry& entry, const std::string& shown) {
-  switch (entry.kind) {
-    case Entry::Kind::symbolic_link:
-      return shown + " is a symbolic link. Hand in the file itself.";
-    case Entry::Kind::hard_link:
-      return shown + " is a link to another file. Hand in the file itself.";
-    case Entry::Kind::special:
-    case Entry::Kind::folder:
-      return shown + " is not a file. Hand in the file itself.";
-    case Entry::Kind::file:
-      break;
-  }
+  using enum Entry::Kind;
+  const std::string is = entry.kind == symbolic_link ? " is a symbolic link"
+                         : entry.kind == hard_link   ? " is a link to another file"
+                         : entry.kind != file        ? " is not a file"
+                                                     : "";
+  if (!is.empty()) return shown + is + ". Hand in the file itself.";
   if (!entry.leads_outside) return "";
   return shown +
          " leads out of the archive. Pack it again without \"..\" and without a path that begins at a root.";
+}
+
+void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notices) {
+  std::stable_sort(drafts.begin(), drafts.end(), comes_before);
+  std::set<std::string> taken;
+  std::vector<Draft> kept;
+  for (Draft& draft : drafts) {
+    if (!kept.empty() && kept.back().path == draft.path &&
+        kept.back().submission.name == draft.submission.name) {
+      notices.push_back(draft.origin + ": was given twice; it is graded once");
+      continue;
+    }
+    taken.insert(draft.submission.name);
+    kept.push_back(std::move(draft));
+  }
+  drafts = std::move(kept);
+
+  for (std::size_t begin = 0, end = 0; begin < drafts.size(); begin = end) {
+    const std::string name = drafts[begin].submission.name;
+    while (end < drafts.size() && drafts[end].submission.name == name) ++end;
+    if (end - begin == 1) continue;
+    // A person chooses the names of arguments, and students the names in them: an argument keeps its name
+    // even if a class holds the same one.
+    const auto is_hand_in = [](const Draft& draft) { return !is_of_a_class(draft.submission.origin); };
+    const auto first = drafts.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = drafts.begin() + static_cast<std::ptrdiff_t>(end);
+    const bool one_stands = std::count_if(first, last, is_hand_in) == 1;
+    if (one_stands) std::iter_swap(first, std::find_if(first, last, is_hand_in));
+    const auto whose = [](const Draft& draft) {
+      return draft.submission.owner.name + "\n" + draft.submission.owner.id;
+    };
+    for (std::size_t i = one_stands ? begin + 1 : begin; i < end; ++i) {
+      const bool alone = std::count_if(first, last, [&](const Draft& other) {
+                           return whose(other) == whose(drafts[i]);
+                         }) == 1;
+      std::string own = name_among_equals(name, alone ? whose(drafts[i]) : drafts[i].path);
+      while (!taken.insert(own).second) own += 'x';
+      drafts[i].submission.name = own;
+      if (alone) continue;  // "x 1" and "x_1" are two people
+      mark(drafts[i], name, drafts[i == begin ? begin + 1 : begin]);
+    }
+  }
+  std::sort(drafts.begin(), drafts.end(), comes_before);
 }
 
 }  // namespace grader::intake

@@ -80,6 +80,13 @@ struct Draft {
   void finish(const FileNames& exercise_files);
 };
 
+// Separates submissions that get the same name. Owners whose names differ ("x 1" and "x_1") get names of
+// their own. If the owner is the same (x.zip and x.tar.gz), it is unclear which one counts: none is graded;
+// all others are, and each has a problem that names another of them, and a notice. An argument keeps its name
+// if a member of a class has the same one. Sorts by name, whatever the order was before. Leaves out
+// repetitions.
+void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notices);
+
 // Returns why an entry is no regular file, or must not be taken; "" if all is well.
 std::string problem_of(const Entry& entry, const std::string& shown);
 

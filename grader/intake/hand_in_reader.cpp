@@ -22,6 +22,13 @@ constexpr std::size_t kMostAboutBytes = std::size_t{16} << 10;
 
 }  // namespace
 
+Share whole_share(Draft& draft, const std::vector<Entry>& list) {
+  Share all{.draft = &draft, .entries = {}};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!is_ignored(list[i].path)) all.entries.push_back(i);
+  return all;
+}
+
 HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, const Share& share,
                                             const std::string& prefix, std::size_t depth) {
   Draft& draft = *share.draft;
@@ -138,10 +145,7 @@ void HandInReader::take_archive(Draft& draft, std::string bytes, const std::stri
       open_archive_(std::move(bytes), shown, draft.budget.for_archive());
   std::vector<Entry> list = archive->list();
   for (std::string& line : settle_names(list, draft.origin)) draft.remarks.push_back(std::move(line));
-  Share all{&draft, {}};
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (!is_ignored(list[i].path)) all.entries.push_back(i);
-  take(*archive, list, {all}, shown + "/", depth);
+  take(*archive, list, {whole_share(draft, list)}, shown + "/", depth);
 }
 
 void HandInReader::take(Container& container, const std::vector<Entry>& list,

@@ -23,6 +23,9 @@ struct Share {
   bool is_attached = false;          // has single files: archives beside exercise files are opened, too
 };
 
+// Holds all of a container that counts.
+Share whole_share(Draft& draft, const std::vector<Entry>& list);
+
 class HandInReader {
  public:
   HandInReader(const OpenArchive& open_archive, const IntakeLimits& limits, const FileNames& files)

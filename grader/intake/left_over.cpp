@@ -1,8 +1,8 @@
 // STAFF ONLY. Writes a list of the input's files that were left over.
-#include "grader/intake/left_over.h"
-
 #include <nlohmann/json.hpp>
 #include <set>
+
+#include "grader/intake/submission.h"
 
 namespace grader::inline intake {
 

@@ -49,6 +49,17 @@ struct Planned {
   const System* system = nullptr;
 };
 
+// Opens the archive that is this entry of a list. Throws Refused.
+using OpenEntry = std::function<std::unique_ptr<Container>(std::size_t entry)>;
+
+// Opens a class that comes as several downloads, one for each section, in a folder or an archive, as if they
+// were folders. A hand-in can look like a download, so one student's archive must not decide: all archives
+// are downloads, or none is opened. `outer` has the entries `list`, whose names are settled, as the result's
+// are. Returns null unless at least `least` archives lie side by side and are downloads of one system: of
+// `said`, if that is not null.
+std::shared_ptr<Container> open_sections(std::shared_ptr<Container> outer, std::vector<Entry> list,
+                                         std::size_t least, const System* said, const OpenEntry& open);
+
 struct Planner {
   const FileNames& files;
   const IntakeLimits& limits;

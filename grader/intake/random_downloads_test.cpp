@@ -31,15 +31,15 @@ class Generator {
 
   Download make() {
     static const std::vector<void (Generator::*)()> all{
-        &Generator::canvas,     &Generator::moodle,  &Generator::moodle_flat, &Generator::brightspace,
-        &Generator::blackboard, &Generator::autolab, &Generator::classroom,   &Generator::gradescope};
+        &Generator::canvas,  &Generator::moodle,    &Generator::brightspace, &Generator::blackboard,
+        &Generator::autolab, &Generator::classroom, &Generator::gradescope};
     download_.root = chance(3) ? "wrapped/" : "";
     const int count = below(9) + 2;
     for (int i = 0; i < count; ++i) {
       const std::string number = std::to_string(4000 + 7 * i);
       download_.students.push_back({any_name(i), number, number});
     }
-    (this->*all.at(static_cast<std::size_t>(below(8))))();
+    (this->*all.at(static_cast<std::size_t>(below(7))))();
     return download_;
   }
 
@@ -100,23 +100,20 @@ class Generator {
   }
   void moodle() {
     download_.system = "moodle";
+    const bool flat = chance(2);
     const char* end = chance(2) ? "_" : "";
     for (Student& one : download_.students) {
       const std::string stem = clean(one.name) + "_" + one.id + "_assignsubmission_";
-      if (chance(3))
+      if (!flat && chance(3))
         add(stem + "onlinetext" + end + "/onlinetext.html", "<p>");
       else
         attempt(one, 1, [&](const std::string& name) {
-          return stem + "file" + end + (chance(4) ? "/src/" : "/") + name;
+          return stem + "file" +
+                 (flat        ? "_"
+                  : chance(4) ? end + std::string("/src/")
+                              : end + std::string("/")) +
+                 name;
         });
-    }
-  }
-  void moodle_flat() {
-    download_.system = "moodle";
-    for (Student& one : download_.students) {
-      attempt(one, 1, [&](const std::string& name) {
-        return clean(one.name) + "_" + one.id + "_assignsubmission_file_" + name;
-      });
     }
   }
   void brightspace() {

@@ -10,17 +10,14 @@
 #include <vector>
 
 #include "grader/course/input.h"
-#include "grader/intake/archives/folder.h"
-#include "grader/intake/clashes.h"
+#include "grader/intake/archives/container.h"
 #include "grader/intake/draft.h"
 #include "grader/intake/hand_in_reader.h"
 #include "grader/intake/layouts/system.h"
-#include "grader/intake/left_over.h"
 #include "grader/intake/names/archive_format.h"
 #include "grader/intake/names/names.h"
 #include "grader/intake/plan.h"
-#include "grader/intake/question.h"
-#include "grader/intake/sections.h"
+#include "grader/intake/submission.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline intake {
@@ -87,7 +84,7 @@ class ClassReader {
 
 std::unique_ptr<Container> ClassReader::open(const Argument& named) const {
   const std::size_t most_entries = limits_.entries * kClassEntriesFactor;
-  if (named.on_disk) return std::make_unique<Folder>(named.file, printable(named.name), most_entries);
+  if (named.on_disk) return open_folder(named.file, printable(named.name), most_entries);
   const std::uintmax_t size = std::min(fs::file_size(named.file), std::uintmax_t{1} << 50);
   const std::size_t most_bytes = std::max<std::size_t>(limits_.stream_bytes, size * kMostShrinking);
   return open_archive_(named.file, printable(named.name), ArchiveLimits{most_bytes, most_entries});
@@ -212,10 +209,7 @@ void ClassReader::read_hand_in(const fs::path& folder, const std::string& name) 
     const std::unique_ptr<Container> container = open(argument);
     std::vector<Entry> list = container->list();
     draft.remarks = settle_names(list, argument.origin);
-    Share all{.draft = &draft, .entries = {}};
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (!is_ignored(list[i].path)) all.entries.push_back(i);
-    HandInReader(open_archive_, limits_, files_).take(*container, list, {all});
+    HandInReader(open_archive_, limits_, files_).take(*container, list, {whole_share(draft, list)});
   } catch (const Refused& why) {
     draft.refuse(why);
   }

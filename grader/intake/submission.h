@@ -3,13 +3,30 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "grader/course/input.h"
 #include "grader/intake/archives/accounted.h"
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/names/owner.h"
 
 namespace grader::inline intake {
+
+// An origin of a submission: the argument itself, or the class that held it. In a folder of grades no
+// submission is replaced by one of another origin unless a person says so: the content of a hand-in must not
+// reach other students' results.
+//
+// "hand-in /home/ta/alice.zip", "class /home/ta/class.zip", "class of a learning system /home/ta/export.zip"
+inline constexpr std::string_view kHandIn = "hand-in", kClass = "class",
+                                  kLearningSystem = "class of a learning system";
+
+inline std::string origin_text(std::string_view kind, const std::string& absolute_path) {
+  return std::string(kind) + " " + absolute_path;
+}
+inline bool is_of_a_class(std::string_view origin) {
+  return origin.starts_with(kClass);
+}
 
 struct SourceFile {
   std::string text;  // are the file's bytes
@@ -21,7 +38,7 @@ struct SourceFile {
 
 struct Submission {
   std::string name;                              // see names.h
-  std::string origin;                            // see origin.h; "": a name that clashes
+  std::string origin;                            // "": a name that clashes
   std::map<std::string, SourceFile> files = {};  // by exercise file ("conj_grad.cpp"); only handed-in files
   std::string problem = {};  // not empty: why the whole submission is rejected, for the student
   bool unreadable = false;   // has a problem: an unknown format, or a damaged or encrypted archive
@@ -52,6 +69,19 @@ struct Intake {
   std::vector<Accounted> accounted;  // each file of the input, except those in ignored.h
 };
 
+// The files of the input that are in no hand-in that counts, for the record, pages and programs.
+inline constexpr const char* kLeftOver = "left-over.json";  // in a folder of grades
+
+// Writes the line for staff about a file that is left over.
+std::string line_about(const Accounted& left_over);
+
+// Lists all files except those of hand-ins, and the notices about no file.
+std::vector<Accounted> listed(const Intake& intake);
+
+// Writes an object: "left_over", "older" and "made", each a list of {"path", "reason", "whose"}; and
+// "notices", lines for staff.
+std::string left_over_json(const std::vector<Accounted>& listed);
+
 // Limits the reading of one submission. Names of operating systems (ignored.h) use up nothing. A whole
 // argument may have 10 times the entries, and its stream may unpack to 20 times its own size if that is more;
 // honest files compress less than that.
@@ -62,6 +92,14 @@ struct IntakeLimits {
   std::size_t stream_bytes = std::size_t{1} << 30;  // bounds a tar's whole stream; only a part of it is kept
   std::size_t entries = 200000;                     // bounds files and folders, also those in nested archives
 };
+
+// Is thrown for input that only a person can judge: an option confirms it.
+struct Question : BadInput {
+  Question(const std::string& line, const std::string& option_that_settles_it)
+      : BadInput(line + " " + option_that_settles_it), option(option_that_settles_it) {}
+  std::string option;
+};
+inline constexpr const char *kSaysClass = "--class", *kSaysReplace = "--replace";
 
 struct IntakeChoices {
   bool classes = false;   // each of several arguments may be a class

@@ -93,6 +93,18 @@ class Submissions : public testing::Test {
     for (const Submission& submission : submissions) names.push_back(submission.name);
     return names;
   }
+  // Writes "alice: conj=TEXT normal=TEXT" for each, with "!" and no text for a problem.
+  static Names told(const std::vector<Submission>& submissions) {
+    Names lines;
+    for (const Submission& one : submissions) {
+      std::string line = one.name + ":" + (one.problem.empty() ? "" : " !");
+      for (const auto& [file, source] : one.files)
+        line +=
+            " " + file.substr(0, file.find('_')) + "=" + (source.problem.empty() ? "" : "!") + source.text;
+      lines.push_back(line);
+    }
+    return lines;
+  }
   static std::string bad_input(const std::vector<fs::path>& arguments, const IntakeChoices& choices = {}) {
     return tests::refusal<BadInput>(
         [&] { read_submissions(arguments, two_exercises(), opener(), {}, choices); });

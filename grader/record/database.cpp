@@ -138,6 +138,7 @@ void Database::fail(int code) const {
 
 void Database::each(std::string_view sql, std::initializer_list<Value> values,
                     const std::function<void(const DatabaseRow&)>& take) {
+  const std::lock_guard turn(one_at_a_time_);
   sqlite3_stmt* made = nullptr;
   int code = sqlite3_prepare_v2(connection_.get(), sql.data(), static_cast<int>(sql.size()), &made, nullptr);
   const std::unique_ptr<sqlite3_stmt, Finalize> statement(made);
@@ -153,6 +154,7 @@ void Database::run(std::string_view sql, std::initializer_list<Value> values) {
 }
 
 void Database::run_all(const std::string& sql) {
+  const std::lock_guard turn(one_at_a_time_);
   const int code = sqlite3_exec(connection_.get(), sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) fail(code);
 }
@@ -172,10 +174,6 @@ std::string Database::text(std::string_view sql, std::initializer_list<Value> va
 bool Database::shred() {
   run("VACUUM");
   return number("PRAGMA wal_checkpoint(TRUNCATE)") == 0;
-}
-
-bool Database::in_transaction() const {
-  return sqlite3_get_autocommit(connection_.get()) == 0;
 }
 
 std::pair<std::int64_t, std::int64_t> Database::changes() {
@@ -224,7 +222,9 @@ bool Database::take_back(const std::string& changes) {
 }
 
 Transaction::Transaction(Database& database, Kind kind)
-    : database_(database), open_(!database.in_transaction()) {
+    : database_(database),
+      turn_(database.one_at_a_time_),
+      open_(sqlite3_get_autocommit(database.connection_.get()) != 0) {
   if (open_) database_.run(kind == reads ? "BEGIN" : "BEGIN IMMEDIATE");
 }
 

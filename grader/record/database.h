@@ -4,6 +4,8 @@
 // On a local file system the journal is a write-ahead log, else a rollback journal: write-ahead logs need
 // shared memory, which network file systems lack; some of them damaged databases silently.
 //
+// Threads take turns: a statement is a turn, and so is all of a transaction.
+//
 // The process must never open and close the database's file by other means: that drops SQLite's locks.
 #pragma once
 
@@ -12,6 +14,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,7 +66,6 @@ class Database {
   // Removes all bytes of deleted rows from file and journal. False if a reader held the log meanwhile.
   bool shred();
 
-  bool in_transaction() const;
   // Counts changes of others and own ones: the same number means that nothing has changed.
   std::pair<std::int64_t, std::int64_t> changes();
 
@@ -75,6 +77,7 @@ class Database {
   const std::filesystem::path& file() const { return file_; }
 
  private:
+  friend class Transaction;
   struct Close {
     void operator()(sqlite3* connection) const;
   };
@@ -84,6 +87,7 @@ class Database {
 
   std::filesystem::path file_;
   std::unique_ptr<sqlite3, Close> connection_;
+  std::recursive_mutex one_at_a_time_;
 };
 
 // Does all or nothing: without commit() all of it is undone. One that writes has the right to it from its
@@ -98,6 +102,7 @@ class Transaction {
 
  private:
   Database& database_;
+  const std::lock_guard<std::recursive_mutex> turn_;
   bool open_;
 };
 

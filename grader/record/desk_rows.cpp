@@ -6,12 +6,10 @@
 namespace grader::inline record {
 
 std::pair<std::int64_t, std::int64_t> DeskRows::state() {
-  const std::lock_guard lock(record_.one_at_a_time_);
   return record_.database_.changes();
 }
 
 std::map<RowOfItem, DeskRow> DeskRows::all() {
-  const std::lock_guard lock(record_.one_at_a_time_);
   std::map<RowOfItem, DeskRow> rows;
   record_.database_.each(
       "SELECT what, coalesce(name, ''), looks, who, at, owner, open_by, open_at FROM desk_items LEFT JOIN "
@@ -25,7 +23,6 @@ std::map<RowOfItem, DeskRow> DeskRows::all() {
 
 // Each change of a result or a decision is in the log; those of all people have an entry without a person.
 std::map<std::string, std::int64_t> DeskRows::versions() {
-  const std::lock_guard lock(record_.one_at_a_time_);
   std::map<std::string, std::int64_t> found;
   record_.database_.each(
       "SELECT name, (SELECT max(id) FROM log WHERE log.person = people.id OR log.person IS NULL) FROM "
@@ -47,7 +44,6 @@ std::int64_t DeskRows::id_of(const RowOfItem& row) {
 
 void DeskRows::accept(const RowOfItem& row, const std::string& looks, const std::vector<std::string>& people,
                       const std::string& detail) {
-  const std::lock_guard lock(record_.one_at_a_time_);
   Transaction transaction(record_.database_);
   record_.database_.run(
       "UPDATE desk_items SET looks = ?, who = ?, at = strftime('%Y-%m-%d %H:%M:%S', 'now') WHERE id = ?",
@@ -57,24 +53,14 @@ void DeskRows::accept(const RowOfItem& row, const std::string& looks, const std:
   transaction.commit();
 }
 
-void DeskRows::know(const std::map<RowOfItem, std::string>& looks) {
-  const std::lock_guard lock(record_.one_at_a_time_);
+void DeskRows::set(const std::string& column, const std::map<RowOfItem, std::string>& texts) {
   Transaction transaction(record_.database_);
-  for (const auto& [row, text] : looks)
-    record_.database_.run("UPDATE desk_items SET looks = ? WHERE id = ?", {text, id_of(row)});
-  transaction.commit();
-}
-
-void DeskRows::give(const std::map<RowOfItem, std::string>& owners) {
-  const std::lock_guard lock(record_.one_at_a_time_);
-  Transaction transaction(record_.database_);
-  for (const auto& [row, owner] : owners)
-    record_.database_.run("UPDATE desk_items SET owner = ? WHERE id = ?", {owner, id_of(row)});
+  for (const auto& [row, text] : texts)
+    record_.database_.run("UPDATE desk_items SET " + column + " = ? WHERE id = ?", {text, id_of(row)});
   transaction.commit();
 }
 
 void DeskRows::open(const std::optional<RowOfItem>& row, std::int64_t now) {
-  const std::lock_guard lock(record_.one_at_a_time_);
   Transaction transaction(record_.database_);
   record_.database_.run("UPDATE desk_items SET open_by = '' WHERE assignment = ? AND open_by = ?",
                         {record_.assignment(), record_.who_});

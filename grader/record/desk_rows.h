@@ -2,10 +2,10 @@
 // looked like, whose it is, and who has it open.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
-#include <tuple>
 
 #include "grader/record/record.h"
 
@@ -15,9 +15,7 @@ struct RowOfItem {
   std::string what;    // is the item's kind and place: "near-threshold H2"
   std::string person;  // is the name of a row; "": the item is of several people
 
-  bool operator<(const RowOfItem& other) const {
-    return std::tie(what, person) < std::tie(other.what, other.person);
-  }
+  auto operator<=>(const RowOfItem&) const = default;
 };
 
 struct DeskRow {
@@ -43,13 +41,14 @@ class DeskRows {
   // "": that nobody has accepted it.
   void accept(const RowOfItem& row, const std::string& looks, const std::vector<std::string>& people,
               const std::string& detail);
-  void know(const std::map<RowOfItem, std::string>& looks);
-  void give(const std::map<RowOfItem, std::string>& owners);
+  void know(const std::map<RowOfItem, std::string>& looks) { set("looks", looks); }
+  void give(const std::map<RowOfItem, std::string>& owners) { set("owner", owners); }
   // Says that the record's user has it open, and no other item.
   void open(const std::optional<RowOfItem>& row, std::int64_t now);
 
  private:
   std::int64_t id_of(const RowOfItem& row);  // makes it
+  void set(const std::string& column, const std::map<RowOfItem, std::string>& texts);
 
   Record& record_;
 };

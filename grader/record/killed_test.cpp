@@ -15,8 +15,7 @@
 #include <thread>
 
 #include "grader/course/input.h"
-#include "grader/record/points/points_then.h"
-#include "grader/record/record.h"
+#include "grader/record/changes.h"
 #include "grader/sandbox/processes/descriptor.h"
 #include "hair/io/files/temporary_folder.h"
 
@@ -60,8 +59,7 @@ Recorded numbered(std::int64_t number) {
 }
 
 std::int64_t number_of(const LogEntry& entry) {
-  const auto points = points_then(entry.detail, "the log");
-  return std::llround(points.at(0).points);
+  return std::llround(points_then(entry).at(0).points);
 }
 
 class Killed : public testing::TestWithParam<Journal> {

@@ -8,8 +8,8 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
+#include "grader/record/changes.h"
 #include "grader/record/points/hand_ins.h"
-#include "grader/record/points/points_then.h"
 #include "grader/record/schema.h"
 #include "grader/result/json_fields.h"
 #include "grader/result/result_fields.h"
@@ -66,8 +66,8 @@ std::int64_t Record::assignment() {
   return database_.number("SELECT id FROM assignments WHERE name = ?", {hand_in_});
 }
 
-void Record::make_assignment() {
-  if (assignment() != 0) return;
+std::int64_t Record::make_assignment() {
+  if (const std::int64_t known = assignment(); known != 0) return known;
   const std::string folder = hand_in_.ends_with(kStage) ? hand_in_ : folder_of_hand_in(hand_in_),
                     other = database_.text("SELECT name FROM assignments WHERE folder = ? COLLATE NOCASE",
                                            {folder});
@@ -75,6 +75,7 @@ void Record::make_assignment() {
     throw BadInput(printable(database_.file().string(), 4096) + ": has the folder " + folder + " for \"" +
                    printable(other) + "\"; give \"" + printable(hand_in_) + "\" another name");
   database_.run("INSERT INTO assignments (name, folder) VALUES (?, ?)", {hand_in_, folder});
+  return assignment();
 }
 
 std::int64_t Record::known_person(const std::string& name) {
@@ -99,7 +100,6 @@ void Record::add_to_log(std::optional<std::int64_t> person, const std::string& d
 }
 
 std::string Record::in_one(const std::function<void()>& changes) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   std::string made = database_.changes_of(changes);
   transaction.commit();
@@ -108,7 +108,6 @@ std::string Record::in_one(const std::function<void()>& changes) {
 
 bool Record::take_back(const std::string& changes, const std::vector<std::string>& people,
                        const std::string& what) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   if (!database_.take_back(changes)) return false;
   for (const std::string& name : people) add_to_log(known_person(name), "took back", what);
@@ -117,17 +116,14 @@ bool Record::take_back(const std::string& changes, const std::vector<std::string
 }
 
 std::string Record::now() {
-  const std::lock_guard lock(one_at_a_time_);
   return database_.text("SELECT strftime('%Y-%m-%d %H:%M:%S', 'now')");
 }
 
 std::string Record::made_by() {
-  const std::lock_guard lock(one_at_a_time_);
   return database_.text("SELECT made_by FROM assignments WHERE name = ?", {hand_in_});
 }
 
 void Record::set_made_by(const std::string& json) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   make_assignment();
   database_.run("UPDATE assignments SET made_by = ? WHERE name = ?", {json, hand_in_});
@@ -135,7 +131,6 @@ void Record::set_made_by(const std::string& json) {
 }
 
 std::string Record::drawn_from(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   return database_.text("SELECT drawn_from FROM people WHERE id = ?", {known_person(name)});
 }
 
@@ -144,10 +139,8 @@ std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   std::map<std::string, std::string> pictures;
   const std::string text = text_of(result, pictures), study = one.study ? compact(*one.study) : "",
                     costs = compact(one.costs);
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  make_assignment();
-  const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
+  const std::int64_t id = person(result.name, result.name), assignment = make_assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, "", costs});
   leave_stage(id);
@@ -200,7 +193,6 @@ std::vector<std::string> Record::names() {
 }
 
 std::map<std::string, Record::Row> Record::rows() {
-  const std::lock_guard lock(one_at_a_time_);
   std::map<std::string, Row> all;
   database_.each(
       "SELECT name, origin, (SELECT files FROM hand_ins WHERE hand_ins.assignment = results.assignment AND "
@@ -220,13 +212,11 @@ std::string Record::picture(const std::string& digest) {
 }
 
 std::optional<Recorded> Record::find(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   return read(name);
 }
 
 std::optional<SubmissionResult> Record::find_without_pictures(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   std::optional<Recorded> found = read(name, false);
   return found ? std::optional(std::move(found->result)) : std::nullopt;
 }
@@ -252,7 +242,6 @@ std::optional<Recorded> Record::read(const std::string& name, bool with_pictures
 }
 
 void Record::set_run(const TimingByExercise& reference, const std::optional<LastRun>& run) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   make_assignment();
   database_.run("UPDATE assignments SET reference_costs = ?, last_run = ? WHERE name = ?",
@@ -261,7 +250,6 @@ void Record::set_run(const TimingByExercise& reference, const std::optional<Last
 }
 
 ClassCosts Record::costs() {
-  const std::lock_guard lock(one_at_a_time_);
   const std::string where = printable(database_.file().string(), 4096) + ": costs";
   ClassCosts all;
   database_.each("SELECT reference_costs, last_run FROM assignments WHERE name = ?", {hand_in_},
@@ -279,7 +267,6 @@ ClassCosts Record::costs() {
 }
 
 std::vector<LogEntry> Record::log(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   std::vector<LogEntry> all;
   database_.each("SELECT at, who, did, detail FROM log WHERE person = ? AND assignment = ? ORDER BY id",
                  {known_person(name), assignment()}, [&](const DatabaseRow& row) {
@@ -289,7 +276,6 @@ std::vector<LogEntry> Record::log(const std::string& name) {
 }
 
 void Record::put_entered(const std::vector<std::pair<std::string, std::string>>& cells) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   for (const auto& [name, cell] : cells) add_to_log(known_person(name), kEntered, cell);
   transaction.commit();
@@ -303,7 +289,6 @@ std::vector<std::string> Record::entered(const std::string& name) {
 }
 
 void Record::forget(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   // Paths of files without an owner may still contain their names.
   database_.run(
@@ -323,7 +308,6 @@ void Record::forget(const std::string& name) {
 }
 
 void Record::shred() {
-  const std::lock_guard lock(one_at_a_time_);
   if (!database_.shred())
     throw BadInput(
         printable(database_.file().string(), 4096) +

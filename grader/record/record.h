@@ -11,7 +11,6 @@
 
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +55,7 @@ struct LogEntry {
   std::string at, who, did, detail;  // "2025-03-04 10:15:22" (UTC), "ada", "graded"; detail: JSON
 };
 
-struct Published;  // published.h
+struct Published;  // changes.h
 
 class Record {
  public:
@@ -128,7 +127,7 @@ class Record {
 
   std::vector<std::string> names();  // have a result, sorted
   struct Row {
-    std::string origin;  // see intake/names/origin.h
+    std::string origin;  // see intake/submission.h
     std::string files;   // is the hash of the graded files; "": unknown
   };
   std::map<std::string, Row> rows();  // by name
@@ -168,7 +167,7 @@ class Record {
   // points where it is not at a place.
   Comment change_comment(std::int64_t id, const std::string& text, double points);
 
-  std::vector<Request> requests();  // by id
+  std::vector<Request> requests(const std::string& name = "");  // by id; "": everybody's
   // Throws BadInput for an unknown name or place, and for no text. Returns 0 if the same was asked before.
   std::int64_t ask(const std::string& name, const std::string& place, const std::string& text);
   // Throws BadInput if it is answered, or unknown; and for no text. Returns the request.
@@ -207,7 +206,7 @@ class Record {
   struct Dated;  // another hand-in of the record, with a due date
 
   std::int64_t assignment();
-  void make_assignment();
+  std::int64_t make_assignment();
   std::int64_t person(const std::string& name, const std::string& drawn_from);  // makes it
   std::int64_t known_person(const std::string& name);
   std::optional<Recorded> read(const std::string& name, bool with_pictures = true);
@@ -220,20 +219,14 @@ class Record {
   int free_days_left(const HandInRules& rules, const std::string& name);
   SubmissionResult under_rules(SubmissionResult result, HandInRules rules, const ChangePoints& change,
                                Lateness* late = nullptr);
-  std::vector<Decision> decisions_of(const std::string& name);
   SubmissionResult computed(const std::string& name);  // with places for points by hand
   void put_comment(std::int64_t person, Decision& decision);
-  std::vector<Comment> read_comments();
-  Comment known_comment(std::int64_t id);
-  std::vector<Request> read_requests(const std::string& name = "");  // "": everybody's
   HandIn hand_in_of(const DatabaseRow& row) const;
   std::vector<HandIn> read_hand_ins(Of of);
   std::vector<Drawn> read_drawn();
   void put_roster(const std::vector<Person>& roster);
-  std::optional<std::vector<Person>> read_roster();
   std::optional<ClassList> read_class_list(const std::vector<HandIn>& hand_ins);
   std::vector<HandIn> read_owned();
-  bool read_is_blind();
   std::int64_t stage_of_this();
   void leave_stage(std::int64_t person);
   void follow_categories(std::int64_t assignment, std::int64_t person = 0);  // 0: everybody
@@ -243,7 +236,6 @@ class Record {
   void remove_pictures_that_none_shows();
 
   std::string hand_in_, who_;
-  std::recursive_mutex one_at_a_time_;  // in_one holds it, too
   Database database_;
 };
 

@@ -30,7 +30,7 @@ std::string who_have(const Comment& comment) {
   return all.empty() ? "nobody" : all;
 }
 
-std::vector<Comment> Record::read_comments() {
+std::vector<Comment> Record::comments() {
   std::vector<Comment> all;
   database_.each(
       "SELECT comments.id, text, points, name, place, code, who, at FROM comments LEFT JOIN commented ON "
@@ -45,18 +45,8 @@ std::vector<Comment> Record::read_comments() {
   return all;
 }
 
-std::vector<Comment> Record::comments() {
-  const std::lock_guard lock(one_at_a_time_);
-  return read_comments();
-}
-
-Comment Record::known_comment(std::int64_t id) {
-  return with_id(read_comments(), id, "comment");
-}
-
 Comment Record::comment(std::int64_t id) {
-  const std::lock_guard lock(one_at_a_time_);
-  return known_comment(id);
+  return with_id(comments(), id, "comment");
 }
 
 // Finds the comment by its id, or by text and points, or makes it.
@@ -76,9 +66,8 @@ void Record::put_comment(std::int64_t person, Decision& decision) {
 }
 
 Comment Record::change_comment(std::int64_t id, const std::string& text, double points) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  Comment before = known_comment(id);
+  Comment before = comment(id);
   for (const CommentUse& use : before.uses) {
     Decision now{
         .kind = DecisionKind::comment, .place = use.place, .number = points, .why = text, .comment = id};
@@ -102,7 +91,7 @@ Comment Record::change_comment(std::int64_t id, const std::string& text, double 
   return before;
 }
 
-std::vector<Request> Record::read_requests(const std::string& name) {
+std::vector<Request> Record::requests(const std::string& name) {
   std::vector<Request> all;
   database_.each(
       "SELECT requests.id, name, place, code, text, who, at, answer, answered_by, answered FROM requests "
@@ -114,19 +103,13 @@ std::vector<Request> Record::read_requests(const std::string& name) {
   return all;
 }
 
-std::vector<Request> Record::requests() {
-  const std::lock_guard lock(one_at_a_time_);
-  return read_requests();
-}
-
 std::int64_t Record::ask(const std::string& name, const std::string& place, const std::string& text) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
   check_text(text, "request");
   Decision asked{DecisionKind::comment, place, 0, 0, text};
   check(asked, computed(name));
-  for (const Request& one : read_requests(name))
+  for (const Request& one : requests(name))
     if (one.place == place && one.text == text) return 0;
   database_.run(
       "INSERT INTO requests (assignment, person, place, title, code, text, who, at) VALUES (?, ?, ?, ?, ?, "
@@ -140,9 +123,8 @@ std::int64_t Record::ask(const std::string& name, const std::string& place, cons
 }
 
 Request Record::answer(std::int64_t id, const std::string& text) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  Request request = with_id(read_requests(), id, "request");
+  Request request = with_id(requests(), id, "request");
   if (!request.is_open())
     throw BadInput("request " + std::to_string(id) + ": " + request.answered_by + " answered it on " +
                    request.answered + ", and a request is answered once");

@@ -13,7 +13,7 @@ constexpr std::size_t kDate = std::size("2025-03-04") - 1;
 
 }  // namespace
 
-std::vector<Decision> Record::decisions_of(const std::string& name) {
+std::vector<Decision> Record::decisions(const std::string& name) {
   std::vector<Decision> all;
   database_.each(
       "SELECT kind, place, number, computed, why, who, at, title, worth, 0 AS comment, '' FROM decisions "
@@ -31,14 +31,9 @@ std::vector<Decision> Record::decisions_of(const std::string& name) {
   return all;
 }
 
-std::vector<Decision> Record::decisions(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
-  return decisions_of(name);
-}
-
 std::vector<std::string> Record::conflicts(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
-  return grader::conflicts(computed(name), decisions_of(name));
+  const Transaction one_state(database_, Transaction::reads);
+  return grader::conflicts(computed(name), decisions(name));
 }
 
 HandInRules Record::rules_from(const std::string& text) const {
@@ -52,7 +47,6 @@ HandInRules Record::stored_rules() {
 }
 
 HandInRules Record::rules() {
-  const std::lock_guard lock(one_at_a_time_);
   return with_share(stored_rules());
 }
 
@@ -64,7 +58,6 @@ HandInRules Record::with_share(HandInRules rules) {
 }
 
 void Record::set_rules(const HandInRules& rules) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   if (stored_rules() == rules) return;
   make_assignment();
@@ -81,8 +74,8 @@ SubmissionResult Record::under_rules(SubmissionResult result, HandInRules rules,
   const std::string name = result.name;
   const auto [time, files, marked_late] = handed_in(here, name);
   const MoreDays more{days_given(here, name), free_days_left(rules, name)};
-  result = decided(with_by_hand(rules, std::move(result)), decisions_of(name));
-  for (const Request& one : read_requests(name)) {
+  result = decided(with_by_hand(rules, std::move(result)), decisions(name));
+  for (const Request& one : requests(name)) {
     std::string text = "You asked on " + one.at.substr(0, kDate) + ": " + one.text + "\n";
     text += one.is_open() ? "The staff have not answered yet."
                           : "The staff answered on " + one.answered.substr(0, kDate) + ": " + one.answer;
@@ -97,7 +90,6 @@ SubmissionResult Record::under_rules(SubmissionResult result, HandInRules rules,
 }
 
 std::optional<Recorded> Record::find_decided(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   std::optional<Recorded> found = read(name);
   if (found) found->result = under_rules(std::move(found->result), stored_rules(), {}, &found->late);
@@ -106,7 +98,6 @@ std::optional<Recorded> Record::find_decided(const std::string& name) {
 
 std::optional<SubmissionResult> Record::find_under(const std::string& name, const HandInRules& rules,
                                                    const ChangePoints& change) {
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   const std::optional<Recorded> found = read(name);
   if (!found) return {};
@@ -122,15 +113,14 @@ SubmissionResult Record::computed(const std::string& name) {
 }
 
 void Record::decide(const std::string& name, Decision decision) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
   if (decision.comment != 0) {
-    const Comment earlier = known_comment(decision.comment);
+    const Comment earlier = comment(decision.comment);
     decision.why = earlier.text;
     decision.number = earlier.points;
   }
-  check(decision, computed(name), decisions_of(name));
+  check(decision, computed(name), decisions(name));
   if (decision.kind == DecisionKind::comment) {
     put_comment(id, decision);
   } else {
@@ -151,10 +141,9 @@ void Record::decide(const std::string& name, Decision decision) {
 
 void Record::undo(const std::string& name, DecisionKind kind, const std::string& place,
                   std::int64_t comment) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
-  const std::vector<Decision> all = decisions_of(name);
+  const std::vector<Decision> all = decisions(name);
   const bool is_only = std::ranges::count(all, kind, &Decision::kind) == 1;
   bool any = false;
   for (const Decision& decision : all)

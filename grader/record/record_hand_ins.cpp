@@ -1,5 +1,5 @@
 // STAFF ONLY. Computes the common data of a record's hand-ins: their order, the course's free days, and
-// totals.
+// totals. Stores the files of the input that reached no hand-in.
 #include <algorithm>
 
 #include "grader/record/points/zone.h"
@@ -29,7 +29,6 @@ std::vector<Record::Dated> Record::dated() {
 }
 
 std::vector<std::string> Record::named_hand_ins() {
-  const std::lock_guard lock(one_at_a_time_);
   std::vector<std::string> names;
   for (const Dated& one : dated())
     if (!one.name.empty()) names.push_back(one.name);
@@ -48,12 +47,10 @@ HandedIn Record::handed_in(std::int64_t assignment, const std::string& name) {
 }
 
 std::string Record::handed_in(const std::string& name) {
-  const std::lock_guard lock(one_at_a_time_);
   return handed_in(assignment(), name).time;
 }
 
 std::string Record::set_handed_in(const std::string& name, const HandedIn& handed_in) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t here = assignment(), id = known_person(name);
   const HandedIn before = this->handed_in(here, name);
@@ -95,7 +92,6 @@ int Record::free_days_left(const HandInRules& rules, const std::string& name) {
 
 std::map<std::string, Record::Total> Record::totals() {
   const std::vector<std::string> all = names();
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   const HandInRules rules = stored_rules();
   std::map<std::string, Total> totals;
@@ -105,6 +101,34 @@ std::map<std::string, Record::Total> Record::totals() {
       totals[name] = {points(result), max_points(result), extra_credit_counted(result)};
     }
   return totals;
+}
+
+void Record::set_listed(const std::vector<Accounted>& listed) {
+  Transaction transaction(database_);
+  const std::int64_t assignment = make_assignment();
+  database_.run("DELETE FROM listed_files WHERE assignment = ?", {assignment});
+  for (const Accounted& file : listed) {
+    const std::int64_t person = database_.number("SELECT id FROM people WHERE name = ?", {file.whose});
+    if (person == 0 && !file.whose.empty()) continue;  // belongs to a student outside this run
+    database_.run(
+        "INSERT INTO listed_files (assignment, person, listed_as, path, reason) VALUES (?, ?, ?, ?, ?)",
+        {assignment, person == 0 ? Value(nullptr) : Value(person), to_string(file.as), file.path,
+         file.reason});
+  }
+  transaction.commit();
+}
+
+std::vector<Accounted> Record::listed() {
+  std::vector<Accounted> all;
+  database_.each(
+      "SELECT listed_as, path, reason, coalesce(name, '') FROM listed_files LEFT JOIN people ON people.id = "
+      "person WHERE assignment = ? ORDER BY place",
+      {assignment()}, [&](const DatabaseRow& row) {
+        using enum Accounted::As;
+        for (const Accounted::As as : {made, older, left_over, notice})
+          if (to_string(as) == row.text(0)) all.push_back({row.text(1), as, row.text(2), row.text(3)});
+      });
+  return all;
 }
 
 }  // namespace grader::record

@@ -24,10 +24,8 @@ std::vector<HandIn> with_one_owner(const std::vector<HandIn>& all) {
 
 void Record::put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster,
                         const std::optional<std::string>& only) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  make_assignment();
-  const std::int64_t here = assignment();
+  const std::int64_t here = make_assignment();
   const std::vector<std::string> from = grader::drawn_from(read_drawn(), hand_ins);
   for (std::size_t i = 0; i < hand_ins.size(); ++i) {
     const HandIn& hand_in = hand_ins[i];
@@ -73,7 +71,6 @@ std::vector<HandIn> Record::read_hand_ins(Of of) {
 }
 
 std::vector<HandIn> Record::hand_ins(Of of) {
-  const std::lock_guard lock(one_at_a_time_);
   return with_one_owner(read_hand_ins(of));
 }
 
@@ -96,16 +93,10 @@ std::vector<HandIn> Record::read_owned() {
 }
 
 std::vector<RowName> Record::row_names(const std::vector<HandIn>& hand_ins) {
-  const std::lock_guard lock(one_at_a_time_);
   return grader::row_names(read_drawn(), hand_ins);
 }
 
 std::optional<std::vector<Person>> Record::roster() {
-  const std::lock_guard lock(one_at_a_time_);
-  return read_roster();
-}
-
-std::optional<std::vector<Person>> Record::read_roster() {
   const std::string where = printable(database_.file().string(), 4096) + ": the roster";
   std::vector<Person> people;
   database_.each("SELECT person FROM roster ORDER BY place", {}, [&](const DatabaseRow& row) {
@@ -116,46 +107,37 @@ std::optional<std::vector<Person>> Record::read_roster() {
 }
 
 std::optional<ClassList> Record::class_list(Of of) {
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   return read_class_list(read_hand_ins(of));
 }
 
 std::optional<ClassList> Record::read_class_list(const std::vector<HandIn>& hand_ins) {
-  std::optional<std::vector<Person>> people = read_roster();
+  std::optional<std::vector<Person>> people = roster();
   if (!people) return {};
   return grader::class_list(Roster(std::move(*people)), hand_ins);
 }
 
 NamesForPeople Record::names_for_people() {
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
-  if (read_is_blind()) return {};
+  if (is_blind()) return {};
   const std::vector<HandIn> all = read_owned();
   return grader::names_for_people(read_class_list(all), all);
 }
 
 std::optional<HiddenNames> Record::hidden_names() {
-  const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
-  if (!read_is_blind()) return {};
+  if (!is_blind()) return {};
   const std::vector<HandIn> all = read_owned();
   return HiddenNames(all, read_class_list(all));
 }
 
-bool Record::read_is_blind() {
+bool Record::is_blind() {
   return database_.number("SELECT blind FROM class") != 0;
 }
 
-bool Record::is_blind() {
-  const std::lock_guard lock(one_at_a_time_);
-  return read_is_blind();
-}
-
 void Record::set_blind() {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  if (read_is_blind()) return;
+  if (is_blind()) return;
   if (database_.number("SELECT count(*) FROM results") != 0)
     throw BadInput(printable(database_.file().string(), 4096) +
                    ": its grades have names already; for blind grading name another folder with --out");
@@ -165,7 +147,6 @@ void Record::set_blind() {
 }
 
 std::map<std::string, std::string> Record::codes() {
-  const std::lock_guard lock(one_at_a_time_);
   std::map<std::string, std::string> all;
   database_.each("SELECT known_as, name FROM people WHERE known_as <> ''", {},
                  [&](const DatabaseRow& row) { all[row.text(0)] = row.text(1); });

@@ -11,10 +11,8 @@ constexpr const char* kOfAStage[] = {"shown", "results", "hand_ins", "listed_fil
 }  // namespace
 
 void Record::begin_stage(const std::string& made_by) {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  make_assignment();
-  const std::int64_t stage = assignment();
+  const std::int64_t stage = make_assignment();
   if (database_.text("SELECT made_by FROM assignments WHERE id = ?", {stage}) != made_by)
     for (const std::string table : kOfAStage)
       database_.run("DELETE FROM " + table + " WHERE assignment = ?", {stage});
@@ -24,7 +22,6 @@ void Record::begin_stage(const std::string& made_by) {
 }
 
 std::vector<std::string> Record::take_stage() {
-  const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t here = assignment(), stage = stage_of_this();
   std::vector<std::string> missing;

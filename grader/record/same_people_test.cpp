@@ -58,9 +58,9 @@ TEST(DrawnFrom, WhoIsLeftAloneKeepsTheGroups) {
   EXPECT_EQ(drawn_from(before, {alone})[0], "a");
 }
 
-std::vector<std::string> names_of(const std::vector<RowName>& rows) {
-  std::vector<std::string> names;
-  for (const RowName& row : rows) names.push_back(row.name);
+std::string names_of(const std::vector<RowName>& rows) {
+  std::string names;
+  for (const RowName& row : rows) names += (names.empty() ? "" : " ") + row.name;
   return names;
 }
 
@@ -73,33 +73,28 @@ TEST(RowNames, StayForTheSamePeople) {
   // The group has a new name, and a new member.
   const std::vector<RowName> renamed =
       rows({group("c", "", {"1", "2", "6"}), group("b", "", {"3", "4", "5"})});
-  EXPECT_EQ(names_of(renamed), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(names_of(renamed), "a b");
   EXPECT_EQ(renamed[0].told, "c: is a under another name, and keeps its row");
   EXPECT_EQ(renamed[1].told, "");
   // Two groups exchange their names.
-  EXPECT_EQ(names_of(rows({group("b", "", {"1", "2"}), group("a", "", {"3", "4", "5"})})),
-            (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(names_of(rows({{"roe_1", {.name = "Roe", .id = "9"}, "canvas"}})),
-            std::vector<std::string>{"doe_1"});
+  EXPECT_EQ(names_of(rows({group("b", "", {"1", "2"}), group("a", "", {"3", "4", "5"})})), "a b");
+  EXPECT_EQ(names_of(rows({{"roe_1", {.name = "Roe", .id = "9"}, "canvas"}})), "doe_1");
   HandIn with_others = group("team_9", "9", {"9", "10"});
   with_others.system = "canvas";
-  EXPECT_EQ(names_of(rows({with_others})), std::vector<std::string>{"team_9"})
-      << "others have not what one was graded for";
-  EXPECT_EQ(names_of(rows({{"Jane_Doe", {.name = "Jane Doe"}, "folders"}})),
-            std::vector<std::string>{"Jane_Doe"})
+  EXPECT_EQ(names_of(rows({with_others})), "team_9") << "others have not what one was graded for";
+  EXPECT_EQ(names_of(rows({{"Jane_Doe", {.name = "Jane Doe"}, "folders"}})), "Jane_Doe")
       << "a name alone is no evidence";
   // The name is the same, and a member has left: it is still the group of that name.
-  EXPECT_EQ(names_of(rows({group("b", "", {"3", "4"})})), std::vector<std::string>{"b"});
+  EXPECT_EQ(names_of(rows({group("b", "", {"3", "4"})})), "b");
 }
 
 TEST(RowNames, AreNewWhereSomebodyHasLeftOrOthersHaveTheName) {
   const std::vector<Drawn> before = at_first({group("a", "", {"1", "2", "3"})});
   const std::vector<RowName> left = row_names(before, {group("c", "", {"1", "2"})});
-  EXPECT_EQ(names_of(left), std::vector<std::string>{"c"});
+  EXPECT_EQ(names_of(left), "c");
   EXPECT_EQ(left[0].told,
             "c: is a, but somebody has left it, and has a row of its own; decisions about a stay there");
-  EXPECT_EQ(names_of(row_names(before, {{"M1_1", {.name = "M1", .id = "1"}, "gradescope"}})),
-            std::vector<std::string>{"M1_1"})
+  EXPECT_EQ(names_of(row_names(before, {{"M1_1", {.name = "M1", .id = "1"}, "gradescope"}})), "M1_1")
       << "one alone has not what others were graded for";
   // Other people have the name a now: they must not get decisions about the first group.
   const HandIn others = group("a", "", {"7", "8"});
@@ -112,16 +107,16 @@ TEST(RowNames, AreNewWhereSomebodyHasLeftOrOthersHaveTheName) {
   std::vector<Drawn> then = before;
   then.push_back({others, "x"});
   then.back().hand_in.name = taken[0].name;
-  EXPECT_EQ(names_of(row_names(then, {others})), std::vector<std::string>{taken[0].name});
+  EXPECT_EQ(names_of(row_names(then, {others})), taken[0].name);
 }
 
 TEST(RowNames, OfCanvasGroupsDontFollowWhoeverHandedIn) {
   HandIn was = group("team7_1", "1", {"1", "2"}), now = group("rockets_1", "1", {"1", "3"});
   was.system = now.system = "canvas";
-  EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"rockets_1"});
+  EXPECT_EQ(names_of(row_names(at_first({was}), {now})), "rockets_1");
   now = group("rockets_2", "2", {"1", "2"});
   now.system = "canvas";
-  EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"team7_1"});
+  EXPECT_EQ(names_of(row_names(at_first({was}), {now})), "team7_1");
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ WITH categories AS (
     json_each(exercise.value, '$.cases') AS category)
 )";
 
-// Returns the SQL that makes version 7 of an empty file, then 8 of 7, and so on. Entries are never changed,
-// only added: records have them.
+// Returns the SQL that makes version 7 of an empty file, then 8 of 7, and so on (tables/). Entries are never
+// changed, only added: records have them.
 const std::vector<std::string>& migrations();
 
 // Brings the file to the last version, each step in a transaction of its own. Throws BadInput for a file of a

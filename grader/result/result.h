@@ -142,7 +142,7 @@ struct Decided {
 
 struct SubmissionResult {
   std::string name = {};
-  std::string origin = {};  // see grader/intake/names/origin.h; for staff
+  std::string origin = {};  // see grader/intake/submission.h; for staff
   std::vector<ExerciseResult> exercises = {};
   std::string note = {};         // not empty: an error of the whole submission, for the student
   std::string fingerprint = {};  // hashes the submission's bytes and the suite, in hexadecimal

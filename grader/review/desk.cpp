@@ -85,15 +85,15 @@ void Desk::refresh() {
 
 std::string Desk::first_of(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) {
-    const auto found = std::ranges::find_if(items_, [&](const Item& one) { return one.key() == key; });
-    if (found != items_.end() && !found->is_decided() && list_.open(key).empty()) return key;
+    const std::optional<Item> found = list_.find(key);
+    if (found && !found->is_decided() && list_.open(key).empty()) return key;
   }
   return "";
 }
 
 Html Desk::part(const std::string& key) {
-  const auto found = std::ranges::find_if(items_, [&](const Item& one) { return one.key() == key; });
-  if (found == items_.end()) {
+  const std::optional<Item> found = list_.find(key);
+  if (!found) {
     list_.open("");
     return nothing_left();
   }

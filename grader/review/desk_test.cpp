@@ -62,8 +62,10 @@ json body_of(const std::string& answer) {
   return json::parse(answer.substr(answer.find("\r\n\r\n") + 4), nullptr, false);
 }
 
-json fields_of(const Item& item, const std::string& action) {
-  return {{"do", action}, {"key", item.key()}, {"version", item.version}, {"place", item.exercise}};
+json fields_of(const Item& item, const std::string& action, const std::string& number = "",
+               const std::string& text = "why") {
+  return {{"do", action},           {"key", item.key()}, {"version", item.version},
+          {"place", item.exercise}, {"number", number},  {"text", text}};
 }
 
 class DeskTest : public testing::Test {
@@ -97,9 +99,7 @@ TEST_F(DeskTest, TakesOnlyWhatItsPageSends) {
   const Item item = ada.some().front();
   const std::string name = item.people.front();
   const auto with = [&](const std::string& field, const json& value) {
-    json fields = fields_of(item, "points");
-    fields["number"] = "1";
-    fields["text"] = "why";
+    json fields = fields_of(item, "points", "1");
     fields[field] = value;
     return fields.dump();
   };
@@ -145,10 +145,8 @@ TEST_F(DeskTest, HasSavedWhenItAnswers) {
                                        {"excuse", "excuse ada why;"}}) {
     const Item item = ada.some().front();
     const std::string name = item.people.front();
-    json fields = fields_of(item, action);
-    fields["text"] = "why";
-    fields["number"] = std::string(action) == "points" ? "1" : "";
-    const std::string before = kinds(name), answer = ada.save(fields);
+    const std::string before = kinds(name),
+                      answer = ada.save(fields_of(item, action, std::string(action) == "points" ? "1" : ""));
     EXPECT_EQ(status_of(answer), 200) << answer;
     EXPECT_EQ(kinds(name), before + wanted);
     const std::optional<Item> now = Ta(folder_, "ben").desk.list().find(item.key());
@@ -179,8 +177,7 @@ TEST_F(DeskTest, AnswersARequestOnce) {
   const auto item = std::ranges::find_if(
       items, [](const Item& one) { return one.kind == ItemKind::request && one.people.front() == "p001"; });
   ASSERT_NE(item, items.end());
-  json fields = fields_of(*item, "answer");
-  fields["text"] = "It is wrong there.";
+  const json fields = fields_of(*item, "answer", "", "It is wrong there.");
   EXPECT_NE(ada.get("item/0/" + item->key()).find("&lt;b&gt;line 3"), std::string::npos);
   EXPECT_EQ(status_of(ada.save(fields)), 200);
   EXPECT_EQ(Record(folder_).requests().back().answer, "It is wrong there.");
@@ -194,10 +191,8 @@ TEST_F(DeskTest, TellsTheSecondOfTwoWhoSaveAtOnce) {
   std::string answers[2];
   {
     const auto saves = [&](const Ta& ta, const char* points, std::string& answer) {
-      json fields = fields_of(item, "points");
-      fields["number"] = points;
-      fields["text"] = "why";
-      return std::jthread([&ta, &answer, fields] { answer = ta.save(fields); });
+      return std::jthread(
+          [&ta, &answer, fields = fields_of(item, "points", points)] { answer = ta.save(fields); });
     };
     const std::jthread one = saves(ada, "1", answers[0]), two = saves(ben, "2", answers[1]);
   }
@@ -210,9 +205,7 @@ TEST_F(DeskTest, TellsTheSecondOfTwoWhoSaveAtOnce) {
   ASSERT_EQ(decisions.size(), 1U);
   EXPECT_EQ(decisions.front().who, first == 0 ? "ada" : "ben");
   // The second one knows now, and may save over it.
-  json fields = fields_of(item, "points");
-  fields["number"] = "3";
-  fields["text"] = "both of us looked";
+  json fields = fields_of(item, "points", "3", "both of us looked");
   fields["version"] = told["version"];
   EXPECT_EQ(status_of((first == 0 ? ben : ada).save(fields)), 200);
 }

@@ -46,7 +46,6 @@ void ItemList::refresh() {
 }
 
 std::vector<Item> ItemList::items() {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   return items_;
 }
@@ -57,14 +56,12 @@ const Item* ItemList::found(const std::string& key) const {
 }
 
 std::optional<Item> ItemList::find(const std::string& key) {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   const Item* item = found(key);
   return item ? std::optional(*item) : std::nullopt;
 }
 
 std::vector<ProgressOfTa> ItemList::progress() {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   return grader::progress(items_, facts_.rows);
 }
@@ -96,7 +93,6 @@ void ItemList::keep_decision(const std::string& name, const Item& item) {
 }
 
 void ItemList::save(const std::string& key, const std::string& version, const Change& change) {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   // Taking the decision back must not remove the item's row, with its owner.
   if (const Item* known = found(key); known && !facts_.rows.contains(known->row())) open(key);
@@ -115,7 +111,6 @@ void ItemList::save(const std::string& key, const std::string& version, const Ch
 }
 
 std::string ItemList::undo() {
-  const std::lock_guard lock(one_at_a_time_);
   if (saved_.empty()) return "";
   const Saved last = std::move(saved_.back());
   saved_.pop_back();
@@ -125,13 +120,11 @@ std::string ItemList::undo() {
 }
 
 void ItemList::reopen(const std::string& key) {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   if (const Item* item = found(key)) rows_.accept(item->row(), "", item->people, heading_of(item->kind));
 }
 
 std::string ItemList::open(const std::string& key) {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   const Item* item = found(key);
   std::string other = item ? open_by_other(item->row(), facts_.rows, who_, clock_()) : "";
@@ -146,7 +139,6 @@ std::string ItemList::open(const std::string& key) {
 }
 
 void ItemList::share(const std::vector<std::string>& graders, ShareBy by) {
-  const std::lock_guard lock(one_at_a_time_);
   refresh();
   rows_.give(shared_out(items_, graders, by, lines_));
 }

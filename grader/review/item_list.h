@@ -1,9 +1,8 @@
 // STAFF ONLY. The items of a record, kept up to date for one TA: results that have not changed are not read
-// again. Several threads may use it, and several processes the record.
+// again. One thread at a time may use it, and several processes the record.
 #pragma once
 
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -62,7 +61,6 @@ class ItemList {
   DeskRows rows_;
   std::string who_;
   std::function<std::int64_t()> clock_;
-  std::recursive_mutex one_at_a_time_;
   std::pair<std::int64_t, std::int64_t> state_{-1, -1};  // is the record's when it was read
   std::map<std::string, std::int64_t> versions_;
   ItemFacts facts_;

@@ -21,6 +21,10 @@ std::string version_of(ItemList& list, const std::string& key) {
   return list.find(key).value().version;
 }
 
+void save(ItemList& list, const std::string& key, const ItemList::Change& change = {}) {
+  list.save(key, version_of(list, key), change);
+}
+
 // Ann has an item of her own, and three have one in common.
 class Lists : public testing::Test {
  protected:
@@ -33,9 +37,6 @@ class Lists : public testing::Test {
     return [=](Record& record, const std::string& name) {
       record.decide(name, {DecisionKind::points, place, number, 0, "why"});
     };
-  }
-  static std::string version(ItemList& list, const std::string& key) {
-    return list.find(key).value().version;
   }
   static std::string refusal(const std::function<void()>& call) {
     return tests::refusal<ChangedMeanwhile>(call);
@@ -55,14 +56,14 @@ class Lists : public testing::Test {
 };
 
 TEST_F(Lists, DecideForAllOrForNobody) {
-  EXPECT_THROW(ada_.save(kGroup, version_of(ada_, kGroup),
-                         [&](Record& record, const std::string& name) {
-                           points("H3.1", name == "ed" ? 99 : 1)(record, name);
-                         }),
+  EXPECT_THROW(save(ada_, kGroup,
+                    [&](Record& record, const std::string& name) {
+                      points("H3.1", name == "ed" ? 99 : 1)(record, name);
+                    }),
                BadInput);
   EXPECT_EQ(decisions(), "");
   EXPECT_FALSE(bob_.find(kGroup)->is_decided());
-  ada_.save(kGroup, version_of(ada_, kGroup), points("H3.1", 1));
+  save(ada_, kGroup, points("H3.1", 1));
   EXPECT_EQ(decisions(),
             "cy points H3.1: 1 (computed: 0): why (ada)\ndi points H3.1: 1 (computed: 0): why (ada)\n"
             "ed points H3.1: 1 (computed: 0): why (ada)\n");
@@ -74,7 +75,7 @@ TEST_F(Lists, DecideForAllOrForNobody) {
 // Two save at once: one of them is told, and nothing is lost.
 TEST_F(Lists, TellTheSecond) {
   const std::string shown = version_of(bob_, kNear), group = version_of(bob_, kGroup);
-  ada_.save(kNear, version_of(ada_, kNear), points("H2.3", 2));
+  save(ada_, kNear, points("H2.3", 2));
   EXPECT_TRUE(refusal([&] {
                 bob_.save(kNear, shown, points("H2.3", 0));
               }).starts_with("ada has decided this meanwhile, at "));
@@ -85,17 +86,17 @@ TEST_F(Lists, TellTheSecond) {
   EXPECT_EQ(refusal([&] { bob_.save(kNear, version_of(bob_, "conflict/H2.3/ann")); }).substr(0, 31),
             "This is not in the list any mor");
   record_.decide("ann", {DecisionKind::points, "S1", 1, 0, "elsewhere"});
-  bob_.save(kGroup, version_of(bob_, kGroup));
+  save(bob_, kGroup);
   EXPECT_EQ(ada_.find(kGroup)->decided_by, "bob");
 }
 
 TEST_F(Lists, TakeBackWhatWasSavedLast) {
   record_.decide("ann", {DecisionKind::points, "H2.3", 1, 0, "before"});
   const std::string before = decisions();
-  ada_.save(kGroup, version_of(ada_, kGroup), [](Record& record, const std::string& name) {
+  save(ada_, kGroup, [](Record& record, const std::string& name) {
     record.decide(name, {DecisionKind::comment, "H3", 0, 0, "a sign"});
   });
-  ada_.save(kNear, version_of(ada_, kNear), points("H2.3", 2));
+  save(ada_, kNear, points("H2.3", 2));
   EXPECT_EQ(ada_.undo(), kNear);
   EXPECT_EQ(ada_.undo(), kGroup);
   EXPECT_EQ(decisions(), before);
@@ -106,7 +107,7 @@ TEST_F(Lists, TakeBackWhatWasSavedLast) {
   // An item's owner stays, also one that it got since.
   record_.put({made_result("flo", {made_exercise("H1", {{1, 2}})})});
   const std::string flo = "near-threshold/H1/flo";
-  ada_.save(flo, version_of(ada_, flo));
+  save(ada_, flo);
   bob_.share({"bob"}, ShareBy::evenly);
   EXPECT_EQ(ada_.undo(), flo);
   EXPECT_EQ(bob_.find(flo)->owner, "bob");
@@ -115,13 +116,13 @@ TEST_F(Lists, TakeBackWhatWasSavedLast) {
   const auto say = [](Record& record, const std::string& name) {
     record.decide(name, {DecisionKind::comment, "", 0, 0, "a sign"});
   };
-  ada_.save(kNear, version_of(ada_, kNear), say);
-  bob_.save(kGroup, version_of(bob_, kGroup), say);
+  save(ada_, kNear, say);
+  save(bob_, kGroup, say);
   EXPECT_EQ(ada_.undo(), kNear);
   EXPECT_EQ(record_.decisions("cy").size(), 1U);
 
-  ada_.save(kNear, version_of(ada_, kNear), points("H2.3", 2));
-  bob_.save(kNear, version_of(bob_, kNear), points("H2.3", 0));
+  save(ada_, kNear, points("H2.3", 2));
+  save(bob_, kNear, points("H2.3", 0));
   EXPECT_TRUE(refusal([&] { ada_.undo(); }).starts_with("Others have changed this since"));
   EXPECT_EQ(record_.decisions("ann").front().number, 0);
   bob_.reopen(kNear);
@@ -134,7 +135,7 @@ TEST_F(Lists, AcceptADecisionAsItIs) {
   record_.decide("ann", {DecisionKind::points, "S1", 3, 0, "why"});
   record_.put({made_result("ann", {made_exercise("H2")})});
   for (const char* key : {"conflict/H2.3/ann", "conflict/S1/ann"}) {
-    ada_.save(key, version_of(ada_, key));
+    save(ada_, key);
     EXPECT_FALSE(ada_.find(key)) << key;
   }
   EXPECT_EQ(decisions(), "ann points H2.3: 1 (computed: 2): why (ada)\n");
@@ -146,7 +147,7 @@ TEST_F(Lists, AcceptADecisionAsItIs) {
   less.cases[2].max_points = less.cases[2].points = 0.5;
   record_.put({made_result("ann", {less})});
   const std::string key = "conflict/H2.3/ann";
-  EXPECT_THROW(ada_.save(key, version_of(ada_, key)), BadInput);
+  EXPECT_THROW(save(ada_, key), BadInput);
   EXPECT_EQ(record_.decisions("ann").size(), 2U);
 }
 
@@ -166,7 +167,7 @@ TEST_F(Lists, SayWhoHasAnItemOpen) {
 }
 
 TEST_F(Lists, KeepWhatWasDecidedThroughARegrade) {
-  ada_.save(kGroup, version_of(ada_, kGroup));
+  save(ada_, kGroup);
   Record stage(temporary_.path(), kStage);
   stage.begin_stage("another suite");
   for (const std::string& name : record_.names()) {
@@ -184,7 +185,7 @@ TEST_F(Lists, KeepNothingOfAPersonWhoIsForgotten) {
   ada_.share({"ada", "bob"}, ShareBy::evenly);
   EXPECT_EQ(bob_.find(kNear)->owner, "ada");
   EXPECT_EQ(bob_.find(kGroup)->owner, "bob");
-  ada_.save(kNear, version_of(ada_, kNear));
+  save(ada_, kNear);
   const auto exported = [&] { return record_.export_json().find("\"whose\": \"ann\"") != std::string::npos; };
   EXPECT_TRUE(exported());
   record_.forget("ann");
@@ -203,7 +204,7 @@ TEST(MadeClass, IsListedQuicklyAfterEachDecision) {
   ItemList list(record, "ada");
   for (const Planted& one : planted) EXPECT_TRUE(list.find(one.key)) << one.key;
   const double reading = timing::process_cpu_seconds() - start, before = timing::process_cpu_seconds();
-  for (const Planted& one : planted) list.save(one.key, version_of(list, one.key));
+  for (const Planted& one : planted) save(list, one.key);
   const double seconds = (timing::process_cpu_seconds() - before) / static_cast<double>(planted.size());
   EXPECT_LT(seconds, reading / 3) << "seconds for a decision and the list after it";
   std::cout << 1000 * seconds << " ms of CPU time for a decision and the list after it\n";

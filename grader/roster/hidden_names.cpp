@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "grader/intake/names/exercise_names.h"
 #include "grader/text/letters.h"
 
 namespace grader::inline roster {
@@ -14,14 +15,6 @@ bool in_a_word(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x80 || (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z') ||
          (byte >= 'A' && byte <= 'Z');
-}
-
-// Changes ASCII alone, so that places stay the same.
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
 }
 
 // Replaces the longest word at each place that begins and ends at a word's limits.

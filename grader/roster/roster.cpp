@@ -212,8 +212,4 @@ std::vector<std::size_t> Roster::find_all(const Owner& owner, const std::string&
   return found;
 }
 
-Roster read_roster(const std::filesystem::path& file) {
-  return Roster(read_csv(file));
-}
-
 }  // namespace grader::roster

@@ -5,7 +5,6 @@
 // People are found by ids, then by e-mail, then by a name that only one person has.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -64,7 +63,5 @@ class Roster {
   std::array<Places, kIdKinds> by_id_, by_id_without_zeros_;
   Places by_spoken_, by_sorted_;
 };
-
-Roster read_roster(const std::filesystem::path& file);
 
 }  // namespace grader::roster

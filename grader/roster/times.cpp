@@ -117,8 +117,4 @@ std::vector<std::string> Times::said() const {
   return lines;
 }
 
-Times read_times(const std::filesystem::path& file) {
-  return Times(read_csv(file));
-}
-
 }  // namespace grader::roster

@@ -3,7 +3,6 @@
 // any language whose times are read (text/time_text.h).
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -35,7 +34,5 @@ class Times {
   std::vector<bool> found_;  // by person
   std::vector<std::string> said_;
 };
-
-Times read_times(const std::filesystem::path& file);
 
 }  // namespace grader::roster

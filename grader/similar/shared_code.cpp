@@ -201,7 +201,7 @@ SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,
     pair.other = match.other;
     pair.tokens += match.tokens;
     if (is_of_many(owners[match.text], match.lines, rules.many)) pair.of_many += match.tokens;
-    pair.blocks.push_back({match.lines, match.other_lines, match.tokens});
+    pair.blocks.push_back(match);
   }
   for (auto& [ends, pair] : directed) pair.part = static_cast<double>(pair.tokens) / tokens[pair.one];
   for (auto& [ends, pair] : directed) {

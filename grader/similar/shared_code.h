@@ -29,18 +29,13 @@ struct SimilarRules {
   int cpu_seconds = 600;    // limits a comparison; a fifth of it passes before a search for repetitive files
 };
 
-struct SharedBlock {
-  Lines lines, other_lines;
-  int tokens = 0;
-};
-
 // Names two hand-ins by their places in the list. The blocks are those in `one`, which has the larger part.
 struct SharedPair {
   std::size_t one = 0, other = 0;
   double part = 0;  // is a share of the owner's tokens
   int tokens = 0;   // counts common ones
   int of_many = 0;  // counts those in common pieces
-  std::vector<SharedBlock> blocks;
+  std::vector<Match> blocks;
 };
 
 // Is a piece that many have: its place in the file of its first owner, and all owners.

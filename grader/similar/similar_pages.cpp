@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "grader/course/input.h"
 #include "hair/io/plot/html.h"
@@ -12,6 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using hair::Html, hair::html, hair::html_page;
+
+// Bounds the shown pairs of an exercise; others are counted. Each person of a pair is in a group, or shown.
+constexpr std::size_t kMostPairs = 100;
 
 std::string per_cent(double part) {
   return std::to_string(std::lround(100 * part)) + " %";
@@ -31,11 +35,8 @@ std::string lines_of(Lines lines) {
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
 }
 
@@ -58,7 +59,7 @@ std::string pair_page(const SimilarExercise& exercise, const SharedPair& pair) {
   const SimilarFile &one = exercise.files[pair.one], &other = exercise.files[pair.other];
   std::vector<Lines> mine, theirs;
   Html blocks;
-  for (const SharedBlock& block : pair.blocks) {
+  for (const Match& block : pair.blocks) {
     mine.push_back(block.lines);
     theirs.push_back(block.other_lines);
     blocks += html("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",

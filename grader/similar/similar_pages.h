@@ -16,9 +16,6 @@ struct SimilarExercise {
   SharedCode shared;
 };
 
-// Bounds the shown pairs of an exercise; others are counted. Each person of a pair is in a group, or shown.
-inline constexpr std::size_t kMostPairs = 100;
-
 // Throws BadInput if they can't be written.
 void write_similar_pages(const std::filesystem::path& out, const std::vector<SimilarExercise>& exercises,
                          const SimilarRules& rules);

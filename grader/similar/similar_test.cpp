@@ -49,36 +49,26 @@ std::map<std::string, std::vector<SimilarFile>> honest_files() {
   return files;
 }
 
-// Acts like a copyist: it changes every name that is not the language's, removes all comments, and breaks
-// lines in other places.
-std::string renamed_and_laid_out(const std::string& text) {
-  static const std::set<std::string> kept{"int",  "float",  "double", "const",   "for",       "if",
-                                          "else", "return", "while",  "include", "namespace", "std",
-                                          "void", "static", "struct", "auto",    "bool"};
-  const std::string bare = std::regex_replace(text, std::regex("//[^\n]*"), "");
+// Acts like a copyist: it changes every name that is not the language's, removes all comments and directives,
+// and breaks lines in other places.
+std::string renamed_and_laid_out(std::string text) {
+  static const std::set<std::string> kept{"int",  "float",  "double", "const", "for",       "if",
+                                          "else", "return", "while",  "void",  "namespace", "std",
+                                          "auto", "static", "struct", "bool"};
+  for (const auto& [what, by] : {std::pair("//[^\n]*|#[^\n]*", ""), {"\n", " "}, {";", ";\n  "}})
+    text = std::regex_replace(text, std::regex(what), by);
   std::map<std::string, std::string> names;
   std::string out;
-  static const std::regex kWord("[A-Za-z_][A-Za-z_0-9]*|\n");
-  auto at = bare.cbegin();
-  bool directive = false;
-  for (std::sregex_iterator word(bare.begin(), bare.end(), kWord), end; word != end; ++word) {
-    const std::string gap(at, bare.cbegin() + word->position());
-    if (gap.find('#') != std::string::npos) directive = true;
-    out += gap;
-    at = bare.cbegin() + word->position() + word->length();
-    if (word->str() == "\n") {
-      out += directive ? "\n" : " ";
-      directive = false;
-    } else if (directive || kept.contains(word->str())) {
-      out += word->str();
-    } else {
-      std::string& name = names[word->str()];
-      if (name.empty()) name = "v" + std::to_string(names.size());
-      out += name;
-    }
-    if (!directive && gap.find(';') != std::string::npos) out += "\n  ";
+  static const std::regex kWord("[A-Za-z_][A-Za-z_0-9]*");
+  auto at = text.cbegin();
+  for (std::sregex_iterator word(text.begin(), text.end(), kWord), end; word != end; ++word) {
+    out.append(at, text.cbegin() + word->position());
+    at = text.cbegin() + word->position() + word->length();
+    const std::string name = word->str();
+    out += kept.contains(name) ? name
+                               : names.try_emplace(name, "v" + std::to_string(names.size())).first->second;
   }
-  return out.append(at, bare.cend());
+  return out.append(at, text.cend());
 }
 
 // Reverses functions and other pieces at the outermost level.
@@ -100,13 +90,12 @@ class Similar : public testing::Test {
   Sim sim_{isolation_for_tests()};
 };
 
-const SharedPair* pair_of(const SharedCode& shared, const std::vector<SimilarFile>& files,
-                          const std::string& one, const std::string& other) {
-  const auto found = std::find_if(shared.pairs.begin(), shared.pairs.end(), [&](const SharedPair& pair) {
+bool are_a_pair(const SharedCode& shared, const std::vector<SimilarFile>& files, const std::string& one,
+                const std::string& other) {
+  return std::ranges::any_of(shared.pairs, [&](const SharedPair& pair) {
     const std::set<std::string> names{files[pair.one].name, files[pair.other].name};
     return names == std::set<std::string>{one, other};
   });
-  return found == shared.pairs.end() ? nullptr : &*found;
 }
 
 // Adds ten copies to all honest files. Samples that began as one text are reported, too, since they are
@@ -129,9 +118,9 @@ TEST_F(Similar, FindsTenCopiesAmongHonestFiles) {
     }
     const SharedCode shared = shared_code(sim_, all, {stub_of(file)});
     if (all.size() > honest_ones) {
-      const SharedPair* pair = pair_of(shared, all, "copyist", victim);
-      found += pair != nullptr;
-      EXPECT_NE(pair, nullptr) << file << ": " << victim;
+      const bool is_found = are_a_pair(shared, all, "copyist", victim);
+      found += is_found;
+      EXPECT_TRUE(is_found) << file << ": " << victim;
     }
     for (const SharedPair& pair : shared.pairs) {
       const std::set<std::string> names{all[pair.one].name, all[pair.other].name};
@@ -204,7 +193,7 @@ TEST_F(Similar, HostileFilesStopNobodyElse) {
     names.insert(name);
   }
   const SharedCode shared = shared_code(sim_, files, {line});
-  EXPECT_NE(pair_of(shared, files, "a", "b"), nullptr);
+  EXPECT_TRUE(are_a_pair(shared, files, "a", "b"));
   std::set<std::string> left_out;
   for (const NotCompared& one : shared.not_compared) left_out.insert(files[one.file].name);
   EXPECT_EQ(left_out, names);
@@ -217,7 +206,7 @@ TEST_F(Similar, FilesThatRepeatThemselvesStopNobodyElse) {
   for (int i = 0; i < 4000; ++i) repeats += "x\n";
   const std::vector<SimilarFile> files{{"a", work}, {"c", repeats}, {"b", work}, {"d", repeats + "x\n"}};
   const SharedCode shared = shared_code(sim_, files, {}, {.cpu_seconds = 30});
-  EXPECT_NE(pair_of(shared, files, "a", "b"), nullptr);
+  EXPECT_TRUE(are_a_pair(shared, files, "a", "b"));
   std::vector<std::string> left_out;
   for (const NotCompared& one : shared.not_compared) left_out.push_back(files[one.file].name);
   EXPECT_EQ(left_out, (std::vector<std::string>{"c", "d"}));

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "grader/record/published.h"
+#include "grader/record/changes.h"
 #include "grader/record/record.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/temporary_folder.h"

@@ -15,36 +15,17 @@
 
 namespace grader::inline intake {
 
-// Packs `bytes` as a gzip without a tar.
-inline std::string gzip(const std::string& bytes) {
-  std::string packed(bytes.size() + 4096, '\0');
-  std::size_t used = 0;
-  archive* writer = archive_write_new();
-  archive_write_set_format_raw(writer);
-  archive_write_add_filter_gzip(writer);
-  archive_write_set_bytes_in_last_block(writer, 1);
-  archive_write_open_memory(writer, packed.data(), packed.size(), &used);
-  archive_entry* entry = archive_entry_new();
-  archive_entry_set_filetype(entry, AE_IFREG);
-  archive_write_header(writer, entry);
-  archive_write_data(writer, bytes.data(), bytes.size());
-  archive_entry_free(entry);
-  archive_write_close(writer);
-  archive_write_free(writer);
-  packed.resize(used);
-  return packed;
-}
-
-enum class Packing { zip, tar, tar_gz, v7, v7_gz };
+enum class Packing { zip, tar, tar_gz, v7, v7_gz, gz };  // gz: one file without a tar
 
 class ArchiveBuilder {
  public:
   explicit ArchiveBuilder(Packing packing, const char* options = nullptr) : handle_(archive_write_new()) {
-    check(packing == Packing::zip ? archive_write_set_format_zip(handle_)
+    check(packing == Packing::zip  ? archive_write_set_format_zip(handle_)
+          : packing == Packing::gz ? archive_write_set_format_raw(handle_)
           : packing == Packing::v7 || packing == Packing::v7_gz
               ? archive_write_set_format_v7tar(handle_)
               : archive_write_set_format_pax_restricted(handle_));
-    if (packing == Packing::tar_gz || packing == Packing::v7_gz)
+    if (packing == Packing::tar_gz || packing == Packing::v7_gz || packing == Packing::gz)
       check(archive_write_add_filter_gzip(handle_));
     if (options) check(archive_write_set_options(handle_, options));
     check(archive_write_set_passphrase(handle_, "secret"));
@@ -109,6 +90,10 @@ class ArchiveBuilder {
   archive* handle_;
   std::string bytes_;
 };
+
+inline std::string gzip(const std::string& bytes) {
+  return ArchiveBuilder(Packing::gz).file("x", bytes).bytes();
+}
 
 // Makes a zip whose entries and directory state offsets that count the bytes `before` the first entry.
 inline std::string counted_behind(const std::string& before, std::string zip) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -71,6 +72,11 @@ class Container {
   virtual void visit(const std::vector<std::size_t>& indices,
                      const std::function<void(std::size_t index, const Read&)>& take) = 0;
 };
+
+// Opens a folder on disk. Links are listed as links and never followed. Names that is_ignored (names.h) names
+// are not listed.
+std::unique_ptr<Container> open_folder(const std::filesystem::path& path, const std::string& shown,
+                                       std::size_t most_entries);
 
 // Returns "256 MiB" (rounded down), "100 bytes".
 std::string shown_size(std::uintmax_t bytes);

@@ -165,8 +165,7 @@ class SandboxedArchive : public Container {
   std::optional<std::string> broken_;  // is the student's reason why nothing more can be read
 };
 
-}  // namespace
-
+// `program` is the reader.
 Sandbox reader_sandbox(const fs::path& program, Isolation isolation) {
   Sandbox sandbox;
   sandbox.isolation = isolation;
@@ -178,6 +177,8 @@ Sandbox reader_sandbox(const fs::path& program, Isolation isolation) {
   return sandbox;
 }
 
+}  // namespace
+
 SandboxedReader::SandboxedReader(const fs::path& program, Isolation isolation) {
   if (!fs::exists(program)) throw BadInput(program.string() + " is missing; build the target grading");
   fs::copy_file(program, folder_.path() / kProgram);
@@ -185,14 +186,9 @@ SandboxedReader::SandboxedReader(const fs::path& program, Isolation isolation) {
   sandbox_ = reader_sandbox(folder_.path() / kProgram, isolation);
 }
 
-std::unique_ptr<Container> SandboxedReader::open(const ArchiveSource& source, const std::string& shown,
-                                                 ArchiveLimits limits) const {
-  return std::make_unique<SandboxedArchive>(sandbox_, source, shown, limits);
-}
-
 OpenArchive SandboxedReader::opener() const {
   return [this](const ArchiveSource& source, const std::string& shown, ArchiveLimits limits) {
-    return open(source, shown, limits);
+    return std::make_unique<SandboxedArchive>(sandbox_, source, shown, limits);
   };
 }
 

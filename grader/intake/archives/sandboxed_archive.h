@@ -22,20 +22,14 @@ class SandboxedReader {
   // SandboxedReader must ignore SIGPIPE: a reader may end at any time.
   explicit SandboxedReader(const std::filesystem::path& program, Isolation isolation = Isolation::namespaces);
 
-  // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. The
-  // container must not outlive this object, and may be visited once. Its list and visit throw Unreadable if a
-  // reader breaks down, takes too much time or memory, or deviates from the protocol.
-  std::unique_ptr<Container> open(const ArchiveSource& source, const std::string& shown,
-                                  ArchiveLimits limits) const;
-
+  // It throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all.
+  // A container must not outlive this object, and may be visited once. Its list and visit throw Unreadable if
+  // a reader breaks down, takes too much time or memory, or deviates from the protocol.
   OpenArchive opener() const;
 
  private:
   StagingFolder folder_;
   Sandbox sandbox_;
 };
-
-// Returns the sandbox of a reader, whose program is the file `program`.
-Sandbox reader_sandbox(const std::filesystem::path& program, Isolation isolation);
 
 }  // namespace grader::intake

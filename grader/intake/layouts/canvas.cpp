@@ -64,7 +64,7 @@ std::optional<NamedPath> read_canvas(std::string_view name, bool is_folder, cons
   return named;
 }
 
-void settle_canvas(std::vector<NamedPath*>& names) {
+void settle_canvas(const std::vector<NamedPath*>& names) {
   // A file's number belongs to one file. If two names share it, it is a student's number, and the name ends
   // with digits.
   constexpr std::size_t kMostOthers = 3;

@@ -1,4 +1,4 @@
-// STAFF ONLY. Reads Gradescope's export (gradescope.h): folders without names, and a file with the names.
+// STAFF ONLY. Reads the owners in Gradescope's export.
 #include "grader/intake/layouts/gradescope.h"
 
 #include <yaml-cpp/yaml.h>
@@ -6,8 +6,7 @@
 #include <algorithm>
 
 #include "grader/course/input.h"
-#include "grader/intake/layouts/match.h"
-#include "grader/intake/layouts/system.h"
+#include "grader/intake/names/names.h"
 
 namespace grader::inline intake {
 namespace {
@@ -46,20 +45,6 @@ Owner gradescope_owner(const YAML::Node& row, const std::string& folder) {
 }
 
 }  // namespace
-
-std::optional<NamedPath> read_gradescope(std::string_view name, bool is_folder, const Around&) {
-  static const std::regex kName("submission_([0-9]+)");
-  NamedPath named;
-  if (!is_folder && name == kGradescopeMetadata) {
-    named.kind = NamedPath::Kind::made;
-    return named;
-  }
-  const auto parts = groups_of(name, kName);
-  if (!parts || !is_folder) return {};
-  named.owner.id = parts->at(1);
-  named.stem = name;
-  return named;
-}
 
 std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string& yaml,
                                                               const std::string& file) {

@@ -1,5 +1,5 @@
 // STAFF ONLY. A learning system's names: the files and folders directly in a download identify hand-ins by
-// their names. Each system is a row (table.cpp), and has a file of its own. Students choose the last part of
+// their names. Each system is a row (systems.cpp). Students choose the last part of
 // a flat name, and all names below a folder; these must not change the owner.
 #pragma once
 
@@ -47,7 +47,7 @@ struct System {
   std::string_view shown;    // is for people
   std::string_view example;  // is an example of its names
   std::optional<NamedPath> (*read)(std::string_view name, bool is_folder, const Around& around);
-  void (*settle)(std::vector<NamedPath*>& names) = nullptr;  // changes them by a rule about all names
+  void (*settle)(const std::vector<NamedPath*>& names) = nullptr;  // changes them by a rule about all names
   bool files_have_versions = false;  // a version is one file's; else all files of a hand-in share it
 };
 
@@ -68,17 +68,6 @@ struct Told {
 std::optional<Told> told_by_name(std::string_view name, bool is_folder, const KnownOwner& known = {});
 
 std::optional<NamedPath> read_canvas(std::string_view name, bool is_folder, const Around& around);
-std::optional<NamedPath> read_moodle(std::string_view name, bool is_folder, const Around& around);
-std::optional<NamedPath> read_brightspace(std::string_view name, bool is_folder, const Around& around);
-std::optional<NamedPath> read_blackboard(std::string_view name, bool is_folder, const Around& around);
-std::optional<NamedPath> read_classroom(std::string_view name, bool is_folder, const Around& around);
-std::optional<NamedPath> read_gradescope(std::string_view name, bool is_folder, const Around& around);
-std::optional<NamedPath> read_autolab(std::string_view name, bool is_folder, const Around& around);
-
-void settle_canvas(std::vector<NamedPath*>& names);
-void settle_moodle(std::vector<NamedPath*>& names);
-void settle_brightspace(std::vector<NamedPath*>& names);
-void settle_blackboard(std::vector<NamedPath*>& names);
-void settle_classroom(std::vector<NamedPath*>& names);
+void settle_canvas(const std::vector<NamedPath*>& names);
 
 }  // namespace grader::intake

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "grader/intake/names/exercise_names.h"
+
 namespace grader::inline intake {
 namespace {
 
@@ -19,13 +21,9 @@ constexpr std::array<std::string_view, 8> kDocuments{".pdf", ".doc",   ".docx", 
                                                      ".rtf", ".pages", ".ppt",  ".pptx"};
 
 std::size_t ending_length(std::string_view name, std::span<const std::string_view> endings) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-  for (const std::string_view ending : endings) {
-    if (lower.ends_with(ending)) return ending.size();
-  }
-  return 0;
+  const std::string lower = in_lower_case(name);
+  const auto found = std::ranges::find_if(endings, [&](auto ending) { return lower.ends_with(ending); });
+  return found == endings.end() ? 0 : found->size();
 }
 
 }  // namespace

@@ -44,6 +44,12 @@ void each_folder(std::string_view path, Take take) {
   }
 }
 
+bool any_folder(std::string_view path, const auto& holds) {
+  bool any = false;
+  each_folder(path, [&](std::string_view name) { any = any || holds(name); });
+  return any;
+}
+
 // Splits a path into its text and its version numbers.
 struct Place {
   std::string without_numbers;
@@ -76,22 +82,17 @@ bool is_build(std::string_view folder) {
 }
 
 bool lies_in_a_build(std::string_view path) {
-  bool in_a_build = false;
-  each_folder(path, [&](std::string_view name) { in_a_build = in_a_build || is_build(name); });
-  return in_a_build;
+  return any_folder(path, is_build);
 }
 
 bool is_set_aside(std::string_view path) {
-  bool aside = false;
-  each_folder(in_lower_case(path), [&](std::string_view name) { aside = aside || is_aside(name); });
-  return aside;
+  return any_folder(in_lower_case(path), is_aside);
 }
 
 std::size_t put_best_first(std::vector<Candidate>& candidates) {
   constexpr std::ptrdiff_t kMostCompared = 64;  // bounds the search for versions
   const auto rank = [](const Candidate& one) {
-    bool given = false;
-    each_folder(in_lower_case(one.path), [&](std::string_view name) { given = given || name == "student"; });
+    const bool given = any_folder(in_lower_case(one.path), [](auto name) { return name == "student"; });
     return std::tuple(is_set_aside(one.path), one.renamed, !given);
   };
   auto least = rank(candidates.front());

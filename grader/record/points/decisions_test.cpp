@@ -14,6 +14,8 @@
 namespace grader::inline record {
 namespace {
 
+using tests::says;
+
 SubmissionResult alice(double second_category = 1.5) {
   ExerciseResult one, two;
   one.id = "S1";
@@ -79,8 +81,7 @@ TEST_F(Decisions, SurviveEachRegradeAndListWhatHasChanged) {
   shorter.exercises[1].cases.pop_back();
   record_.put({shorter});
   EXPECT_EQ(now().exercises, shorter.exercises);
-  EXPECT_NE(conflicts(shorter, record_.decisions("alice")).at(0).find("now there is no H2.2"),
-            std::string::npos);
+  EXPECT_TRUE(says(conflicts(shorter, record_.decisions("alice")).at(0), "now there is no H2.2"));
   record_.put({alice(5)});
   decide(DecisionKind::points, "H2.2", 4.5);
   EXPECT_TRUE(conflicts(alice(5), record_.decisions("alice")).empty()) << "it was decided again";
@@ -99,7 +100,7 @@ TEST_F(Decisions, OfAnExerciseAndItsCategoryContradict) {
   decide(DecisionKind::comment, "H2", 0, "a word");
   record_.undo("alice", DecisionKind::points, "H2.2");
   decide(DecisionKind::points, "H2", 6);
-  EXPECT_NE(refusal(DecisionKind::points, "H2.2", 2.5).find("unset H2 first"), std::string::npos);
+  EXPECT_TRUE(says(refusal(DecisionKind::points, "H2.2", 2.5), "unset H2 first"));
   const Decision whole = record_.decisions("alice").at(1),
                  part{DecisionKind::points, "H2.2", 2, 1.5, "", "tom"};
   EXPECT_EQ(points(decided(alice(), {part, whole})), 4 + 6 + 0.5) << "as an older record has them";
@@ -111,7 +112,7 @@ TEST_F(Decisions, ExcuseFromAnExerciseOrFromAll) {
   decide(DecisionKind::excuse, "H2");
   EXPECT_EQ(points(now()), 4);
   EXPECT_EQ(max_points(now()), 5);
-  EXPECT_NE(refusal(DecisionKind::points, "H2.2", 3).find("unset the excuse first"), std::string::npos);
+  EXPECT_TRUE(says(refusal(DecisionKind::points, "H2.2", 3), "unset the excuse first"));
   EXPECT_EQ(refusal(DecisionKind::points, "S1", 3), "");
   EXPECT_EQ(now().exercises[0].status, alice().exercises[0].status);
   EXPECT_EQ(now().exercises[1].status, Status::excused);
@@ -144,7 +145,7 @@ TEST_F(Decisions, ThatCanNotBeAreRefusedInOneLine) {
   EXPECT_NE(refusal(DecisionKind::points, "", 1), "");
   EXPECT_NE(refusal(DecisionKind::late_days, "", -1), "");
   EXPECT_NE(refusal(DecisionKind::excuse, "H2.2", 0), "");
-  EXPECT_NE(refusal(DecisionKind::points, "H2.2", 2, " ").find("--why"), std::string::npos);
+  EXPECT_TRUE(says(refusal(DecisionKind::points, "H2.2", 2, " "), "--why"));
   EXPECT_EQ(now(), alice());
   EXPECT_THROW(record_.decide("nobody", {DecisionKind::excuse, "", 0, 0, "because"}), BadInput);
   EXPECT_THROW(record_.undo("alice", DecisionKind::points, "H2.2"), BadInput);

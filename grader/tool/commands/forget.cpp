@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "grader/class_folder/class_files.h"
-#include "grader/class_folder/folder_lock.h"
+#include "grader/class_folder/folder_of_grades.h"
 #include "grader/class_folder/shared_plan.h"
 #include "grader/course/input.h"
 #include "grader/report/report.h"

@@ -9,7 +9,6 @@
 #include "grader/gradebook/feedback.h"
 #include "grader/gradebook/filling.h"
 #include "grader/gradebook/recorded_grades.h"
-#include "grader/gradebook/rows.h"
 #include "grader/grading/isolation_here.h"
 #include "grader/intake/archives/sandboxed_archive.h"
 #include "grader/intake/submission.h"
@@ -43,7 +42,7 @@ const std::map<std::string, Fill>& fills() {
 
 Gradebook gradebook_of(const GradebookOptions& options, Record& record, const std::vector<Grade>& grades) {
   std::optional<Roster> roster;
-  if (options.roster) roster = read_roster(*options.roster);
+  if (options.roster) roster = Roster(read_csv(*options.roster));
   const FillOptions filling{options.column.empty() ? record.rules().column : options.column, options.scale,
                             roster ? &*roster : nullptr, options.overwrite, [&](const std::string& hand_in) {
                               return first_lines(record.find_decided(hand_in)->result);
@@ -103,8 +102,8 @@ std::vector<std::string> files_in(const fs::path& download) {
   const SandboxedReader reader(HAIR_READER, isolation_here(kit, {}));
   try {
     const auto archive =
-        reader.open(download, download.filename().string(),
-                    {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
+        reader.opener()(download, download.filename().string(),
+                        {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
     for (const Entry& entry : archive->list()) files.push_back(entry.path);
   } catch (const std::exception& problem) {
     throw BadInput(printable(download.string(), 4096) + ": can't be read (" + problem.what() +

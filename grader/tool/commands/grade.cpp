@@ -7,9 +7,8 @@
 #include "grader/class_folder/at_rest.h"
 #include "grader/class_folder/batch.h"
 #include "grader/class_folder/blind.h"
-#include "grader/class_folder/changes_page.h"
+#include "grader/class_folder/class_files.h"
 #include "grader/class_folder/folder_of_grades.h"
-#include "grader/class_folder/rows.h"
 #include "grader/class_folder/says_yes.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
@@ -91,9 +90,9 @@ void say_changes(Record& record) {
 
 int grade(GradeOptions options) {
   if (!options.slurm.step.empty()) return do_step(std::move(options));
-  if (options.roster) options.batch.roster = read_roster(*options.roster);
+  if (options.roster) options.batch.roster = Roster(read_csv(*options.roster));
   std::optional<Times> times;
-  if (options.times) times = read_times(*options.times);
+  if (options.times) times.emplace(read_csv(*options.times));
   options.settings.jobs = options.batch.jobs;
   const std::string& hand_in = options.batch.hand_in;
   const HandInRules rules = read_hand_in(read_course(HAIR_EXERCISES_JSON, options.settings.course),

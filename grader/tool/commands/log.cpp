@@ -2,10 +2,10 @@
 // of the last grading, and all of it as JSON for other programs.
 #include <iostream>
 
-#include "grader/class_folder/changes_page.h"
+#include "grader/class_folder/class_files.h"
 #include "grader/course/input.h"
 #include "grader/gradebook/recorded_grades.h"
-#include "grader/record/published.h"
+#include "grader/record/changes.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/report.h"
 #include "grader/result/json_fields.h"
@@ -23,7 +23,7 @@ std::string in_short(const LogEntry& entry) {
   }
   if (entry.did != "graded") return entry.detail;
   double sum = 0;
-  for (const PointsThen& one : points_then(entry.detail, "the log")) sum += one.points;
+  for (const PointsThen& one : points_then(entry)) sum += one.points;
   return shown_points(sum) + " points computed";
 }
 

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "grader/class_folder/class_files.h"
-#include "grader/class_folder/folder_lock.h"
+#include "grader/class_folder/folder_of_grades.h"
 #include "grader/course/input.h"
 #include "grader/review/desk.h"
 #include "grader/tool/commands/command.h"

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "grader/class_folder/blind.h"
-#include "grader/class_folder/rows.h"
+#include "grader/class_folder/plan.h"
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/grading/isolation_here.h"

@@ -1,11 +1,15 @@
-// STAFF ONLY. Writes feedback under the names of attachments.
+// STAFF ONLY. Writes feedback under the names of attachments, for Canvas, and under participants' numbers,
+// for Moodle.
+#include "grader/gradebook/feedback.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <optional>
 
-#include "grader/gradebook/feedback.h"
+#include "grader/course/input.h"
+#include "grader/roster/roster.h"
+#include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
@@ -40,33 +44,19 @@ struct Attachment {
   }
 };
 
-bool is_number(const std::string& field) {
-  return !field.empty() && std::ranges::all_of(field, [](unsigned char c) { return std::isdigit(c) != 0; });
-}
-
-std::vector<std::string> fields_of(const std::string& name) {
-  std::vector<std::string> fields{""};
-  for (const char c : name)
-    if (c == '_')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  return fields;
-}
-
 // Reads "doejane_LATE_4711_90001_main.cpp", or "anon_aB3dE_90021_main.cpp", of this person. A group's name
 // may have numbers of its own.
 std::optional<Attachment> attachment(const std::string& path, const Owner& owner) {
-  const std::string name = path.substr(path.rfind('/') + 1);
-  if (name.starts_with("._")) return {};
-  const std::vector<std::string> fields = fields_of(name);
-  for (std::size_t i = 0; i + 2 < fields.size(); ++i) {
-    const bool anonymous = owner.anonymous && i > 0 && fields[i - 1] == "anon";
-    if (fields[i] != owner.id || !is_number(fields[i + 1]) || (owner.anonymous && !anonymous)) continue;
-    Attachment found{(anonymous ? "anon_" : "") + owner.id, fields[i + 1], fields[i + 2]};
-    for (std::size_t j = i + 3; j < fields.size(); ++j) found.file += "_" + fields[j];
-    if (fields.back().starts_with("link")) return {};  // Canvas takes it for a link that was handed in
-    return found;
+  const std::string name = "_" + path.substr(path.rfind('/') + 1), id = "_" + owner.id + "_";
+  if (name.starts_with("_._")) return {};
+  for (std::size_t at = name.find(id); at != name.npos; at = name.find(id, at + 1)) {
+    const std::string rest = name.substr(at + id.size());
+    const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    const bool anonymous = owner.anonymous && name.substr(0, at).ends_with("_anon");
+    if (digits == 0 || rest.substr(digits, 1) != "_" || (owner.anonymous && !anonymous)) continue;
+    // Canvas takes it for a link that was handed in.
+    if (rest.compare(rest.rfind('_') + 1, 4, "link") == 0) return {};
+    return Attachment{(anonymous ? "anon_" : "") + owner.id, rest.substr(0, digits), rest.substr(digits + 1)};
   }
   return {};
 }
@@ -79,6 +69,11 @@ std::string packed(Form form, const std::string& page) {
   else
     write_tar_gz(folder.path() / "x", entries);
   return hair::bytes_of(folder.path() / "x");
+}
+
+// Returns the word in "Participant 4711", in the worksheet's language.
+std::string word_of(const std::string& identifier) {
+  return squeezed(identifier.substr(0, identifier.find_last_not_of("0123456789") + 1));
 }
 
 }  // namespace
@@ -131,6 +126,60 @@ Feedback feedback_for_canvas(const std::vector<std::string>& files, const std::v
                             " get the report as plain text under the name of a file that they handed in, "
                             "such as main.cpp: tell them");
   feedback.said.emplace_back("Canvas takes no scores from this archive: give those by its gradebook");
+  return feedback;
+}
+
+Feedback feedback_for_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const ReportOf& report) {
+  std::size_t identifier = column_of(worksheet, "Identifier");
+  if (identifier == kNoColumn)
+    if (const std::optional<Worksheet> sheet = worksheet_by_form(worksheet)) identifier = sheet->identifier;
+  if (identifier == kNoColumn)
+    throw BadInput(
+        place_of(worksheet, worksheet.rows.front()) +
+        ": no title is \"Identifier\", and the table has not the form of a worksheet, which begins with "
+        "\"Participant 4711\"; download the grading worksheet of the assignment");
+  const Roster roster(worksheet);
+  std::map<std::size_t, std::string> words;
+  for (const Csv::Row& row : worksheet.rows) words[row.line] = word_of(composed(row.at(identifier)));
+
+  Feedback feedback;
+  std::map<std::string, std::vector<const Grade*>> by_number;
+  for (const Grade& grade : grades) {
+    const bool members = !grade.owner.members.empty();
+    for (const Owner& owner : members ? grade.owner.members : std::vector{grade.owner}) {
+      const Roster::Match match = roster.find(owner, "moodle");
+      std::string why_not = match.told;
+      if (match.person && why_not.empty()) {
+        const Person& person = roster.people()[*match.person];
+        // A blind worksheet has no names, and a download of teams no participants.
+        if (person.name.empty() && !owner.name.empty() && squeezed(owner.name) != words[person.line] &&
+            !owner.anonymous)
+          why_not = "number " + owner.id + " is a participant's in the worksheet, and " +
+                    composed(owner.name) + " is a team's name or another person's";
+        else
+          by_number[person.id(IdKind::participant)].push_back(&grade);
+      }
+      if (!why_not.empty())
+        feedback.said.push_back(grade.hand_in +
+                                (members ? ", " + composed(owner.name.empty() ? owner.id : owner.name) : "") +
+                                ": gets no feedback: " + why_not);
+    }
+  }
+  for (const auto& [number, theirs] : by_number) {
+    if (theirs.size() > 1) {
+      feedback.said.push_back("participant " + number + ": gets no feedback: both " + theirs[0]->hand_in +
+                              " and " + theirs[1]->hand_in + " are theirs");
+      continue;
+    }
+    std::string who = theirs[0]->hand_in;
+    std::ranges::replace(who, '_', '-');  // Moodle splits at it
+    feedback.entries.push_back({.path = who + "_" + number + "_assignfeedback_file/report.html",
+                                .bytes = report(theirs[0]->hand_in).page,
+                                .link = ""});
+  }
+  feedback.said.emplace_back(
+      "each gets report.html as a feedback file; Moodle takes no grades from this archive: give those by its "
+      "worksheet");
   return feedback;
 }
 
