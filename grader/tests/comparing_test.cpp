@@ -38,7 +38,7 @@ class Comparing : public testing::Test {
   string path(const string& name) const { return (folder_ / name).string(); }
   string out() const { return path("out"); }
   string put(const string& name, const Image& image) const {
-    hair::write_png(folder_ / name, image);
+    hair::write_file(folder_ / name, hair::encode_png(image));
     return path(name);
   }
 
