@@ -1,4 +1,4 @@
-// STAFF ONLY. Encodes bytes with libsodium.
+// STAFF ONLY. Decodes bytes with libsodium.
 #include "grader/result/base64.h"
 
 #include <sodium.h>
@@ -6,14 +6,6 @@
 #include <stdexcept>
 
 namespace grader::inline result {
-
-std::string base64(std::string_view bytes) {
-  std::string text(sodium_base64_encoded_len(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-  text.pop_back();  // drops the NUL at its end
-  return text;
-}
 
 std::string from_base64(std::string_view text) {
   std::string bytes(text.size() / 4 * 3, '\0');

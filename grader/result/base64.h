@@ -1,12 +1,14 @@
-// STAFF ONLY. Writes bytes as text, for pages and JSON: base64 with padding (RFC 4648, section 4).
+// STAFF ONLY. Bytes as text, for pages and JSON.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "hair/io/files/base64.h"
+
 namespace grader::inline result {
 
-std::string base64(std::string_view bytes);
+using hair::base64;
 
 // Decodes the text. Throws std::invalid_argument for text that base64() can't produce.
 std::string from_base64(std::string_view text);
