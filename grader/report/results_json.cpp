@@ -10,7 +10,7 @@
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
 #include "hair/io/image/read_png.h"
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 #include "hair/io/plot/html.h"
 #include "hair/io/plot/readable.h"
 

@@ -4,7 +4,7 @@
 #include <sodium.h>
 
 #include "grader/result/json_fields.h"
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 
 namespace grader::inline result {
 

@@ -27,7 +27,7 @@ class Comparing : public InAFolder {
   Comparing() : InAFolder(json::object()) {}
   string out() const { return path("out"); }
   string put(const string& name, const Image& image) const {
-    hair::write_png(root_ / name, image);
+    hair::write_file(root_ / name, hair::encode_png(image));
     return path(name);
   }
 

@@ -12,8 +12,6 @@
 namespace reference_tests {
 namespace {
 
-using hair::Synthesis, hair::SynthesisMode;
-
 using hair::Parents, hair::Synthesis, hair::SynthesisDescription, hair::SynthesisMode;
 
 constexpr int kCurlPoints = 25, kChildren = 4000;
@@ -132,9 +130,7 @@ TEST(Parting, NoStrandGrowsBetweenItsTwoSides) {
     const SynthesisDescription description = parted_disc(mode);
     Synthesis synthesis(description);
     const VectorXd guides = combed_guides(description.guides);
-    std::vector<double> made(3 * kPointsOfParted * description.children.size());
-    synthesis.make({guides.data(), static_cast<std::size_t>(guides.size())}, Eigen::Matrix3d::Identity(), {},
-                   std::span<double>(made));
+    const std::vector<double> made = make_all(synthesis, guides);
     for (std::size_t child = 0; child < description.children.size(); ++child) {
       const RootFrame& root = description.children[child];
       const double tip = made[3 * (kPointsOfParted * (child + 1) - 1)];

@@ -13,8 +13,11 @@
 #include <vector>
 
 #include "hair/dense/parents.h"
+#include "hair/dense/root_box.h"
 #include "hair/obstacles/obstacles.h"
+#include "hair/simulation/strand_threads.h"
 #include "hair/strand/rest_shape.h"
+#include "hair/strand_synthesis.h"
 
 namespace hair {
 
@@ -49,6 +52,8 @@ struct SynthesisCounts {
   int guides_used = 0, guides_idle = 0;  // idle: it makes no child in view
 };
 
+class Disorder;
+
 class Synthesis {
  public:
   // Throws std::invalid_argument for less than one guide, two points or one thread, for guides or children
@@ -58,9 +63,9 @@ class Synthesis {
   Synthesis(const Synthesis&) = delete;
   Synthesis& operator=(const Synthesis&) = delete;
 
-  int children() const;
-  int points() const;
-  const Parents& parents(int child) const;
+  int children() const { return static_cast<int>(parents_.size()); }
+  int points() const { return n_; }
+  const Parents& parents(int child) const { return parents_[static_cast<std::size_t>(child)]; }
   // The largest distance by which clumps and fly-aways move a child's points, if its guides end at most `far`
   // from its root.
   double disorder(int child, double far) const;
@@ -71,15 +76,40 @@ class Synthesis {
   // a box that holds it lies outside of one of them.
   SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
                        std::span<double> strands);
-  SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
-                       std::span<float> strands);
 
-  std::span<const int> in_view() const;           // result of the last call of make
-  const std::vector<char>& guide_in_use() const;  // 0: idle, and need not have been simulated
+  std::span<const int> in_view() const { return in_view_; }  // result of the last call of make
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  static constexpr char kShape = 1, kWisp = 2;  // bits: the uses of a guide
+
+  bool shapes() const { return given_.mode != SynthesisMode::extrapolate; }
+  bool wisps() const { return given_.mode != SynthesisMode::interpolate; }
+  template <class Task>
+  void run(int count, const Task& task);
+  GuideHair guide(int i) const;
+  void place_guides(bool with_boxes);
+  RootFrame child_root(int child) const;
+  double reach_of(int child, const RootFrame& root, const Vector3d& direction) const;
+  double farthest(const Parents& parents, const RootFrame& root) const;
+  bool is_out_of(std::span<const Plane> view, int child) const;
+  void choose(std::span<const Plane> view);
+  void make_child(int thread, int child, double* strand);
+
+  SynthesisDescription given_;
+  StrandThreads threads_;
+  int n_;
+  std::vector<Parents> parents_;
+  std::vector<double> spreads_, sizes_;  // for each child
+  std::unique_ptr<Disorder> disorder_;
+
+  const double* points_ = nullptr;
+  ScalpTurn turn_;
+  std::vector<RootFrame> roots_;  // the guides' present ones
+  std::vector<RootBox> boxes_;
+  std::vector<char> in_use_, outside_;
+  std::vector<int> in_view_;
+  std::vector<GuideFrames> frames_;
+  Eigen::MatrixXd scratch_;  // two strands a thread
 };
 
 // A frame for each normal along a scalp, without a jump between neighbours: the frame of `pole`, turned by

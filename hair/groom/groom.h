@@ -48,6 +48,11 @@ inline std::array<LookPart, 3> parts_of(const GroomLook& look) {
             look.colours}}};
 }
 
+// The numbers of each point, in the order of parts_of; they point into `look`.
+inline std::array<std::vector<float>*, 3> numbers_of_points(GroomLook& look) {
+  return {&look.thicknesses, &look.transparencies, &look.colours};
+}
+
 struct Groom {
   std::vector<Eigen::VectorXd> strands;  // 3n numbers each, n >= 1, from the root to the tip; in the file's
                                          // unit. n = 1: a bald root, where no hair grows

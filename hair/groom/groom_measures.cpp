@@ -1,9 +1,7 @@
 #include "hair/groom/groom_measures.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -17,16 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kScalp = 0.2;        // m
 constexpr std::size_t kFewRoots = 3;  // so few roots do not show a scalp
-
-void include(GroomBox& box, const Vector3d& point) {
-  box.low = box.low.cwiseMin(point);
-  box.high = box.high.cwiseMax(point);
-}
-
-GroomBox nothing() {
-  const Vector3d far = Vector3d::Constant(std::numeric_limits<double>::infinity());
-  return {far, -far};
-}
 
 class Count {
  public:
@@ -89,7 +77,6 @@ GroomMeasures measure_groom(const Groom& groom) {
   GroomMeasures measures;
   measures.strands = static_cast<long>(groom.strands.size());
   measures.points = points_of(groom);
-  measures.box = measures.roots = nothing();
   Gathered all;
   std::vector<Vector3d> roots;
   for (std::size_t i = 0; i < groom.strands.size(); ++i) {
@@ -98,15 +85,15 @@ GroomMeasures measure_groom(const Groom& groom) {
       all.not_finite.add(i);
       continue;
     }
-    for (Eigen::Index k = 0; k < x.size(); k += 3) include(measures.box, x.segment<3>(k));
-    include(measures.roots, x.head<3>());
+    for (Eigen::Index k = 0; k < x.size(); k += 3) measures.box.extend(x.segment<3>(k));
+    measures.roots.extend(x.head<3>());
     roots.emplace_back(x.head<3>());
     if (points_of(x) < 2)
       all.bald.add(i);
     else
       gather(x, i, all);
   }
-  if (roots.empty()) measures.box = measures.roots = {};
+  if (roots.empty()) measures.box = measures.roots = Eigen::AlignedBox3d(Vector3d::Zero());
   measures.points_of_strand = spread_of(all.points);
   measures.length = spread_of(all.lengths);
   measures.segment = spread_of(all.segments);
@@ -122,7 +109,7 @@ GroomMeasures measure_groom(const Groom& groom) {
                               "points where the point before is; scenes refuse them", measures.odd);
   all.sharp.say("joint that bends by more than 154 degrees; scenes refuse it",
                 "joints that bend by more than 154 degrees; scenes refuse them", measures.odd);
-  const double span = (measures.roots.high - measures.roots.low).maxCoeff();
+  const double span = measures.roots.sizes().maxCoeff();
   if (roots.size() > kFewRoots && span > 0) measures.unit_guess = kScalp / span;
   measures.root_sphere = sphere_through(roots);
   return measures;

@@ -1,6 +1,7 @@
 // Statistics of a groom: numbers of strands, lengths, curvatures, positions, and oddities.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,6 @@ struct Oddity {
   std::size_t strand;  // the first one
 };
 
-struct GroomBox {
-  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = Eigen::Vector3d::Zero();
-};
-
 // Statistics of the strands with two points or more, all of them finite; lengths in the groom's unit.
 struct GroomMeasures {
   long strands = 0, points = 0;  // all strands and all points
@@ -37,7 +34,7 @@ struct GroomMeasures {
   // At each point between two segments without length 0: the inverse radius of the circle through the three
   // points (Menger's curvature), and the angle in degrees by which the line turns.
   Spread curvature, bend;
-  GroomBox box, roots;  // the finite ones of all points, and of all roots
+  Eigen::AlignedBox3d box, roots;  // they hold the finite ones of all points, and of all roots
   // The metres in a unit if the roots' box is as long as a scalp, 0.2 m; 0 if there are too few roots.
   double unit_guess = 0;
   std::optional<RootSphere> root_sphere;  // the best fit to the roots: about the head's

@@ -11,9 +11,9 @@ namespace hair {
 namespace {
 
 constexpr std::size_t kHeader = 128, kInfo = 40;
-// The bits of the arrays.
+// The bits of the arrays. Those of the look have the bits after these, in the order of parts_of.
 struct Array {
-  enum : std::uint32_t { segments = 1, points = 2, thickness = 4, transparency = 8, colours = 16, all = 31 };
+  enum : std::uint32_t { segments = 1, points = 2, thickness = 4, all = 31 };
 };
 
 struct Header {
@@ -37,9 +37,8 @@ Header read_header(const GroomBytes& file) {
   std::uint64_t expected = kHeader, n = header.points;
   if (header.arrays & Array::segments) expected += 2 * static_cast<std::uint64_t>(header.strands);
   if (header.arrays & Array::points) expected += 12 * n;
-  if (header.arrays & Array::thickness) expected += 4 * n;
-  if (header.arrays & Array::transparency) expected += 4 * n;
-  if (header.arrays & Array::colours) expected += 12 * n;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (header.arrays & Array::thickness << k) expected += 4 * parts_of({})[k].size * n;
   if (expected != file.size())
     file.fail("has " + std::to_string(file.size()) + " bytes, and its header says " +
               std::to_string(expected) + "; it is cut off or damaged");
@@ -68,16 +67,6 @@ std::vector<std::uint32_t> read_counts(const GroomBytes& file, const Header& hea
   return counts;
 }
 
-std::vector<float> read_array(const GroomBytes& file, std::size_t& at, std::size_t count,
-                              const std::string& what) {
-  std::vector<float> array(count);
-  for (float& number : array) {
-    number = file.real(at, what);
-    at += 4;
-  }
-  return array;
-}
-
 GroomLook read_look(const GroomBytes& file, const Header& header, std::size_t at) {
   GroomLook look;
   const float thickness = file.real(20, "the thickness");
@@ -89,11 +78,16 @@ GroomLook read_look(const GroomBytes& file, const Header& header, std::size_t at
   std::copy(info.begin(), info.end(), look.info.begin());
   look.own_segments = (header.arrays & Array::segments) != 0;
   if (look.own_segments) look.segments = header.segments;
-  const std::size_t n = header.points;
-  if (header.arrays & Array::thickness) look.thicknesses = read_array(file, at, n, "the points' thickness");
-  if (header.arrays & Array::transparency)
-    look.transparencies = read_array(file, at, n, "the points' transparency");
-  if (header.arrays & Array::colours) look.colours = read_array(file, at, 3 * n, "the points' colour");
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(header.arrays & Array::thickness << k)) continue;
+    const LookPart part = parts_of(look)[k];
+    std::vector<float>& numbers = *numbers_of_points(look)[k];
+    numbers.resize(part.size * header.points);
+    for (float& number : numbers) {
+      number = file.real(at, "the points' " + std::string(part.name));
+      at += 4;
+    }
+  }
   return look;
 }
 
@@ -138,9 +132,8 @@ std::string hair_file_of(const Groom& groom) {
 
   std::uint32_t arrays = Array::points;
   if (own) arrays |= Array::segments;
-  if (!look.thicknesses.empty()) arrays |= Array::thickness;
-  if (!look.transparencies.empty()) arrays |= Array::transparency;
-  if (!look.colours.empty()) arrays |= Array::colours;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!parts_of(look)[k].of_each.empty()) arrays |= Array::thickness << k;
   std::string bytes = "HAIR";
   put_number(bytes, static_cast<std::uint32_t>(groom.strands.size()));
   put_number(bytes, static_cast<std::uint32_t>(points_of(groom)));
@@ -154,9 +147,7 @@ std::string hair_file_of(const Groom& groom) {
     for (const Eigen::VectorXd& x : groom.strands) put_number(bytes, segments_of(x), 2);
   for (const Eigen::VectorXd& x : groom.strands)
     for (const double number : x) put_real(bytes, static_cast<float>(number));
-  put_reals(bytes, look.thicknesses);
-  put_reals(bytes, look.transparencies);
-  put_reals(bytes, look.colours);
+  for (const LookPart& part : parts_of(look)) put_reals(bytes, part.of_each);
   return bytes;
 }
 

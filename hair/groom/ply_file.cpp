@@ -21,11 +21,9 @@ struct Parts {
 };
 
 // The number that means 1 in a colour's properties; 0 if this type can't store colours.
-float whole_colour(PlyType type) {
-  return type == PlyType::u8                            ? 255
-         : type == PlyType::u16                         ? 65535
-         : type == PlyType::f32 || type == PlyType::f64 ? 1
-                                                        : 0;
+float whole_colour(const PlyType& type) {
+  if (!type.whole) return 1;
+  return type.least == 0 && type.size <= 2 ? static_cast<float>(type.most) : 0;
 }
 
 // Properties of each vertex that go to one array, one after the other.
@@ -44,7 +42,7 @@ std::vector<Column> look_columns(const PlyElement& element, GroomLook& look) {
       const int at = element.find(name);
       if (at < 0) return;
       column.from.push_back(static_cast<std::size_t>(at));
-      const float whole = colour ? whole_colour(element.properties[column.from.back()].type) : 1;
+      const float whole = colour ? whole_colour(*element.properties[column.from.back()].type) : 1;
       if (whole == 0 || (column.from.size() > 1 && whole != column.whole)) return;
       column.whole = whole;
     }

@@ -1,13 +1,14 @@
 #include "hair/groom/ply_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,46 +20,34 @@ namespace hair {
 
 namespace {
 
-// Files use both sets of names.
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{{"char", PlyType::i8},
-                                                                          {"uchar", PlyType::u8},
-                                                                          {"short", PlyType::i16},
-                                                                          {"ushort", PlyType::u16},
-                                                                          {"int", PlyType::i32},
-                                                                          {"uint", PlyType::u32},
-                                                                          {"float", PlyType::f32},
-                                                                          {"double", PlyType::f64},
-                                                                          {"int8", PlyType::i8},
-                                                                          {"uint8", PlyType::u8},
-                                                                          {"int16", PlyType::i16},
-                                                                          {"uint16", PlyType::u16},
-                                                                          {"int32", PlyType::i32},
-                                                                          {"uint32", PlyType::u32},
-                                                                          {"float32", PlyType::f32},
-                                                                          {"float64", PlyType::f64}}};
-
-std::optional<PlyType> type_named(std::string_view name) {
-  const auto* const found =
-      std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& one) { return one.first == name; });
-  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
+template <class T>
+constexpr PlyType type_of(std::string_view name, std::string_view other_name) {
+  using Limits = std::numeric_limits<T>;
+  return {name,
+          other_name,
+          sizeof(T),
+          Limits::is_integer,
+          static_cast<double>(Limits::lowest()),
+          static_cast<double>(Limits::max()),
+          [](std::uint64_t bits) {
+            if constexpr (std::same_as<T, float>)
+              return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+            else if constexpr (std::same_as<T, double>)
+              return std::bit_cast<double>(bits);
+            else
+              return static_cast<double>(static_cast<T>(bits));
+          }};
 }
 
-std::size_t size_of(PlyType type) {
-  constexpr std::array<std::size_t, 8> sizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
-
-bool is_whole(PlyType type) {
-  return type != PlyType::f32 && type != PlyType::f64;
-}
+constexpr PlyType kTypes[] = {
+    type_of<std::int8_t>("char", "int8"),    type_of<std::uint8_t>("uchar", "uint8"),
+    type_of<std::int16_t>("short", "int16"), type_of<std::uint16_t>("ushort", "uint16"),
+    type_of<std::int32_t>("int", "int32"),   type_of<std::uint32_t>("uint", "uint32"),
+    type_of<float>("float", "float32"),      type_of<double>("double", "float64")};
 
 // True if the type can store this number of a text.
-bool can_be(double value, PlyType type) {
-  if (!is_whole(type)) return true;
-  const bool has_sign = type == PlyType::i8 || type == PlyType::i16 || type == PlyType::i32;
-  const double values = std::ldexp(1.0, static_cast<int>(8 * size_of(type)));
-  const double low = has_sign ? -values / 2 : 0;
-  return value == std::floor(value) && value >= low && value < low + values;
+bool can_be(double value, const PlyType& type) {
+  return !type.whole || (value == std::floor(value) && value >= type.least && value <= type.most);
 }
 
 // The word as a number; none if it contains anything else, or if a double can't hold it. Not every standard
@@ -75,25 +64,17 @@ std::optional<double> number_in(std::string_view word) {
   return value;
 }
 
-double value_of(std::uint64_t bits, PlyType type) {
-  switch (type) {
-    case PlyType::i8:
-      return static_cast<double>(static_cast<std::int8_t>(bits));
-    case PlyType::i16:
-      return static_cast<double>(static_cast<std::int16_t>(bits));
-    case PlyType::i32:
-      return static_cast<double>(static_cast<std::int32_t>(bits));
-    case PlyType::f32:
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    case PlyType::f64:
-      return std::bit_cast<double>(bits);
-    default:
-      return static_cast<double>(bits);
-  }
-}
-
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+// The next word without the spaces before it; empty at the line's end.
+std::string_view next_word(std::string_view& line) {
+  const auto* const begin = std::find_if_not(line.begin(), line.end(), is_space);
+  const auto* const end = std::find_if(begin, line.end(), is_space);
+  const std::string_view word(begin, static_cast<std::size_t>(end - begin));
+  line = std::string_view(end, static_cast<std::size_t>(line.end() - end));
+  return word;
 }
 
 std::string in_quotes(std::string_view text) {
@@ -104,7 +85,7 @@ std::string in_quotes(std::string_view text) {
 
 int PlyElement::find(std::string_view property) const {
   for (std::size_t i = 0; i < properties.size(); ++i)
-    if (properties[i].name == property && !properties[i].list) return static_cast<int>(i);
+    if (properties[i].name == property && !properties[i].count_type) return static_cast<int>(i);
   return -1;
 }
 
@@ -133,15 +114,6 @@ std::string_view PlyRows::next_line() {
   const std::string_view line = bytes_.substr(at_, end - at_);
   at_ = std::min(end + 1, bytes_.size());
   return line;
-}
-
-// The next word without the spaces before it; empty at the line's end.
-std::string_view PlyRows::next_word(std::string_view& line) const {
-  const auto* const begin = std::find_if_not(line.begin(), line.end(), is_space);
-  const auto* const end = std::find_if(begin, line.end(), is_space);
-  const std::string_view word(begin, static_cast<std::size_t>(end - begin));
-  line = std::string_view(end, static_cast<std::size_t>(line.end() - end));
-  return word;
 }
 
 void PlyRows::read_header() {
@@ -190,18 +162,18 @@ void PlyRows::add_property(std::string_view line) {
   if (elements_.empty()) fail_here("a property comes before the first element");
   const auto type = [&] {
     const std::string_view name = next_word(line);
-    const std::optional<PlyType> found = type_named(name);
-    if (!found)
+    const PlyType* const found = std::ranges::find_if(
+        kTypes, [&](const PlyType& one) { return one.name == name || one.other_name == name; });
+    if (found == std::end(kTypes))
       fail_here("there is no type " + in_quotes(name) + "; char, int, float and the like are right");
-    return *found;
+    return found;
   };
   PlyProperty property;
   std::string_view rest = line;
   if (next_word(rest) == "list") {
     line = rest;
-    property.list = true;
     property.count_type = type();
-    if (!is_whole(property.count_type)) fail_here("a list's length is of a whole type");
+    if (!property.count_type->whole) fail_here("a list's length is of a whole type");
   }
   property.type = type();
   property.name = std::string(next_word(line));
@@ -215,7 +187,8 @@ void PlyRows::check_size() const {
     std::size_t row = 0;
     for (const PlyProperty& property : element.properties)
       // A text has at least a digit and a space.
-      row += format_ == PlyFormat::ascii ? 2 : size_of(property.list ? property.count_type : property.type);
+      row +=
+          format_ == PlyFormat::ascii ? 2 : (property.count_type ? property.count_type : property.type)->size;
     if (row == 0) fail("the element " + in_quotes(element.name) + " has no properties; leave it out");
     // The last line may end without a line's end.
     if (element.count > (room + 1 - needed) / row)
@@ -227,8 +200,8 @@ void PlyRows::check_size() const {
   }
 }
 
-double PlyRows::binary_value(PlyType type) {
-  const std::size_t size = size_of(type);
+double PlyRows::binary_value(const PlyType& type) {
+  const std::size_t size = type.size;
   if (bytes_.size() - at_ < size) fail_here("the file ends within this row; it is cut off");
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < size; ++i) {
@@ -236,16 +209,16 @@ double PlyRows::binary_value(PlyType type) {
     bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[at_ + i])) << (8 * place);
   }
   at_ += size;
-  return value_of(bits, type);
+  return type.value(bits);
 }
 
-double PlyRows::ascii_value(std::string_view& line, const std::string& name, PlyType type) const {
+double PlyRows::ascii_value(std::string_view& line, const std::string& name, const PlyType& type) const {
   const std::string_view word = next_word(line);
   if (word.empty()) fail_here("ends before " + in_quotes(name));
   const std::optional<double> value = number_in(word);
   if (!value || !can_be(*value, type))
     fail_here(in_quotes(word) + " is no number that " + in_quotes(name) + " can be");
-  return type == PlyType::f32 ? static_cast<double>(static_cast<float>(*value)) : *value;
+  return !type.whole && type.size == sizeof(float) ? static_cast<double>(static_cast<float>(*value)) : *value;
 }
 
 void PlyRows::read(const PlyElement& element, std::vector<double>& row) {
@@ -259,16 +232,16 @@ void PlyRows::read(const PlyElement& element, std::vector<double>& row) {
   }
   for (std::size_t i = 0; i < row.size(); ++i) {
     const PlyProperty& property = element.properties[i];
-    const auto value = [&](PlyType type) {
+    const auto value = [&](const PlyType& type) {
       return ascii ? ascii_value(line, property.name, type) : binary_value(type);
     };
-    if (!property.list) {
-      row[i] = value(property.type);
+    if (!property.count_type) {
+      row[i] = value(*property.type);
       continue;
     }
-    const double count = value(property.count_type);
+    const double count = value(*property.count_type);
     if (count < 0) fail_here("a list has a length below 0");
-    for (double k = 0; k < count; ++k) value(property.type);
+    for (double k = 0; k < count; ++k) value(*property.type);
   }
   if (ascii && !next_word(line).empty())
     fail_here("has more numbers than the " + std::to_string(row.size()) + " properties of " +

@@ -3,19 +3,26 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace hair {
 
-enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
+// A type of numbers.
+struct PlyType {
+  std::string_view name, other_name;  // files use both: "uchar" and "uint8"
+  std::size_t size;                   // bytes
+  bool whole;
+  double least, most;
+  double (*value)(std::uint64_t bits);
+};
 
 struct PlyProperty {
   std::string name;
-  PlyType type;
-  bool list = false;  // a count, and then so many values
-  PlyType count_type = PlyType::u8;
+  const PlyType* type;
+  const PlyType* count_type = nullptr;  // the type of a list's count; null: it is no list
 };
 
 struct PlyElement {
@@ -49,13 +56,12 @@ class PlyRows {
 
  private:
   std::string_view next_line();
-  std::string_view next_word(std::string_view& line) const;
   void read_header();
   void add_element(std::string_view line);
   void add_property(std::string_view line);
   void check_size() const;
-  double binary_value(PlyType type);
-  double ascii_value(std::string_view& line, const std::string& name, PlyType type) const;
+  double binary_value(const PlyType& type);
+  double ascii_value(std::string_view& line, const std::string& name, const PlyType& type) const;
 
   std::string_view bytes_;
   std::string name_;

@@ -1,6 +1,8 @@
 #include "hair/groom/resample.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace hair {
 
@@ -52,29 +54,54 @@ Eigen::VectorXd resampled(const Eigen::VectorXd& x, int points) {
 }
 
 void resample(Groom& groom, int points) {
-  GroomLook& look = groom.look;
-  std::vector<float> thicknesses, transparencies, colours;
+  const auto old = numbers_of_points(groom.look);
+  std::array<std::vector<float>, 3> made;
   std::size_t first = 0;  // this strand's first point among all points
   for (Eigen::VectorXd& x : groom.strands) {
     const auto before = static_cast<std::size_t>(points_of(x));
     const std::vector<Place> places = before < 2 ? std::vector<Place>{{0, 0}} : equal_places(x, points);
-    const auto resample_into = [&](std::vector<float>& to, const std::vector<float>& from, std::size_t size) {
-      if (from.empty()) return;
+    for (std::size_t part = 0; part < made.size(); ++part) {
+      const std::vector<float>& from = *old[part];
+      const std::size_t size = parts_of(groom.look)[part].size;
       for (const Place& place : places)
-        for (std::size_t k = 0; k < size; ++k) {
+        for (std::size_t k = 0; k < size && !from.empty(); ++k) {
           const std::size_t at = size * (first + static_cast<std::size_t>(place.before)) + k;
-          to.push_back(place.part == 0 ? from[at] : between(from[at], from[at + size], place.part));
+          made[part].push_back(place.part == 0 ? from[at] : between(from[at], from[at + size], place.part));
         }
-    };
-    resample_into(thicknesses, look.thicknesses, 1);
-    resample_into(transparencies, look.transparencies, 1);
-    resample_into(colours, look.colours, 3);
+    }
     first += before;
     if (before >= 2) x = resampled(x, points);
   }
-  look.thicknesses = std::move(thicknesses);
-  look.transparencies = std::move(transparencies);
-  look.colours = std::move(colours);
+  for (std::size_t part = 0; part < made.size(); ++part) *old[part] = std::move(made[part]);
+}
+
+void scale(Groom& groom, double factor) {
+  for (Eigen::VectorXd& x : groom.strands) x *= factor;
+  const auto to_unit = [&](float& thickness) {
+    thickness = static_cast<float>(factor * static_cast<double>(thickness));
+  };
+  if (groom.look.thickness) to_unit(*groom.look.thickness);
+  for (float& thickness : groom.look.thicknesses) to_unit(thickness);
+}
+
+void keep_every(Groom& groom, long every) {
+  const auto step = static_cast<std::size_t>(every);
+  for (std::size_t part = 0; part < 3; ++part) {
+    std::vector<float>& numbers = *numbers_of_points(groom.look)[part];
+    if (numbers.empty()) continue;
+    const auto size = static_cast<std::ptrdiff_t>(parts_of(groom.look)[part].size);
+    std::vector<float> kept;
+    auto begin = numbers.begin();
+    for (std::size_t i = 0; i < groom.strands.size(); ++i) {
+      const auto end = begin + size * points_of(groom.strands[i]);
+      if (i % step == 0) kept.insert(kept.end(), begin, end);
+      begin = end;
+    }
+    numbers = std::move(kept);
+  }
+  std::vector<Eigen::VectorXd> kept;
+  for (std::size_t i = 0; i < groom.strands.size(); i += step) kept.push_back(std::move(groom.strands[i]));
+  groom.strands = std::move(kept);
 }
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// Gives strands another number of points.
+// Gives strands another number of points, and grooms another unit or fewer strands.
 #pragma once
 
 #include "hair/groom/groom.h"
@@ -12,5 +12,11 @@ Eigen::VectorXd resampled(const Eigen::VectorXd& x, int points);
 
 // The same for all strands but bald roots, and for the looks of their points.
 void resample(Groom& groom, int points);
+
+// Converts points and thicknesses to another unit.
+void scale(Groom& groom, double factor);
+
+// Keeps the first of every `every` strands.
+void keep_every(Groom& groom, long every);
 
 }  // namespace hair

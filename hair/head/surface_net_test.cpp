@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"
+#include "hair/head/kept_net.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace hair {
 namespace {
@@ -78,6 +82,46 @@ TEST(SurfaceNet, IsTheSameEachTime) {
   EXPECT_EQ(one.triangles, other.triangles);
   EXPECT_THROW(surface_net(bust, 3), std::invalid_argument);
   EXPECT_THROW(surface_net(bust, 1001), std::invalid_argument);
+}
+
+// --- Kept nets: a net from a file equals the made one, and an incomplete file is ignored.
+
+namespace fs = std::filesystem;
+
+void expect_same(const SurfaceMesh& one, const SurfaceMesh& other) {
+  EXPECT_EQ(one.points, other.points);
+  EXPECT_EQ(one.normals, other.normals);
+  EXPECT_EQ(one.triangles, other.triangles);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path());
+  return all;
+}
+
+TEST(KeptNet, BelongsToItsSolidAndItsCellsAndIsMadeAgainIfItsFileIsNotWhole) {
+  const TemporaryFolder temporary("kept-net");
+  const fs::path folder = temporary.path() / "nets";
+  const SurfaceMesh bust = surface_net(Bust(), 20);
+  expect_same(kept_surface_net(Bust(), 20, folder), bust);
+  ASSERT_EQ(files_in(folder).size(), 1U);
+  const fs::path file = files_in(folder).at(0);
+  expect_same(kept_surface_net(Bust(), 20, folder), bust);
+  EXPECT_EQ(files_in(folder).size(), 1U);
+  expect_same(kept_surface_net(Bust(), 20, {}), bust);
+
+  expect_same(kept_surface_net(EllipsoidHead(), 20, folder), surface_net(EllipsoidHead(), 20));
+  expect_same(kept_surface_net(Bust(), 21, folder), surface_net(Bust(), 21));
+  EXPECT_EQ(files_in(folder).size(), 3U);
+
+  const auto size = fs::file_size(file);
+  fs::resize_file(file, size - 100);
+  expect_same(kept_surface_net(Bust(), 20, folder), bust);
+  EXPECT_EQ(fs::file_size(file), size);
+  std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(200).put('x');
+  expect_same(kept_surface_net(Bust(), 20, folder), bust);
+  expect_same(kept_surface_net(Bust(), 20, file), bust);  // in a file nothing can be kept
 }
 
 }  // namespace

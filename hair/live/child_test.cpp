@@ -43,17 +43,18 @@ TEST_F(ChildTest, GetsItsSettingsAndCommandsAndSaysItsMessages) {
   EXPECT_EQ(life.end, "The code ended the program before the first step was over, with exit code 0.");
 }
 
-TEST_F(ChildTest, NamesACrashAndTheStepsBefore) {
-  Child child(shell("echo '. 16'; echo '{\"kind\":\"frame\",\"time\":1,\"steps\":17}'; kill -SEGV $$"),
-              "1 1");
-  EXPECT_EQ(whole_life(child).end,
-            "The code crashed after step 17: a segmentation fault: the code read or wrote memory that is not "
-            "its own.");
-}
-
-TEST_F(ChildTest, NamesTheExerciseWhereItCrashed) {
-  Child child(shell("echo '. 16'; echo; echo '@ H6 _ZN4hair7correctEv'; kill -SEGV $$"), "1 1");
-  EXPECT_TRUE(whole_life(child).end.starts_with("The code crashed in H6 (hair::correct) after step 16: "));
+TEST_F(ChildTest, NamesACrashWithTheExerciseAndTheStepsBefore) {
+  const std::pair<const char*, const char*> rows[] = {
+      {"echo '. 16'; echo '{\"kind\":\"frame\",\"time\":1,\"steps\":17}'; kill -SEGV $$",
+       "The code crashed after step 17: a segmentation fault: the code read or wrote memory that is not its "
+       "own."},
+      {"echo '. 16'; echo; echo '@ H6 _ZN4hair7correctEv'; kill -SEGV $$",
+       "The code crashed in H6 (hair::correct) after step 16: "},
+      {"kill -ABRT $$", "The code crashed before the first step was over: it was aborted"}};
+  for (const auto& [script, said] : rows) {
+    Child child(shell(script), "1 1");
+    EXPECT_TRUE(whole_life(child).end.starts_with(said)) << script;
+  }
 }
 
 TEST_F(ChildTest, AsksAnEndlessLoopWhereItIs) {
@@ -62,12 +63,6 @@ TEST_F(ChildTest, AsksAnEndlessLoopWhereItIs) {
   const std::optional<std::string> stopped = child.stop_if_silent(std::chrono::seconds(0));
   ASSERT_TRUE(stopped);
   EXPECT_TRUE(stopped->starts_with("The code did not come back in P1 before")) << *stopped;
-}
-
-TEST_F(ChildTest, NamesAnAbort) {
-  Child child(shell("kill -ABRT $$"), "1 1");
-  EXPECT_TRUE(
-      whole_life(child).end.starts_with("The code crashed before the first step was over: it was aborted"));
 }
 
 TEST_F(ChildTest, SaysNothingMoreAboutTroubleThatItHasTold) {

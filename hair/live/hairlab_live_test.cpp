@@ -3,7 +3,6 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -64,10 +63,7 @@ class Live {
   TestClient client;
 
  private:
-  std::string out() const {
-    std::ifstream file(folder_.path() / "out");
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string out() const { return bytes_of(folder_.path() / "out"); }
 
   TemporaryFolder folder_{"hairlab-live"};
   pid_t process_;

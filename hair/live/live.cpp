@@ -10,7 +10,6 @@
 
 #include "hair/io/files/json_text.h"
 #include "hair/live/child.h"
-#include "hair/live/live_page.h"
 #include "hair/live/message_log.h"
 #include "hair/live/server.h"
 
@@ -110,8 +109,7 @@ class Supervisor {
 void serve_live(const LiveOptions& options, ProgramFile program, const std::atomic<bool>& interrupted) {
   MessageLog log;
   Commands commands;
-  LiveServer server(live_page(options.name, options.shows), options.port, log,
-                    [&](const std::string& command) { commands.put(command); });
+  LiveServer server(options, log, [&](const std::string& command) { commands.put(command); });
   std::cout << server.address().url() << "\n"
             << "Open this in a browser on this machine. After you build hairlab_live anew, the page goes on "
                "with it; Ctrl-C ends it."

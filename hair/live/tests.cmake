@@ -1,7 +1,6 @@
 # STAFF ONLY. Tests of hairlab live: its parts, and the program from outside.
 list(TRANSFORM HAIR_EXERCISES PREPEND student_ OUTPUT_VARIABLE exercises)
-hair_test(hair_live_test SOURCES child_test.cpp hand_test.cpp live_settings_test.cpp message_log_test.cpp
-          program_file_test.cpp
+hair_test(hair_live_test SOURCES child_test.cpp live_parts_test.cpp live_settings_test.cpp
           LIBRARIES hair_live hair_lab hair_scene_drawing hair_scene hair_no_groom_files hair_simulation
           ${exercises})
 target_compile_definitions(hair_live_test PRIVATE HAIR_SCENES_DIR="${PROJECT_SOURCE_DIR}/hair/scenes"

@@ -70,22 +70,14 @@ void check_shape(const PlacedSolid& placed) {
   require(std::abs(length - 1) <= 1e-9, "the length of a solid's rotation", length, "1");
 }
 
-void move_shape(Plane& plane, const Vector3d& by) {
-  plane.point += by;
-}
+struct MoveBy {
+  Vector3d way;
 
-void move_shape(Sphere& sphere, const Vector3d& by) {
-  sphere.centre += by;
-}
-
-void move_shape(Capsule& capsule, const Vector3d& by) {
-  capsule.a += by;
-  capsule.b += by;
-}
-
-void move_shape(PlacedSolid& placed, const Vector3d& by) {
-  placed.at += by;
-}
+  void operator()(Plane& plane) const { plane.point += way; }
+  void operator()(Sphere& sphere) const { sphere.centre += way; }
+  void operator()(Capsule& capsule) const { capsule = {capsule.a + way, capsule.b + way, capsule.radius}; }
+  void operator()(PlacedSolid& placed) const { placed.at += way; }
+};
 
 // The part of a vector that friction removes: its part across n, at most `limit` of it.
 Vector3d friction(const Vector3d& vector, const Vector3d& n, double limit) {
@@ -144,7 +136,7 @@ void check_obstacle(const Obstacle& obstacle) {
 }
 
 void move_obstacle(Obstacle& obstacle, double h) {
-  std::visit([&](auto& shape) { move_shape(shape, h * obstacle.velocity); }, obstacle.shape);
+  std::visit(MoveBy{h * obstacle.velocity}, obstacle.shape);
   if (auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
     const double angle = h * placed->angular_velocity.norm();
     if (angle > 0)

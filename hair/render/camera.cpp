@@ -18,10 +18,7 @@ constexpr double kNoSize = 1e-9, kSmallest = 1e-3;  // m
 
 std::array<Vector3d, 8> corners_of(const Bounds& bounds) {
   std::array<Vector3d, 8> corners;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-    corners[corner] = Vector3d((corner & 1) != 0 ? bounds.high[0] : bounds.low[0],
-                               (corner & 2) != 0 ? bounds.high[1] : bounds.low[1],
-                               (corner & 4) != 0 ? bounds.high[2] : bounds.low[2]);
+  for (int i = 0; i < 8; ++i) corners[i] = bounds.corner(static_cast<Bounds::CornerType>(i));
   return corners;
 }
 
@@ -30,14 +27,14 @@ Camera frame_points(std::span<const Vector3d> points, double aspect, const Vecto
   particles::require(direction.allFinite() && direction.norm() > 0, "the view's direction", direction.norm(),
                      "finite and not 0");
   Bounds box;
-  for (const Vector3d& point : points) box.add(point);
-  const double size = box.empty() ? 0 : (box.high - box.low).maxCoeff();
+  for (const Vector3d& point : points) box.extend(point);
+  const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
   particles::require(std::isfinite(size) && size < 1e100, "the size of what is to be seen", size,
                      "at most 1e100 m");
   if (size < kNoSize) {
-    if (box.empty()) box.add(Vector3d::Zero());
+    if (box.isEmpty()) box.extend(Vector3d::Zero());
     return frame_points(
-        std::array{Vector3d(box.low.array() - kSmallest), Vector3d(box.high.array() + kSmallest)}, aspect,
+        std::array{Vector3d(box.min().array() - kSmallest), Vector3d(box.max().array() + kSmallest)}, aspect,
         direction);
   }
 
@@ -49,7 +46,7 @@ Camera frame_points(std::span<const Vector3d> points, double aspect, const Vecto
 
   // In the camera's axes a point (x, y, z) is left of the picture's right side if x - eye_x <= (eye_z - z)
   // tangent_x, and so on. Each side takes the largest value of a point.
-  const Vector3d middle = (box.low + box.high) / 2;
+  const Vector3d middle = box.center();
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
   for (const Vector3d& at : points) {
     const Vector3d p = axes * (at - middle);
@@ -67,10 +64,10 @@ Camera frame_points(std::span<const Vector3d> points, double aspect, const Vecto
 
 Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction) {
   Bounds box = bounds;
-  if (box.empty()) box.add(Vector3d::Zero());
-  if ((box.high - box.low).maxCoeff() < kNoSize) {
-    box.low.array() -= kSmallest;
-    box.high.array() += kSmallest;
+  if (box.isEmpty()) box.extend(Vector3d::Zero());
+  if (box.sizes().maxCoeff() < kNoSize) {
+    box.min().array() -= kSmallest;
+    box.max().array() += kSmallest;
   }
   return frame_points(corners_of(box), aspect, direction);
 }

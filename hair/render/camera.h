@@ -1,6 +1,7 @@
 // The camera of a picture.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <span>
 
@@ -15,17 +16,7 @@ struct Camera {
   double field_of_view = 0.5;  // rad, of the picture's height
 };
 
-// A box; frame_camera makes a camera that shows all of it.
-struct Bounds {
-  Vector3d low = Vector3d::Constant(1e300), high = Vector3d::Constant(-1e300);
-
-  void add(const Vector3d& point) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  bool empty() const { return !(low.array() <= high.array()).all(); }
-};
-
+using Bounds = Eigen::AlignedBox3d;
 std::array<Vector3d, 8> corners_of(const Bounds& bounds);
 
 // The largest part of the picture's height and width for the box.

@@ -17,11 +17,8 @@ Eigen::Vector2d extent(const Camera& camera, const Bounds& box, double aspect) {
   const Vector3d forward = (camera.target - camera.eye).normalized();
   const Vector3d right = forward.cross(camera.up).normalized(), up = right.cross(forward);
   Eigen::Vector2d most(0, 0);
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d at =
-        Vector3d((corner & 1) != 0 ? box.high[0] : box.low[0], (corner & 2) != 0 ? box.high[1] : box.low[1],
-                 (corner & 4) != 0 ? box.high[2] : box.low[2]) -
-        camera.eye;
+  for (const Vector3d& corner : corners_of(box)) {
+    const Vector3d at = corner - camera.eye;
     EXPECT_GT(at.dot(forward), 0) << "behind the eye";
     const double half = std::tan(camera.field_of_view / 2) * at.dot(forward);
     most[0] = std::max(most[0], std::abs(at.dot(right)) / (half * aspect));
@@ -37,8 +34,8 @@ TEST(Camera, HasTheWholeBoxInThePictureAndNoNearerEyeWould) {
   for (int i = 0; i < 500; ++i) {
     const double size = std::pow(10, 6 * uniform(random)), aspect = std::exp(uniform(random));
     Bounds box;
-    box.add(size * vector());
-    box.add(size * vector());
+    box.extend(size * vector());
+    box.extend(size * vector());
     const Camera camera = frame_camera(box, aspect, i % 10 == 0 ? Vector3d(0, 0, 1) : vector());
     // In one direction both sides touch the frame, in the other neither may be outside. Coordinates as large
     // as the box have rounding errors of 1e-16 of it.
@@ -55,14 +52,14 @@ TEST(Camera, HasAllPointsInThePicture) {
   Bounds box;
   for (int i = 0; i < 500; ++i) {
     points.push_back(Vector3d(normal(random), normal(random), normal(random)).normalized());
-    box.add(points.back());
+    box.extend(points.back());
   }
   for (const double aspect : {0.5, 1.0, 1.8}) {
     const Camera camera = frame_points(points, aspect), far = frame_camera(box, aspect);
     Eigen::Vector2d most(0, 0);
     for (const Vector3d& point : points) {
       Bounds one;
-      one.add(point);
+      one.extend(point);
       most = most.cwiseMax(extent(camera, one, aspect));
     }
     EXPECT_NEAR(most.maxCoeff(), kFramed, 1e-9) << aspect;
@@ -72,7 +69,7 @@ TEST(Camera, HasAllPointsInThePicture) {
 
 TEST(Camera, WhatHasNoSizeIsSeenFromNearby) {
   Bounds point;
-  point.add(Vector3d(1, 2, 3));
+  point.extend(Vector3d(1, 2, 3));
   for (const Bounds& box : {point, Bounds()}) {
     const Camera camera = frame_camera(box, 1.5);
     const double distance = (camera.eye - camera.target).norm();
@@ -83,11 +80,11 @@ TEST(Camera, WhatHasNoSizeIsSeenFromNearby) {
 
 TEST(Camera, RefusesWhatIsNotFinite) {
   Bounds box;
-  box.add(Vector3d(0, 0, 0));
-  box.add(Vector3d(1, 1, 1));
+  box.extend(Vector3d(0, 0, 0));
+  box.extend(Vector3d(1, 1, 1));
   EXPECT_THROW(frame_camera(box, 0), std::invalid_argument);
   EXPECT_THROW(frame_camera(box, 1, Vector3d::Zero()), std::invalid_argument);
-  box.add(Vector3d(std::numeric_limits<double>::infinity(), 0, 0));
+  box.extend(Vector3d(std::numeric_limits<double>::infinity(), 0, 0));
   EXPECT_THROW(frame_camera(box, 1), std::invalid_argument);
 }
 

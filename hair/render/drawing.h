@@ -23,6 +23,10 @@ struct StrandsDrawing {
   bool fine = false;
   // For fine hair: a number for each strand, the same in all pictures; empty: its index among the strands.
   std::vector<std::uint32_t> ids = {};
+
+  std::uint32_t id(std::size_t strand) const {
+    return ids.empty() ? static_cast<std::uint32_t>(strand) : ids[strand];
+  }
 };
 
 // The parts of toys: rods and springs between points, wires, and cloth.
@@ -68,5 +72,9 @@ struct Drawing {
       obstacles;  // ground, balls, limbs, at their present positions; solids are drawn as meshes
   std::vector<PlacedMesh> meshes;
 };
+
+// Throws std::invalid_argument with the reason, before OpenGL sees it: a place that is not finite, such as a
+// strand of H10 may have, or sizes that don't match their points.
+void check_drawing(const Drawing& drawing);
 
 }  // namespace hair

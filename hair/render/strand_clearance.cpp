@@ -157,7 +157,7 @@ long StrandClearance::move_out(const std::vector<Obstacle>& now, StrandsDrawing&
     long of_task = 0;
     for (int i = task * kStrandsOfAMove; i < end; ++i) {
       const std::size_t strand = first + static_cast<std::size_t>(i);
-      const std::uint32_t id = strands.ids.empty() ? static_cast<std::uint32_t>(strand) : strands.ids[strand];
+      const std::uint32_t id = strands.id(strand);
       of_task +=
           move_strand_out(now, points, strands.sizes[strand], id, scratch[static_cast<std::size_t>(thread)]);
       points += strands.sizes[strand];

@@ -3,51 +3,37 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 
 #include "hair/groom/groom_file.h"
 #include "hair/groom/hair_file.h"
 #include "hair/groom/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/temporary_folder.h"
+#include "hair/io/files/write_file.h"
 #include "hair/scene/scene_run.h"
 #include "hair/simulation/models.h"
+#include "solver/test_refusal.h"
 
 namespace reference_tests {
 namespace {
 
-// A folder with a scene that names a groom. It is removed with this object.
-class Folder {
- public:
-  Folder() {
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(testing::TempDir()) / (std::string("groom_scene_") + test->name());
-    std::filesystem::create_directories(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
+// A folder with a scene that names a groom.
+struct Folder : hair::TemporaryFolder {
+  Folder() : TemporaryFolder("groom-scene") {}
 
   std::filesystem::path write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path_ / name, std::ios::binary) << bytes;
-    return path_ / name;
+    hair::write_file(path() / name, bytes);
+    return path() / name;
   }
   std::filesystem::path scene(const std::string& groom, const std::string& more = "") const {
     return write("a.json",
                  R"({"shows": "a groom", "frames": 1, "method": "implicit_euler", "hair": [{"groom": {)" +
                      groom + "}" + more + "}]}");
   }
-  std::string complaint(const std::filesystem::path& file) const {
-    try {
-      hair::read_scene(file);
-    } catch (const hair::BadInput& error) {
-      const std::string said = error.what();
-      return said.substr(said.find("hair[0]"));
-    }
-    return "";
+  std::string complaint(const std::string& groom, const std::string& more = "") const {
+    const std::string said = tests::refusal<hair::BadInput>([&] { hair::read_scene(scene(groom, more)); });
+    return said.substr(said.find("hair[0]"));
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 // The bytes of a .hair file of one strand through the points.
@@ -88,28 +74,28 @@ TEST(GroomScene, IsOfRigidLinksIfItSaysSo) {
 TEST(GroomScene, BadGroomsAreNamedWithTheJsonPath) {
   const Folder folder;
   folder.write("cut.hair", hair_file({0, 0, 0, 1, 1, 1}).substr(0, 140));
-  std::string said = folder.complaint(folder.scene(R"("file": "cut.hair", "scale": 1)"));
+  std::string said = folder.complaint(R"("file": "cut.hair", "scale": 1)");
   EXPECT_EQ(said.find("hair[0].groom.file: "), 0U) << said;
   EXPECT_NE(said.find("cut.hair: has 140 bytes, and its header says 152"), std::string::npos) << said;
 
   folder.write("nan.hair", hair_file({0, 0, 0, 1, NAN, 1}));
-  said = folder.complaint(folder.scene(R"("file": "nan.hair", "scale": 1)"));
+  said = folder.complaint(R"("file": "nan.hair", "scale": 1)");
   EXPECT_NE(said.find("nan.hair: byte 144: strand 0, point 1: has a number that is not finite"),
             std::string::npos)
       << said;
 
   folder.write("folded.hair", hair_file({0, 0, 0, 0, 0, 1, 0, 0, 0.5}));
-  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "folded.hair", "scale": 1)")),
+  EXPECT_EQ(folder.complaint(R"("file": "folded.hair", "scale": 1)"),
             "hair[0].groom: strand 0 of the groom: bends by more than 154 degrees; no hair rests so");
 
   folder.write("short.hair", hair_file({0, 0, 0, 0, 0, 1, 0, 0, 1}));
   EXPECT_EQ(
-      folder.complaint(folder.scene(R"("file": "short.hair", "scale": 1)")),
+      folder.complaint(R"("file": "short.hair", "scale": 1)"),
       "hair[0].groom.file: strand 0 of the groom: its point 2 is where the point before it is; a segment "
       "has a length");
 
   folder.write("far.hair", hair_file({0, 0, 0, 0, 0, 1e38F}));
-  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "far.hair", "scale": 1)")),
+  EXPECT_EQ(folder.complaint(R"("file": "far.hair", "scale": 1)"),
             "hair[0].groom.scale: strand 0 of the groom: is farther than 1e+06 m; give a smaller one");
 }
 
@@ -123,7 +109,7 @@ TEST(GroomScene, BaldRootsAreLeftOutAndCounted) {
   EXPECT_EQ(scene.hair.strands.size(), 1U);
   EXPECT_EQ(scene.bald_roots, 2);
   hair::write_groom({{Eigen::VectorXd::Zero(3)}}, file);
-  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.hair", "scale": 1)")),
+  EXPECT_EQ(folder.complaint(R"("file": "a.hair", "scale": 1)"),
             "hair[0].groom.file: all its strands are bald roots, of a single point");
 }
 
@@ -184,8 +170,7 @@ TEST(GroomScene, GuidesWithOtherNumbersOfPointsAreRefused) {
   groom.strands[2].conservativeResize(6);
   hair::write_groom(groom, folder.write("a.hair", ""));
   const auto said = [&](const std::string& more) {
-    return folder.complaint(
-        folder.scene(R"("file": "a.hair", "scale": 0.01)" + more, R"(, "synthesis": {"strands": 5})"));
+    return folder.complaint(R"("file": "a.hair", "scale": 0.01)" + more, R"(, "synthesis": {"strands": 5})");
   };
   EXPECT_EQ(
       said(""),
@@ -212,7 +197,7 @@ TEST(GroomScene, HairThatGrowsOnABustStaysWhereItIsButForItsWeight) {
 
 TEST(GroomScene, AStyleThatNeedsMorePointsSaysSo) {
   const Folder folder;
-  EXPECT_EQ(folder.complaint(folder.scene(R"("style": "long-smooth", "strands": 3, "points": 4)")),
+  EXPECT_EQ(folder.complaint(R"("style": "long-smooth", "strands": 3, "points": 4)"),
             "hair[0].groom: strands of 4 points; long-smooth has 8 at least, to follow its shape");
 }
 

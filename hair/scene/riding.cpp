@@ -17,21 +17,12 @@ Vector3d angular_velocity(const Eigen::Quaterniond& from, const Eigen::Quaternio
   return turn.angle() / h * turn.axis();
 }
 
-Vector3d place(const Plane& plane) {
-  return plane.point;
-}
-
-Vector3d place(const Sphere& sphere) {
-  return sphere.centre;
-}
-
-Vector3d place(const Capsule& capsule) {
-  return capsule.a;
-}
-
-Vector3d place(const PlacedSolid& placed) {
-  return placed.at;
-}
+struct PlaceOf {
+  Vector3d operator()(const Plane& plane) const { return plane.point; }
+  Vector3d operator()(const Sphere& sphere) const { return sphere.centre; }
+  Vector3d operator()(const Capsule& capsule) const { return capsule.a; }
+  Vector3d operator()(const PlacedSolid& placed) const { return placed.at; }
+};
 
 void check(const Motion& motion) {
   if (motion.keys.empty()) throw std::invalid_argument("a motion without keys; give one at least");
@@ -50,7 +41,7 @@ void check(const Motion& motion) {
 }  // namespace
 
 Vector3d place_of(const Obstacle& obstacle) {
-  return std::visit([](const auto& shape) { return place(shape); }, obstacle.shape);
+  return std::visit(PlaceOf(), obstacle.shape);
 }
 
 Riding::LedRoot Riding::root_of(const Description& hair, int strand) {

@@ -19,8 +19,8 @@ std::string with(std::string text, const std::string& what, const std::string& b
 
 }  // namespace
 
-std::string linked_scene(const std::string& what, const std::string& by) {
-  return with(R"({
+std::string linked_scene() {
+  return R"({
   "shows": "a brush",
   "frames": 2,
   "method": "implicit_euler",
@@ -32,8 +32,7 @@ std::string linked_scene(const std::string& what, const std::string& by) {
   ],
   "links": {"stiffness": 0.001, "yields": 1, "breaks": 2, "neighbours": "both",
             "strips": {"thickness": 0.001, "stiffness": 0.1, "friction": 0.3}}
-})",
-              what, by);
+})";
 }
 
 std::string small_scene(const std::string& what, const std::string& by) {

@@ -8,7 +8,7 @@ function(scene_test NAME)
 endfunction()
 
 scene_test(read_scene_test SANITISED SOURCES read_scene_test.cpp read_bad_scene_test.cpp read_groom_test.cpp
-           test_reading.cpp scene_keys_test.cpp
+           test_reading.cpp
            LIBRARIES hair_scene hair_simulation ${exercises})
 scene_test(scene_run_test SANITISED SOURCES angular_momentum_test.cpp scene_run_test.cpp
            LIBRARIES hair_allocations hair_scene hair_simulation ${exercises})

@@ -84,25 +84,20 @@ TEST(Watch, NoOtherShippedSceneWarns) {
   EXPECT_GE(watched, 20);
 }
 
-// A level hair of 30 cm in 30 segments, held by a hinge, with additional keys for the scene and the hair.
+// A level hair, with these keys of the hair and of the scene.
+Scene one_hair(const std::string& of_hair, const std::string& keys) {
+  return hair::parse_scene(R"({"shows": "a level hair", "hair": [{)" + of_hair +
+                               R"("roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}], )" +
+                               keys + "}",
+                           "scene");
+}
+
+// The same for 30 cm in 30 segments.
 Scene level_hair(const std::string& keys, const std::string& of_hair = "") {
-  return hair::parse_scene(
-      R"({"shows": "a level hair", "hair": [{"segments": 30, "length": 0.3, )" + of_hair +
-          R"("roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}], )" + keys + "}",
-      "scene");
+  return one_hair(R"("segments": 30, "length": 0.3, )" + of_hair, keys);
 }
 
 constexpr const char* kHinge = R"("clamped": false, )";
-
-// Curls of 20 turns.
-Scene curls(const std::string& method) {
-  return hair::parse_scene(R"({"shows": "curls", "hair": [{"segments": 160, "length": 0.3,
-    "shape": {"curly": {"radius": 0.005, "pitch": 0.0125}},
-    "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}],
-    "steps_per_frame": 1, "frames": 30, "method": ")" +
-                               method + R"("})",
-                           "scene");
-}
 
 void expect_warns(const Scene& scene, const std::set<Concern>& expected) {
   const Watch watch = play(scene);
@@ -195,41 +190,36 @@ TEST(Watch, WarnsOfFrictionThatHoldsHairInItsStretch) {
 }
 
 TEST(Watch, WarnsOfCurlsInLargeSteps) {
+  const auto curls = [](const std::string& method) {  // 20 turns
+    return one_hair(
+        R"("segments": 160, "length": 0.3, "shape": {"curly": {"radius": 0.005, "pitch": 0.0125}}, )",
+        R"("steps_per_frame": 1, "frames": 30, "method": ")" + method + "\"");
+  };
   expect_warns(curls("predictor_corrector"), {Concern::energy});
   // H4 is right if its solves end.
   EXPECT_TRUE(play(curls("implicit_euler")).warnings().empty());
 }
 
-// The same as level_hair for links, their limits and helices, clamped.
-Scene level(const std::string& model, const std::string& of_hair, const std::string& keys) {
-  return hair::parse_scene(R"({"shows": "a level hair", "hair": [{"model": ")" + model + R"(", )" + of_hair +
-                               R"("roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}], )" +
-                               keys + "}",
-                           "scene");
-}
-
 TEST(Watch, WarnsOfHelicesThatGainEnergyAndNotOfLinks) {
   for (const char* material : {"", R"("material": {"joint_limit": 20}, )"})
     for (const char* steps : {"1", "8"})
-      EXPECT_TRUE(play(level("rigid_links", R"("segments": 30, "length": 0.3, )" + std::string(material),
-                             R"("frames": 60, "steps_per_frame": )" + std::string(steps)))
+      EXPECT_TRUE(play(level_hair(R"("frames": 60, "steps_per_frame": )" + std::string(steps),
+                                  R"("model": "rigid_links", )" + std::string(material)))
                       .warnings()
                       .empty())
           << material << steps;
-  const std::string soft =
-      R"("segments": 6, "length": 0.3, "material": {"bend_factor": 1e-4, "twist_factor": 1e-4}, )";
-  expect_warns(level("super_helix", soft, R"("frames": 90, "steps_per_frame": 1)"), {Concern::energy});
-  EXPECT_TRUE(play(level("super_helix", soft, R"("frames": 30, "steps_per_frame": 64)")).warnings().empty());
+  const std::string soft = R"("model": "super_helix", "segments": 6, "length": 0.3, "material":
+    {"bend_factor": 1e-4, "twist_factor": 1e-4}, )";
+  expect_warns(one_hair(soft, R"("frames": 90, "steps_per_frame": 1)"), {Concern::energy});
+  EXPECT_TRUE(play(one_hair(soft, R"("frames": 30, "steps_per_frame": 64)")).warnings().empty());
 }
 
 TEST(Watch, WarnsOfASpinThatStepsDoNotResolve) {
-  const auto spin = [](const char* rate) {
-    return hair::parse_scene(
-        R"({"shows": "a spin", "frames": 30, "gravity": [0, 0, 0], "hair": [{"segments": 20,
-      "length": 0.2, "clamped": false, "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]},
-      "start": {"direction": [1, 0, 0], "spin": [0, 0, )" +
-            std::string(rate) + "]}}]}",
-        "scene");
+  const auto spin = [](const std::string& rate) {
+    return one_hair(R"("segments": 20, "length": 0.2, "clamped": false, "start": {"direction": [1, 0, 0],
+      "spin": [0, 0, )" +
+                        rate + "]}, ",
+                    R"("frames": 30, "gravity": [0, 0, 0])");
   };
   expect_warns(spin("1000"), {Concern::loss});
   EXPECT_TRUE(play(spin("1")).warnings().empty());

@@ -15,16 +15,15 @@ constexpr double kTorn = 1.2;    // relative to the hair's length
 constexpr int kBetweenKeys = 8;  // poses between two keys
 
 void add_ball(Bounds& bounds, const Vector3d& centre, double radius) {
-  bounds.add(centre.array() - radius);
-  bounds.add(centre.array() + radius);
+  bounds.extend(Bounds(centre.array() - radius, centre.array() + radius));
 }
 
 // Adds the points at most `reach` from a circle. Along each axis the circle's extent depends on the axis'
 // angle to the normal.
 void add_circle(Bounds& bounds, const Vector3d& centre, const Vector3d& normal, double radius, double reach) {
   const Vector3d half = radius * (1 - normal.array().square()).max(0).sqrt() + reach;
-  bounds.add(centre - half);
-  bounds.add(centre + half);
+  bounds.extend(centre - half);
+  bounds.extend(centre + half);
 }
 
 // Moves a point above all planes.
@@ -46,10 +45,10 @@ Vector3d mirrored(const Vector3d& point, const Vector3d& pivot, const Vector3d& 
 // Adds the swing of an object that starts at `point`, and hangs from `pivot` on a line of the length `reach`.
 void add_swing(Bounds& bounds, const Vector3d& point, const Vector3d& pivot, double reach,
                const Vector3d& gravity) {
-  bounds.add(point);
+  bounds.extend(point);
   if (gravity.norm() == 0) return;
-  bounds.add(pivot + reach * gravity.stableNormalized());
-  bounds.add(mirrored(point, pivot, gravity));
+  bounds.extend(pivot + reach * gravity.stableNormalized());
+  bounds.extend(mirrored(point, pivot, gravity));
 }
 
 // The largest distance of a strand from its root: its whole length, unless it rests in curls.
@@ -71,8 +70,7 @@ void add_orbit(Bounds& bounds, const Vector3d& arm, const Vector3d& velocity, co
 }
 
 // A strand whose root is moved by `carry`.
-template <class Carry>
-void add_strand(Bounds& bounds, const Description& hair, const StrandStart& start, const Carry& carry) {
+void add_strand(Bounds& bounds, const Description& hair, const StrandStart& start, const Way& carry) {
   const Vector3d root = carry(Vector3d(start.state.x.head<3>()));
   const double reach = reach_of(start);
   Bounds swing;
@@ -80,52 +78,42 @@ void add_strand(Bounds& bounds, const Description& hair, const StrandStart& star
     const Vector3d at = carry(Vector3d(start.state.x.segment<3>(3 * i)));
     add_swing(swing, at, root, reach, hair.gravity);
     // Hair that starts torn flies to the other side of its root.
-    if ((at - root).norm() > kTorn * reach) swing.add(root - reach * (at - root).normalized());
+    if ((at - root).norm() > kTorn * reach) swing.extend(root - reach * (at - root).normalized());
     add_orbit(swing, at - root, start.state.v.segment<3>(3 * i) - start.state.v.head<3>(), root,
               hair.gravity);
   }
-  if (hair.drag > 0 && hair.wind.norm() > 0) swing.add(root + reach * hair.wind.stableNormalized());
-  bounds.add(above(hair.obstacles, swing.low));
-  bounds.add(above(hair.obstacles, swing.high));
+  if (hair.drag > 0 && hair.wind.norm() > 0) swing.extend(root + reach * hair.wind.stableNormalized());
+  bounds.extend(above(hair.obstacles, swing.min()));
+  bounds.extend(above(hair.obstacles, swing.max()));
 }
 
-// Calls f(start). A strand of any model starts like one of masses and springs.
-template <class F>
-void with_start(const Description& hair, std::size_t index, const F& f) {
-  if (index < hair.strands.size())
-    f(hair.strands[index]);
-  else
-    f(discretise(finely_divided(hair.modelled[index - hair.strands.size()].spec)));
+// A strand of any model starts like one of masses and springs. `made` holds that of another model.
+const StrandStart& start_of(const Description& hair, std::size_t strand, StrandStart& made) {
+  if (strand < hair.strands.size()) return hair.strands[strand];
+  return made = discretise(finely_divided(hair.modelled[strand - hair.strands.size()].spec));
 }
 
-template <class Carry>
-void add_strand(Bounds& bounds, const Description& hair, std::size_t index, const Carry& carry) {
-  with_start(hair, index, [&](const StrandStart& start) { add_strand(bounds, hair, start, carry); });
-}
-
-template <class Carry>
-void add_obstacle(Bounds& bounds, const Obstacle& obstacle, const Carry& carry) {
+void add_obstacle(Bounds& bounds, const Obstacle& obstacle, const Way& carry) {
   if (const auto* const ball = std::get_if<Sphere>(&obstacle.shape)) {
     add_ball(bounds, carry(ball->centre), ball->radius);
   } else if (const auto* const limb = std::get_if<Capsule>(&obstacle.shape)) {
     add_ball(bounds, carry(limb->a), limb->radius);
     add_ball(bounds, carry(limb->b), limb->radius);
   } else if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
-    const Eigen::AlignedBox3d box = placed->solid->box();
-    for (int corner = 0; corner < 8; ++corner)
-      bounds.add(carry(placed->at +
-                       placed->rotation * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
+    for (const Vector3d& corner : corners_of(placed->solid->box()))
+      bounds.extend(carry(placed->at + placed->rotation * corner));
   }
 }
 
 void add_rider(Bounds& bounds, const Description& hair, const Rider& rider) {
   const std::vector<Key>& keys = rider.motion.keys;
+  StrandStart made;
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
     for (int i = 0; i <= kBetweenKeys; ++i) {
       const double part = static_cast<double>(i) / kBetweenKeys;
       const Way carry = way_at(rider.motion, (1 - part) * keys[k].time + part * keys[k + 1].time);
       for (const int strand : rider.strands)
-        add_strand(bounds, hair, static_cast<std::size_t>(strand), carry);
+        add_strand(bounds, hair, start_of(hair, static_cast<std::size_t>(strand), made), carry);
       for (const int obstacle : rider.obstacles) add_obstacle(bounds, hair.obstacles[obstacle], carry);
     }
   }
@@ -179,7 +167,7 @@ void add_fall(Bounds& bounds, const Toy& toy, const std::vector<int>& free, doub
   for (int part = 0; part <= 16 && !free.empty(); ++part) {
     const double t = seconds * part / 16;
     const Vector3d way = t * momentum / mass + t * t / 2 * toy.gravity;
-    for (const int i : free) bounds.add(toy.start.x.segment<3>(3 * i) + way);
+    for (const int i : free) bounds.extend(toy.start.x.segment<3>(3 * i) + way);
   }
 }
 
@@ -208,8 +196,7 @@ using Outline = std::vector<Vector3d>;
 
 constexpr int kOutlineCells = 60;  // along a solid's longest side
 
-template <class Carry>
-void outline_strand(Outline& outline, const Description& hair, const StrandStart& start, const Carry& carry) {
+void outline_strand(Outline& outline, const Description& hair, const StrandStart& start, const Way& carry) {
   const Vector3d root = carry(Vector3d(start.state.x.head<3>()));
   for (int i = 0; i < start.strand.count(); ++i)
     outline.push_back(above(hair.obstacles, carry(Vector3d(start.state.x.segment<3>(3 * i)))));
@@ -218,11 +205,6 @@ void outline_strand(Outline& outline, const Description& hair, const StrandStart
     outline.push_back(above(hair.obstacles, root + reach * hair.wind.stableNormalized()));
   if (hair.gravity.norm() > 0)
     outline.push_back(above(hair.obstacles, root + reach * hair.gravity.stableNormalized()));
-}
-
-template <class Carry>
-void outline_strand(Outline& outline, const Description& hair, std::size_t index, const Carry& carry) {
-  with_start(hair, index, [&](const StrandStart& start) { outline_strand(outline, hair, start, carry); });
 }
 
 // Points of the obstacle's surface, or the corners of its box, at the start.
@@ -234,19 +216,19 @@ Outline outline_of(const Obstacle& obstacle) {
     return outline;
   }
   Bounds bounds;
-  add_obstacle(bounds, obstacle, [](const Vector3d& x) { return x; });
-  if (bounds.empty()) return outline;
-  for (const Vector3d& corner : corners_of(bounds)) outline.push_back(corner);
-  return outline;
+  add_obstacle(bounds, obstacle, {});
+  if (bounds.isEmpty()) return outline;
+  const auto corners = corners_of(bounds);
+  return {corners.begin(), corners.end()};
 }
 
 }  // namespace
 
 Outline scene_outline(const Scene& scene) {
   Outline outline;
-  const auto stay = [](const Vector3d& x) { return x; };
+  StrandStart made;
   for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
-    outline_strand(outline, scene.hair, i, stay);
+    outline_strand(outline, scene.hair, start_of(scene.hair, i, made), {});
   std::vector<Outline> obstacles;  // a surface is calculated once, not for each key
   for (const Obstacle& obstacle : scene.hair.obstacles) {
     obstacles.push_back(outline_of(obstacle));
@@ -256,24 +238,25 @@ Outline scene_outline(const Scene& scene) {
     for (const Key& key : rider.motion.keys) {
       const Way carry = way_at(rider.motion, key.time);
       for (const int strand : rider.strands)
-        outline_strand(outline, scene.hair, static_cast<std::size_t>(strand), carry);
+        outline_strand(outline, scene.hair, start_of(scene.hair, static_cast<std::size_t>(strand), made),
+                       carry);
       for (const int obstacle : rider.obstacles)
         for (const Vector3d& point : obstacles[obstacle]) outline.push_back(carry(point));
     }
   }
   Bounds toys;
   for (const Toy& toy : scene.toys) add_toy(toys, toy, scene.frames / scene.frames_per_second);
-  if (!toys.empty())
+  if (!toys.isEmpty())
     for (const Vector3d& corner : corners_of(toys)) outline.push_back(corner);
   return outline;
 }
 
 Bounds scene_bounds(const Scene& scene) {
   Bounds bounds;
-  const auto stay = [](const Vector3d& x) { return x; };
+  StrandStart made;
   for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
-    add_strand(bounds, scene.hair, i, stay);
-  for (const Obstacle& obstacle : scene.hair.obstacles) add_obstacle(bounds, obstacle, stay);
+    add_strand(bounds, scene.hair, start_of(scene.hair, i, made), {});
+  for (const Obstacle& obstacle : scene.hair.obstacles) add_obstacle(bounds, obstacle, {});
   for (const Rider& rider : scene.riders) add_rider(bounds, scene.hair, rider);
   for (const Toy& toy : scene.toys) add_toy(bounds, toy, scene.frames / scene.frames_per_second);
   return bounds;

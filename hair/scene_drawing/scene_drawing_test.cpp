@@ -42,8 +42,16 @@ Toy pendulum() {
 }
 
 void expect_inside(const Bounds& bounds, const Vector3d& point) {
-  EXPECT_TRUE((point.array() >= bounds.low.array()).all() && (point.array() <= bounds.high.array()).all())
-      << point.transpose() << " is not in " << bounds.low.transpose() << " to " << bounds.high.transpose();
+  EXPECT_TRUE(bounds.contains(point))
+      << point.transpose() << " is not in " << bounds.min().transpose() << " to " << bounds.max().transpose();
+}
+
+Bounds bounds_of(const Toy& toy) {
+  Scene scene;
+  scene.frames = 30;
+  scene.frames_per_second = 30;
+  scene.toys = {toy};
+  return scene_bounds(scene);
 }
 
 TEST(SceneBounds, HairIsInsideWhereItStartsWhereItHangsAndWhereKeysTakeIt) {
@@ -54,66 +62,48 @@ TEST(SceneBounds, HairIsInsideWhereItStartsWhereItHangsAndWhereKeysTakeIt) {
     expect_inside(bounds, Vector3d(-kLength, y, 0));
     expect_inside(bounds, Vector3d(-0.19, y, 0.09));
   }
-  EXPECT_LT(bounds.high[0], 1.01 * kLength) << "and no larger than that";
+  EXPECT_LT(bounds.max()[0], 1.01 * kLength) << "and no larger than that";
 }
 
 TEST(SceneBounds, HairHangsAboveTheGround) {
   Scene scene = moving_head();
   scene.hair.obstacles.push_back({Plane{Vector3d(0, 0, -0.1), Vector3d(0, 0, 1)}});
-  EXPECT_NEAR(scene_bounds(scene).low[2], -0.1, 1e-12);
+  EXPECT_NEAR(scene_bounds(scene).min()[2], -0.1, 1e-12);
 }
 
 TEST(SceneBounds, APendulumIsInsideOnItsWay) {
-  Scene scene;
-  scene.toys.push_back(pendulum());
-  const Bounds bounds = scene_bounds(scene);
-  for (const Vector3d& point : {Vector3d(0.5, 0, 0), Vector3d(-0.5, 0, 0), Vector3d(0, 0, -0.5)}) {
+  const Bounds bounds = bounds_of(pendulum());
+  for (const Vector3d& point : {Vector3d(0.5, 0, 0), Vector3d(-0.5, 0, 0), Vector3d(0, 0, -0.5)})
     expect_inside(bounds, point);
-  }
 }
 
-TEST(SceneBounds, ABeadIsInsideOnItsWire) {
-  Scene scene;
+// A particle on a rod below a bead can be as far from the wire as the rod is long.
+TEST(SceneBounds, ABeadAndWhatHangsOnItAreInside) {
   Toy toy = pendulum();
-  toy.constraints.rods.clear();
-  toy.constraints.wires.push_back({1, Vector3d(0.25, 0, 0), Vector3d(0, 1, 0), 0.25});
   toy.particles.pinned = {0, 0};
-  scene.toys.push_back(toy);
-  const Bounds bounds = scene_bounds(scene);
-  expect_inside(bounds, Vector3d(0.25, 0, 0.25));
-  EXPECT_NEAR(bounds.high[1], 0, 1e-12);
-}
-
-// A particle on a rod below the bead can be as far from the wire as the rod is long.
-TEST(SceneBounds, WhatHangsOnABeadIsInside) {
-  Scene scene;
-  Toy toy = pendulum();
+  Toy bead = toy;
+  bead.constraints.rods.clear();
+  bead.constraints.wires.push_back({1, Vector3d(0.25, 0, 0), Vector3d(0, 1, 0), 0.25});
+  expect_inside(bounds_of(bead), Vector3d(0.25, 0, 0.25));
+  EXPECT_NEAR(bounds_of(bead).max()[1], 0, 1e-12);
   toy.constraints.wires.push_back({0, Vector3d(0, 0, 0.25), Vector3d(0, 1, 0), 0.25});
-  toy.particles.pinned = {0, 0};
-  scene.toys.push_back(toy);
-  expect_inside(scene_bounds(scene), Vector3d(0.75, 0, 0.25));
+  expect_inside(bounds_of(toy), Vector3d(0.75, 0, 0.25));
 }
 
 // Two rods that start folded hang with the length of both.
 TEST(SceneBounds, WhatStartsFoldedIsInsideStretchedOut) {
-  Scene scene;
   Toy toy = pendulum();
   toy.particles = {Eigen::VectorXd::Ones(3), {1, 0, 0}};
   toy.start = {Eigen::VectorXd::Zero(9), Eigen::VectorXd::Zero(9)};
   toy.start.x[3] = 0.5;
   toy.constraints.rods.push_back({1, 2, 0.5});
-  scene.toys.push_back(toy);
-  expect_inside(scene_bounds(scene), Vector3d(0, 0, -1));
+  expect_inside(bounds_of(toy), Vector3d(0, 0, -1));
 }
 
 TEST(SceneBounds, WhatNothingHoldsFalls) {
-  Scene scene;
-  scene.frames = 30;
-  scene.frames_per_second = 30;
   Toy toy = pendulum();
   toy.particles.pinned = {0, 0};
-  scene.toys.push_back(toy);
-  EXPECT_NEAR(scene_bounds(scene).low[2], -9.81 / 2, 1e-12);
+  EXPECT_NEAR(bounds_of(toy).min()[2], -9.81 / 2, 1e-12);
 }
 
 TEST(SceneDrawing, EachParticleIsDrawnWhereTheStateHasIt) {

@@ -8,7 +8,7 @@
 
 #include "hair/io/files/read_file.h"
 #include "hair/render/view.h"
-#include "hair/view/test_base64.h"
+#include "hair/view/test_motion.h"
 
 namespace hair {
 namespace {
@@ -43,25 +43,13 @@ class Shown {
     Covered covered;
     const double aspect = motion_["camera"]["aspect"];
     for (std::size_t i = 0; i < points_; ++i) {
-      const Vector3d seen = axes_ * (point(frame, i) - eye_);
+      const Vector3d seen = axes_ * (point_of(motion_, bytes_, frame, i) - eye_);
       covered.box.extend(Eigen::Vector2d(seen.x() / aspect, seen.y()) / (-seen.z() * tangent_));
     }
     return covered;
   }
 
  private:
-  Vector3d point(std::size_t frame, std::size_t index) const {
-    Vector3d at;
-    const std::size_t first = 3 * (frame * motion_["points"].get<std::size_t>() + index);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes_.at(i)); };
-      const unsigned step = byte(2 * (first + axis)) + 256U * byte(2 * (first + axis) + 1);
-      const double low = motion_["low"][axis], high = motion_["high"][axis];
-      at[static_cast<int>(axis)] = low + (high - low) * step / 65535;
-    }
-    return at;
-  }
-
   const Json& motion_;
   std::string bytes_;
   std::size_t points_ = 0;

@@ -1,11 +1,12 @@
 #include "hair/view/motion.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
+#include "hair/io/files/base64.h"
 #include "hair/io/files/json_text.h"
-#include "hair/io/plot/base64.h"
 #include "hair/io/plot/page.h"
 
 namespace hair {
@@ -65,6 +66,10 @@ std::string list_of(const List& list, const Text& text_of) {
   std::string text = "[";
   for (const auto& one : list) text += (text.size() > 1 ? "," : "") + text_of(one);
   return text + "]";
+}
+
+std::string exact_vector_text(const Vector3d& v) {
+  return json_list({json_text(v.x()), json_text(v.y()), json_text(v.z())});
 }
 
 std::string vector_text(const Vector3d& v) {
@@ -130,7 +135,7 @@ void MotionFrames::begin(const Drawing& drawing) {
   const std::size_t wanted = hair.points.size() * static_cast<std::size_t>(std::max(1, frames_));
   const std::size_t every = std::max<std::size_t>(1, (wanted + most_points_ - 1) / most_points_);
   for (std::size_t s = 0; s < hair.sizes.size(); ++s) {
-    const std::uint32_t id = hair.ids.empty() ? static_cast<std::uint32_t>(s) : hair.ids[s];
+    const std::uint32_t id = hair.id(s);
     if (s % every != 0) {
       unseen_.push_back(static_cast<int>(id));
       continue;
@@ -170,7 +175,7 @@ void MotionFrames::add(const Drawing& drawing) {
   const StrandsDrawing& hair = drawing.strands;
   std::size_t from = 0;
   for (std::size_t s = 0; s < hair.sizes.size(); from += static_cast<std::size_t>(hair.sizes[s]), ++s) {
-    const std::uint32_t id = hair.ids.empty() ? static_cast<std::uint32_t>(s) : hair.ids[s];
+    const std::uint32_t id = hair.id(s);
     const auto to = first_point_.find(id);
     if (to == first_point_.end() || size_of_.at(id) != hair.sizes[s]) continue;
     for (std::size_t i = 0; i < static_cast<std::size_t>(hair.sizes[s]); ++i)
@@ -275,6 +280,25 @@ std::string MotionFrames::json(const MotionStory& story) const {
                       {"planes", list_of(planes, as_it_is)},
                       {"data", json_text(base64(quantised(all_, box)))}}) +
          "\n";
+}
+
+std::string MotionFrames::last_json() const {
+  std::string bytes;
+  bytes.reserve(12 * points_);
+  for (std::size_t i = all_.size() - points_; i < all_.size(); ++i)
+    for (const float x : all_[i])
+      for (int byte = 0; byte < 4; ++byte)
+        bytes += static_cast<char>(std::bit_cast<std::uint32_t>(x) >> (8 * byte) & 255U);
+  const std::string planes = list_of(planes_.back(), [](const Plane& plane) {
+    return json_object(
+        {{"points", exact_vector_text(plane.point)}, {"normals", exact_vector_text(plane.normal)}});
+  });
+  return json_object({{"data", json_text(base64(bytes))}, {"planes", planes}});
+}
+
+void MotionFrames::keep_last() {
+  all_.erase(all_.begin(), all_.end() - static_cast<std::ptrdiff_t>(points_));
+  planes_.erase(planes_.begin(), planes_.end() - 1);
 }
 
 }  // namespace hair

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hair/view/test_base64.h"
+#include "hair/view/test_motion.h"
 #include "hair/view/view_page.h"
 
 namespace hair {
@@ -14,20 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A point's position as the page calculates it.
 Vector3d shown(const Json& motion, int frame, int point) {
-  const std::string bytes = bytes_of_base64(motion["data"]);
-  Vector3d at;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t i =
-        2 * static_cast<std::size_t>(3 * (frame * motion["points"].get<int>() + point) + axis);
-    const unsigned step =
-        static_cast<unsigned char>(bytes.at(i)) + 256U * static_cast<unsigned char>(bytes.at(i + 1));
-    const double low = motion["low"][static_cast<std::size_t>(axis)],
-                 high = motion["high"][static_cast<std::size_t>(axis)];
-    at[axis] = low + (high - low) * step / 65535;
-  }
-  return at;
+  return point_of(motion, bytes_of_base64(motion["data"]), static_cast<std::size_t>(frame),
+                  static_cast<std::size_t>(point));
 }
 
 // Strands that swing in different directions.

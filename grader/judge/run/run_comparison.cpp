@@ -45,8 +45,8 @@ hair::Camera camera_of(const hair::Scene& scene, const hair::SceneDrawing& drawi
   for (const hair::Toy& toy : scene.toys)
     for (const particles::Wire& wire : toy.constraints.wires) {
       const Eigen::Vector3d reach = wire.radius * (1 - wire.normal.array().square()).max(0).sqrt();
-      bounds.add(wire.centre - reach);
-      bounds.add(wire.centre + reach);
+      bounds.extend(wire.centre - reach);
+      bounds.extend(wire.centre + reach);
     }
   return hair::frame_camera(bounds, static_cast<double>(kPictureWidth) / kPictureHeight,
                             scene.look.value_or(hair::Look()).view);
@@ -137,7 +137,7 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
         throw std::logic_error("the reference breaks in " + scene.name + ": " + *trouble);
     const particles::State state = ours.state(), points = ours.centre_lines(state);
     for (std::size_t i = 0; i < held.size(); ++i)
-      bounds.add(points.x.segment<3>(3 * static_cast<Eigen::Index>(i)));
+      bounds.extend(points.x.segment<3>(3 * static_cast<Eigen::Index>(i)));
     const hair::FrameMeasures measures = ours.measure(state);
     result.kinetic = std::max(result.kinetic, measures.kinetic);
 
@@ -162,7 +162,7 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
     taken.push_back({frame, moment, points, their_points, our_dense, their_dense, ours.obstacles()});
     result.moments.push_back(moment);
   }
-  result.size = (bounds.high - bounds.low).norm();
+  result.size = bounds.sizes().norm();
   result.camera = camera_of(scene, drawing, bounds);
 
   const auto apart_of = [](const Taken& one) { return std::max(one.moment.apart, one.moment.dense_apart); };

@@ -11,7 +11,7 @@
 #include "grader/report/facts/student_view.h"
 #include "grader/report/points_files.h"
 #include "grader/report/results_json.h"
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 #include "hair/io/plot/readable.h"
 #include "hair/io/plot/test_parsed.h"
 #include "solver/test_refusal.h"

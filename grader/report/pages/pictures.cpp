@@ -12,7 +12,7 @@
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
 #include "hair/io/image/read_png.h"
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 #include "hair/io/plot/page.h"
 #include "hair/view/view_page.h"
 

@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "hair/io/files/write_file.h"
-
 // stb's names stay in this file: other libraries may have them, too.
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -27,10 +25,6 @@ std::string encode_png(const Image& image) {
   };
   stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(), 3 * image.width);
   return bytes;
-}
-
-void write_png(const std::filesystem::path& file, const Image& image) {
-  write_file(file, encode_png(image));
 }
 
 }  // namespace hair

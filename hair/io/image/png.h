@@ -1,7 +1,6 @@
 // Pictures are written as PNG files by stb.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "hair/io/image/image.h"
@@ -14,8 +13,5 @@ inline constexpr std::size_t kMostPixels = 64'000'000;
 // The same picture gives the same bytes. Throws std::invalid_argument for a picture without pixels, larger
 // than these bounds, or whose pixels are not three bytes each.
 std::string encode_png(const Image& image);
-
-// Throws as write_file does, too.
-void write_png(const std::filesystem::path& file, const Image& image);
 
 }  // namespace hair

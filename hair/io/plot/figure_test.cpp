@@ -211,17 +211,6 @@ TEST(FigureTest, HostileTextsStayTexts) {
   }
 }
 
-TEST(FigureTest, TheFirst88SeriesHaveEachAColourAndMarkerOfTheirOwn) {
-  std::set<std::pair<std::string, std::string>> looks;
-  std::set<std::string> shapes;
-  for (int i = 0; i < kColours * kMarkers; ++i) {
-    looks.insert({colour(i), marker_path(i, 4.5)});
-    shapes.insert(marker_path(i, 4.5));
-  }
-  EXPECT_EQ(looks.size(), kColours * kMarkers);
-  EXPECT_EQ(shapes.size(), kMarkers);
-}
-
 TEST(FigureTest, ASeriesLooksAsItAsks) {
   Figure figure = sample_figure();
   figure.series = {{"one", {{1, 1}, {2, 2}}}, {"two", {{1, 2}, {2, 3}}}};

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 #include "hair/io/plot/readable.h"
 
 namespace hair {

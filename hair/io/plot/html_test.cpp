@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 #include "hair/io/plot/readable.h"
 #include "hair/io/plot/test_parsed.h"
 #include "hair/io/plot/test_samples.h"

@@ -100,10 +100,15 @@ TEST(LookTest, ColoursStandOutFromThePaperAndFromEachOtherForEachKindOfSight) {
   }
 }
 
-TEST(LookTest, MarkersAndDashesDiffer) {
+TEST(LookTest, TheFirst88SeriesHaveEachAColourAndMarkerOfTheirOwn) {
+  std::set<std::pair<std::string, std::string>> looks;
   std::set<std::string> markers, all_dashes;
-  for (int i = 0; i < kMarkers; ++i) markers.insert(marker_path(i, 4.5));
-  for (int i = 0; i < kColours; ++i) all_dashes.insert(dashes(i));
+  for (int i = 0; i < kColours * kMarkers; ++i) {
+    looks.insert({colour(i), marker_path(i, 4.5)});
+    markers.insert(marker_path(i, 4.5));
+    all_dashes.insert(dashes(i));
+  }
+  EXPECT_EQ(looks.size(), kColours * kMarkers);
   EXPECT_EQ(markers.size(), kMarkers);
   EXPECT_EQ(all_dashes.size(), kColours);
 }

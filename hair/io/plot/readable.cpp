@@ -37,6 +37,14 @@ bool is_control(std::string_view sequence) {
   return sequence == "\xef\xbf\xbe" || sequence == "\xef\xbf\xbf";
 }
 
+struct Entity {
+  char of;
+  std::string_view text;
+};
+
+constexpr Entity entities[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+
 struct Mark {
   std::string_view bytes, shown;
 };
@@ -95,25 +103,8 @@ std::string escaped(std::string_view bytes) {
       at += mark->bytes.size() - 1;
       continue;
     }
-    switch (const char c = whole[at]; c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      case '\'':
-        text += "&#39;";
-        break;
-      default:
-        text += c;
-    }
+    const auto* const entity = std::ranges::find(entities, whole[at], &Entity::of);
+    text += entity == std::end(entities) ? std::string_view(&whole[at], 1) : entity->text;
   }
   return text;
 }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 #include "solver/timing.h"
 
@@ -17,12 +18,17 @@ struct Logs {
   double error, time;
 };
 
-// Samples, each with a smaller error and a longer time than the previous one.
+// The runs that no other run beats in both error and time, in the order of time.
 std::vector<Logs> front_of(std::vector<Sample> samples, double least_error) {
   for (Sample& sample : samples) sample.error = std::max(sample.error, least_error);
+  std::ranges::sort(samples, {}, [](const Sample& one) { return std::pair(one.seconds, one.error); });
   std::vector<Logs> front;
-  for (const std::size_t i : best_of(samples))
-    front.push_back({std::log(samples[i].error), std::log(samples[i].seconds)});
+  double best = std::numeric_limits<double>::infinity();
+  for (const Sample& sample : samples) {
+    if (!(sample.error < best)) continue;
+    best = sample.error;
+    front.push_back({std::log(sample.error), std::log(sample.seconds)});
+  }
   return front;
 }
 
@@ -38,18 +44,6 @@ double time_at(const std::vector<Logs>& front, double error) {
 }
 
 }  // namespace
-
-std::vector<std::size_t> best_of(const std::vector<Sample>& samples) {
-  std::vector<std::size_t> all(samples.size()), best;
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::sort(all.begin(), all.end(), [&](std::size_t i, std::size_t k) {
-    const Sample &a = samples[i], &b = samples[k];
-    return a.seconds != b.seconds ? a.seconds < b.seconds : a.error < b.error;
-  });
-  for (const std::size_t i : all)
-    if (best.empty() || samples[i].error < samples[best.back()].error) best.push_back(i);
-  return best;
-}
 
 std::optional<double> time_for(const std::vector<Sample>& samples, double error, double least_error) {
   const std::vector<Logs> front = front_of(samples, least_error);

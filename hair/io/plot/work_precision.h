@@ -14,9 +14,6 @@ struct Sample {
   double seconds = 0, error = 0;  // both > 0
 };
 
-// The numbers of the runs that no other run beats in both error and time, in the order of time.
-std::vector<std::size_t> best_of(const std::vector<Sample>& samples);
-
 // The time for an error, s: the smallest time of a run with at most that error, with straight lines between
 // the best runs in logarithmic axes. Samples below `least_error` count as if they had that error. None if no
 // run reaches the error.

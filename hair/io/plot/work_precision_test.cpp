@@ -17,20 +17,14 @@ std::vector<Sample> curve(double order, double size, double first = 1e-3, int co
   return samples;
 }
 
-TEST(TimeRatio, IsOneOfACurveToItself) {
-  EXPECT_EQ(time_ratio(curve(2, 1e-9), curve(2, 1e-9), 1e-15), 1.0);
-}
-
 TEST(TimeRatio, IsTheFactorOfTimesWhereverTheSamplesLie) {
+  EXPECT_EQ(time_ratio(curve(2, 1e-9), curve(2, 1e-9), 1e-15), 1.0);
   // Twice the time for each error: at the same step sizes, and between them.
   std::vector<Sample> slow = curve(2, 1e-9);
   for (Sample& sample : slow) sample.seconds *= 2;
   EXPECT_NEAR(*time_ratio(slow, curve(2, 1e-9), 1e-15), 2, 1e-12);
   EXPECT_NEAR(*time_ratio(slow, curve(2, 1e-9, 1.3e-3), 1e-15), 2, 1e-12);
   EXPECT_NEAR(*time_ratio(curve(2, 1e-9, 1.3e-3), slow, 1e-15), 0.5, 1e-12);
-}
-
-TEST(TimeRatio, CountsALargerErrorAsTheStepsThatItCosts) {
   // Four times the error at the same time: order 1 needs four times the steps, order 2 twice.
   EXPECT_NEAR(*time_ratio(curve(1, 4e-6), curve(1, 1e-6), 1e-15), 4, 1e-12);
   EXPECT_NEAR(*time_ratio(curve(2, 4e-9), curve(2, 1e-9), 1e-15), 2, 1e-12);
@@ -65,10 +59,6 @@ TEST(TimeFor, IsBetweenTheRunsAndNoneWhereNoRunGets) {
   EXPECT_NEAR(*time_for(samples, 1, 1e-15), 1e-3, 1e-12) << "no run takes less";
   EXPECT_FALSE(time_for(samples, 1e-3 / 1025, 1e-15));
   EXPECT_FALSE(time_for({}, 1, 1e-15));
-}
-
-TEST(BestOf, AreRunsThatNoOtherBeatsInBoth) {
-  EXPECT_EQ(best_of({{4, 1}, {1, 10}, {2, 20}, {3, 5}, {3, 6}}), (std::vector<std::size_t>{1, 3, 0}));
 }
 
 TEST(Stalls, AfterThreeHalvingsThatGainNothing) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "hair/io/files/bad_input.h"
-#include "hair/io/serve/guard.h"
 #include "hair/io/serve/test_client.h"
 
 namespace hair {

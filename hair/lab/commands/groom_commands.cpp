@@ -5,7 +5,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "hair/groom/groom_edit.h"
 #include "hair/groom/groom_file.h"
 #include "hair/groom/groom_measures.h"
 #include "hair/groom/resample.h"
@@ -48,11 +47,11 @@ std::string line_of(const std::string& name, const std::string& what) {
   return "  " + left(name, kName) + what + "\n";
 }
 
-std::string of_box(const GroomBox& box) {
+std::string of_box(const Eigen::AlignedBox3d& box) {
   std::string text;
   for (int k = 0; k < 3; ++k)
-    text += std::string(k > 0 ? ", " : "") + "xyz"[k] + " " + four_digits(box.low[k]) + " to " +
-            four_digits(box.high[k]);
+    text += std::string(k > 0 ? ", " : "") + "xyz"[k] + " " + four_digits(box.min()[k]) + " to " +
+            four_digits(box.max()[k]);
   return text;
 }
 

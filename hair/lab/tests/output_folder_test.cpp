@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/write_file.h"
 #include "hair/io/image/png.h"
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/output_folder.h"
@@ -130,7 +131,7 @@ class Film : public testing::Test {
     for (int k = 0; k < 3; ++k) {
       Image image{17, 19, {}};  // odd, which most video runners can't show
       image.pixels.assign(3 * 17 * 19, static_cast<std::uint8_t>(80 * k));
-      write_png(folder_ / ("frame-000" + std::to_string(k) + ".png"), image);
+      write_file(folder_ / ("frame-000" + std::to_string(k) + ".png"), encode_png(image));
     }
   }
   ~Film() override { setenv("PATH", path_.c_str(), 1); }

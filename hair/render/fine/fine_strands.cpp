@@ -13,8 +13,7 @@ constexpr float kPieceTurn = 0.12F, kPieceLength = 24;
 }  // namespace
 
 FineStrands::FineStrands(const StrandsDrawing& drawing, const View& view, int pixels)
-    : ids_(drawing.ids),
-      half_width_(view.length(drawing.width / 2)),
+    : half_width_(view.length(drawing.width / 2)),
       pixels_(static_cast<float>(pixels) / (2 * view.tangent_y())) {
   first_.reserve(drawing.sizes.size() + 1);
   std::uint32_t next = 0;

@@ -42,17 +42,11 @@ class FineStrands {
   int strand_of(std::uint32_t point) const;
   std::uint32_t first(int strand) const { return first_[strand]; }
 
-  // A number that stays with the strand from picture to picture.
-  std::uint32_t id(int strand) const {
-    return ids_.empty() ? static_cast<std::uint32_t>(strand) : ids_[strand];
-  }
-
  private:
   int size(int strand) const { return static_cast<int>(first_[strand + 1] - first_[strand]); }
 
   std::vector<std::uint32_t> first_;  // each strand's first point, and the number of all points
   std::vector<Eigen::Vector3f> at_;
-  std::vector<std::uint32_t> ids_;
   float half_width_, pixels_;  // pixels_: at a distance of 1, in the view's unit
 };
 

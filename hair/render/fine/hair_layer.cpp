@@ -249,7 +249,7 @@ class HairPainter {
     point.tangent = steepness > 0 ? Eigen::Vector3f(point.tangent / steepness) : Eigen::Vector3f(0, 1, 0);
     if (around_.opacity) point.opacity = around_.opacity(point.at);
     if (around_.lit) point.lit = around_.lit(point.at);
-    return shaded_hair(point, strand_tint(drawing_, strands_.id(of.strand)), up_);
+    return shaded_hair(point, strand_tint(drawing_, drawing_.id(static_cast<std::size_t>(of.strand))), up_);
   }
 
   const StrandsDrawing& drawing_;

@@ -3,6 +3,7 @@
 #include <exception>
 #include <iostream>
 
+#include "hair/io/files/write_file.h"
 #include "hair/io/image/png.h"
 #include "hair/render/opengl/renderer.h"
 #include "hair/render/test_drawing.h"
@@ -15,7 +16,7 @@ int main(int count, char** arguments) try {
   const hair::RenderSettings settings{.width = 240, .height = 135, .library = arguments[1]};
   const hair::TestScene scene = hair::test_scene(16.0 / 9);
   hair::Renderer renderer(settings);
-  hair::write_png(arguments[2], renderer.draw(scene.drawing, scene.camera));
+  hair::write_file(arguments[2], hair::encode_png(renderer.draw(scene.drawing, scene.camera)));
   std::cout << renderer.about() << '\n';
   return 0;
 } catch (const std::exception& error) {

@@ -31,8 +31,12 @@ GlContext::GlContext(const std::string& library) {
   std::string tried;
   const auto open = [&](const std::string& name) {
     const bool egl = name.find("EGL") != std::string::npos;
-    if (egl ? open_egl(name) : open_osmesa(name)) return true;
-    tried += (tried.empty() ? "" : ", ") + name + " (" + why_not_ + ")";
+    library_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const char* const why_not = library_ == nullptr ? "is not there"
+                                : egl               ? "has no OpenGL 3.3 without a window"
+                                                    : "has no OpenGL 3.3";
+    if (library_ != nullptr && (egl ? open_egl() : open_osmesa())) return true;
+    tried += (tried.empty() ? "" : ", ") + name + " (" + why_not + ")";
     close();
     return false;
   };
@@ -69,11 +73,7 @@ void* GlContext::symbol(const char* name) const {
   return dlsym(library_, name);
 }
 
-bool GlContext::open_osmesa(const std::string& library) {
-  why_not_ = "is not there";
-  library_ = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library_ == nullptr) return false;
-  why_not_ = "has no OpenGL 3.3";
+bool GlContext::open_osmesa() {
   const auto create = as<void* (*)(const int*, void*)>(symbol("OSMesaCreateContextAttribs"));
   const auto find = as<Function (*)(const char*)>(symbol("OSMesaGetProcAddress"));
   if (create == nullptr || find == nullptr || symbol("OSMesaMakeCurrent") == nullptr ||
@@ -86,11 +86,7 @@ bool GlContext::open_osmesa(const std::string& library) {
   return context_ != nullptr && find_functions(find);
 }
 
-bool GlContext::open_egl(const std::string& library) {
-  why_not_ = "is not there";
-  library_ = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library_ == nullptr) return false;
-  why_not_ = "has no OpenGL 3.3 without a window";
+bool GlContext::open_egl() {
   const auto find = as<Function (*)(const char*)>(symbol("eglGetProcAddress"));
   const auto initialize = as<unsigned (*)(void*, std::int32_t*, std::int32_t*)>(symbol("eglInitialize"));
   const auto bind = as<unsigned (*)(unsigned)>(symbol("eglBindAPI"));

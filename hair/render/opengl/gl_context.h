@@ -36,8 +36,8 @@ class GlContext {
  private:
   using Function = void (*)();
 
-  bool open_osmesa(const std::string& library);
-  bool open_egl(const std::string& library);
+  bool open_osmesa();
+  bool open_egl();
   bool find_functions(Function (*find)(const char*));
   void* symbol(const char* name) const;
   bool make_current(bool on) const;
@@ -47,7 +47,7 @@ class GlContext {
   void* display_ = nullptr;  // EGL's; none with OSMesa
   void* context_ = nullptr;
   mutable unsigned char memory_[4 * 16 * 16] = {};  // OSMesa requires its own image
-  std::string why_not_, about_;
+  std::string about_;
   gl::Functions functions_;
 };
 

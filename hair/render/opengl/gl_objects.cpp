@@ -6,20 +6,29 @@
 
 namespace hair::gl {
 
-Program::Program(const Functions& functions, const ShaderPair& shaders, const std::string& header)
+namespace {
+
+// Throws with the compiler's words, unless the shader or the program has this status.
+void check(const char* action, Name name, Enum status, Pointer<void(Name, Enum, int*)> get,
+           Pointer<void(Name, int, int*, char*)> get_words) {
+  int done = 0, length = 0;
+  get(name, status, &done);
+  if (done != 0) return;
+  std::string words(2000, '\0');
+  get_words(name, static_cast<int>(words.size()), &length, words.data());
+  throw std::runtime_error("OpenGL can't " + std::string(action) +
+                           " a shader: " + words.substr(0, static_cast<std::size_t>(length)));
+}
+
+}  // namespace
+
+Program::Program(const Functions& functions, Pass pass, const std::string& header)
     : gl_(functions), name_(gl_.CreateProgram()) {
+  const ShaderPair& shaders = shaders_of(pass);
   gl_.AttachShader(name_, compile(kVertexShader, header + shaders.vertex));
   gl_.AttachShader(name_, compile(kFragmentShader, header + shaders.fragment));
   gl_.LinkProgram(name_);
-  int linked = 0;
-  gl_.GetProgramiv(name_, kLinkStatus, &linked);
-  if (linked == 0) {
-    std::string words(2000, '\0');
-    int length = 0;
-    gl_.GetProgramInfoLog(name_, static_cast<int>(words.size()), &length, words.data());
-    throw std::runtime_error("OpenGL can't link a shader: " +
-                             words.substr(0, static_cast<std::size_t>(length)));
-  }
+  check("link", name_, kLinkStatus, gl_.GetProgramiv, gl_.GetProgramInfoLog);
 }
 
 void Program::set(const char* name, float value) const {
@@ -49,15 +58,7 @@ Name Program::compile(Enum kind, const std::string& text) const {
   const char* const source = whole.c_str();
   gl_.ShaderSource(shader, 1, &source, nullptr);
   gl_.CompileShader(shader);
-  int compiled = 0;
-  gl_.GetShaderiv(shader, kCompileStatus, &compiled);
-  if (compiled == 0) {
-    std::string words(2000, '\0');
-    int length = 0;
-    gl_.GetShaderInfoLog(shader, static_cast<int>(words.size()), &length, words.data());
-    throw std::runtime_error("OpenGL can't compile a shader: " +
-                             words.substr(0, static_cast<std::size_t>(length)));
-  }
+  check("compile", shader, kCompileStatus, gl_.GetShaderiv, gl_.GetShaderInfoLog);
   return shader;
 }
 

@@ -5,7 +5,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hair/io/image/image.h"
@@ -17,7 +19,7 @@ namespace hair::gl {
 class Program {
  public:
   // Throws std::runtime_error with the compiler's message. `header` is inserted before both shaders.
-  Program(const Functions& functions, const ShaderPair& shaders, const std::string& header = "");
+  Program(const Functions& functions, Pass pass, const std::string& header);
 
   void use() const { gl_.UseProgram(name_); }
 
@@ -35,6 +37,23 @@ class Program {
 
   const Functions& gl_;
   Name name_;
+};
+
+// Programs of a context, each compiled when it is first needed.
+class Programs {
+ public:
+  explicit Programs(const Functions& functions) : gl_(functions) {}
+
+  // Compiles, if needed, and uses the program of this pass with this header.
+  const Program& use(Pass pass, const std::string& header = "") {
+    const Program& program = programs_.try_emplace({pass, header}, gl_, pass, header).first->second;
+    program.use();
+    return program;
+  }
+
+ private:
+  const Functions& gl_;
+  std::map<std::pair<Pass, std::string>, Program> programs_;
 };
 
 // A render target that can be read as a texture: colours, depths, or both.

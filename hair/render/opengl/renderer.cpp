@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "hair/render/check_drawing.h"
 #include "hair/render/fine/fine_hair.h"
 #include "hair/render/light.h"
 #include "hair/render/mesh.h"
 #include "hair/render/opengl/fine_hair_textures.h"
 #include "hair/render/opengl/gl_context.h"
 #include "hair/render/opengl/gl_objects.h"
-#include "hair/render/opengl/programs.h"
 #include "hair/render/ribbons.h"
 #include "hair/render/view.h"
 #include "particles/require.h"
@@ -111,7 +109,7 @@ class Renderer::Parts {
     if (content.solid_shadows) {
       if (!solid_map_) solid_map_ = make_target(gl_, size, size, 0, true);
       clear(*solid_map_);
-      const gl::Program& program = programs_.use("mesh depth", mesh_depth_shader);
+      const gl::Program& program = programs_.use(Pass::mesh_depth);
       aim(program, content.light.to, *solid_map_);
       mesh_->draw(gl::kTriangles, content.casting);
     }
@@ -124,7 +122,7 @@ class Renderer::Parts {
         count_map_ = make_target(gl_, size, size, gl::kRgba16F, false);
       }
       clear(*hair_map_);
-      const gl::Program& depth = programs_.use("ribbon depth", ribbon_depth_shader);
+      const gl::Program& depth = programs_.use(Pass::ribbon_depth);
       aim_at_light(depth, content);
       draw_ribbons();
 
@@ -132,7 +130,7 @@ class Renderer::Parts {
       gl_.Disable(gl::kDepthTest);
       gl_.Enable(gl::kBlend);
       gl_.BlendFunc(gl::kOne, gl::kOne);
-      const gl::Program& count = programs_.use("ribbon count", ribbon_count_shader);
+      const gl::Program& count = programs_.use(Pass::ribbon_count);
       aim_at_light(count, content);
       count.set("layers", layers(content));
       count.set("hair_depth", 0, hair_map_->depth);
@@ -166,12 +164,12 @@ class Renderer::Parts {
     const std::string header = std::string(content.hair_shadows ? "#define HAIR_SHADOWS\n" : "") +
                                (content.solid_shadows ? "#define SOLID_SHADOWS\n" : "");
     if (content.solids) {
-      const gl::Program& program = programs_.use("mesh", mesh_shader, header);
+      const gl::Program& program = programs_.use(Pass::mesh, header);
       light(program, view, content);
       mesh_->draw(gl::kTriangles, mesh_->size());
     }
     if (content.hair) {
-      const gl::Program& program = programs_.use("ribbon", ribbon_shader, header);
+      const gl::Program& program = programs_.use(Pass::ribbon, header);
       light(program, view, content);
       program.set("half_width", content.half_width);
       program.set("half_sample", view.tangent_y() / static_cast<float>(kSamples * settings_.height));
@@ -189,8 +187,7 @@ class Renderer::Parts {
     }
     draw_into(gl_, *picture_);
     gl_.Disable(gl::kDepthTest);
-    const gl::Program& program =
-        programs_.use("resolve", resolve_shader, content.fine ? "#define FINE_HAIR\n" : "");
+    const gl::Program& program = programs_.use(Pass::resolve, content.fine ? "#define FINE_HAIR\n" : "");
     program.set("samples", 0, samples_->colour);
     if (content.fine) fine_textures_.set_layer(program);
     gl_.BindVertexArray(no_vertices_);
@@ -260,7 +257,7 @@ class Renderer::Parts {
   RenderSettings settings_;
   GlContext context_;
   const gl::Functions& gl_;
-  Programs programs_;
+  gl::Programs programs_;
   FineHairTextures fine_textures_;
   std::optional<gl::Triangles> ribbons_, mesh_;
   std::optional<gl::Target> solid_map_, hair_map_, count_map_, samples_, picture_;

@@ -1,6 +1,6 @@
 // Draws pictures without a window: OpenGL 3.3 core by OSMesa or EGL, whichever this machine has. Both are
 // loaded when a renderer is made; no program links them. The same drawing gives the same bytes on one
-// machine, and nearly the same picture on another (hair/io/image/same_picture.h gives the tolerance).
+// machine, and nearly the same picture on another (other_machine_test.cpp).
 #pragma once
 
 #include <memory>

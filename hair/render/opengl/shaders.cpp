@@ -219,25 +219,18 @@ void main() {
 }
 )";
 
+// In the order of Pass.
+const ShaderPair kShaders[] = {{kRibbonVertex, kShadow + kRibbonFragment},
+                               {kMeshVertex, kShadow + kMeshFragment},
+                               {kRibbonVertex, kNothing},
+                               {kRibbonVertex, kCount},
+                               {kMeshVertex, kNothing},
+                               {kResolveVertex, kResolve}};
+
 }  // namespace
 
-ShaderPair ribbon_shader() {
-  return {kRibbonVertex, kShadow + kRibbonFragment};
-}
-ShaderPair mesh_shader() {
-  return {kMeshVertex, kShadow + kMeshFragment};
-}
-ShaderPair ribbon_depth_shader() {
-  return {kRibbonVertex, kNothing};
-}
-ShaderPair ribbon_count_shader() {
-  return {kRibbonVertex, kCount};
-}
-ShaderPair mesh_depth_shader() {
-  return {kMeshVertex, kNothing};
-}
-ShaderPair resolve_shader() {
-  return {kResolveVertex, kResolve};
+const ShaderPair& shaders_of(Pass pass) {
+  return kShaders[static_cast<int>(pass)];
 }
 
 }  // namespace hair

@@ -9,11 +9,15 @@ struct ShaderPair {
   std::string vertex, fragment;
 };
 
-ShaderPair ribbon_shader();        // hair, from the camera
-ShaderPair mesh_shader();          // everything except hair, from the camera
-ShaderPair ribbon_depth_shader();  // hair, from the light: its depth,
-ShaderPair ribbon_count_shader();  //   and the number of strands behind one another
-ShaderPair mesh_depth_shader();    // everything except hair, from the light
-ShaderPair resolve_shader();       // samples to pixels
+enum class Pass {
+  ribbon,        // hair, from the camera
+  mesh,          // everything except hair, from the camera
+  ribbon_depth,  // hair, from the light: its depth,
+  ribbon_count,  //   and the number of strands behind one another
+  mesh_depth,    // everything except hair, from the light
+  resolve        // samples to pixels
+};
+
+const ShaderPair& shaders_of(Pass pass);
 
 }  // namespace hair

@@ -9,7 +9,6 @@
 #include "hair/groom/resample.h"
 #include "hair/head/grow.h"
 #include "hair/head/scalp_roots.h"
-#include "hair/scene/json/group.h"
 #include "hair/scene/json/parts.h"
 
 namespace hair::json {
@@ -29,31 +28,17 @@ struct FileText {
 void keys_of(Keys& keys, FileText& groom) {
   keys.about(
       "Reads `.hair` files (www.cemyuksel.com/research/hairmodels) and `.ply` files with strands. Bald "
-      "roots, which are strands of a single point, are left out; `hairlab "
-      "run --explain` says how many. `hairlab info` shows what is in a file "
+      "roots, which are strands of a single point, are left out; `hairlab run --explain` says how many. "
+      "`hairlab info` shows what is in a file "
       "([lab/README.md](../lab/README.md#hairlab-info-convert-groom)).");
-  keys.any({.name = "file", .needed = true, .what = "its path counts from the scene's folder"}, groom.file);
-  keys.number({.name = "scale",
-               .unit = "m",
-               .needed = true,
-               .least = 1e-6,
-               .most = 1e6,
-               .what = "what the file's unit is"},
-              groom.scale);
-  keys.whole({.name = "strands",
-              .least = 1,
-              .most = kMostPicked,
-              .otherwise = "all of them",
-              .what = "takes so many, well spread over the scalp; what bends too much for hair "
-                      "is left out then"},
-             groom.strands);
-  keys.whole({.name = "points",
-              .least = 2,
-              .most = kMostPoints,
-              .otherwise = "the file's",
-              .what = "of each strand, at equal distances along it"},
-             groom.points);
-  keys.vector({.name = "move", .unit = "m", .what = "moves the groom, once it has its scale"}, groom.move);
+  keys.any("file", groom.file, {.needed = true}, "its path counts from the scene's folder");
+  keys.number("scale", groom.scale, {.unit = "m", .needed = true, .least = 1e-6, .most = 1e6},
+              "what the file's unit is");
+  keys.whole("strands", groom.strands, {.least = 1, .most = kMostPicked, .otherwise = "all of them"},
+             "takes so many, well spread over the scalp; what bends too much for hair is left out then");
+  keys.whole("points", groom.points, {.least = 2, .most = kMostPoints, .otherwise = "the file's"},
+             "of each strand, at equal distances along it");
+  keys.vector("move", groom.move, {.unit = "m"}, "moves the groom, once it has its scale");
 }
 
 // A group that has "groom".
@@ -67,8 +52,8 @@ void keys_of(Keys& keys, GroomedText& text) {
       "Strands from a file, or strands that grow on a head, in the shape that they have there. Clamped "
       "strands have this shape as their rest shape. Masses and springs that are not clamped have its "
       "lengths, and are straight at rest; rigid links keep the shape.");
-  keys.any({.name = "groom", .needed = true}, text.groom,
-           {object<FileText>(), {grown_section, " that grows"}});
+  keys.any("groom", text.groom,
+           {.needed = true, .objects = {object<FileText>(), {grown_section, " that grows"}}});
   keys_of(keys, text.group);
 }
 

@@ -1,4 +1,4 @@
-#include "hair/scene/json/group.h"
+#include "hair/scene/json/parts.h"
 
 #include <numbers>
 
@@ -7,83 +7,48 @@ namespace hair::json {
 void keys_of(Keys& keys, Fibre& fibre) {
   constexpr double kLargestFactor = 1e12;
   Material& material = fibre.material;
-  keys.number({.name = "radius", .unit = "m", .least = 1e-7, .most = 1}, material.radius);
-  keys.number({.name = "density", .unit = "kg/m³", .least = 1e-3, .most = 1e6}, material.density);
-  keys.number({.name = "young_modulus", .unit = "Pa", .least = 1, .most = 1e15}, material.young_modulus);
-  keys.number({.name = "stretch_factor",
-               .least = 0,
-               .most = kLargestFactor,
-               .what = "times the EA that follows from these; 0: no springs along the segments"},
-              fibre.stretch_factor);
-  keys.number({.name = "bend_factor",
-               .least = 0,
-               .most = kLargestFactor,
-               .what = "times EI; 0: nothing resists bending"},
-              fibre.bend_factor);
-  keys.number({.name = "twist_factor",
-               .least = 0,
-               .most = kLargestFactor,
-               .what = "times GJ, which resists twisting; not for masses and springs"},
-              fibre.twist_factor);
-  keys.number({.name = "skip_factor",
-               .least = 0,
-               .most = kLargestFactor,
-               .what = "the rigidity of springs that skip a particle (H3), times EA"},
-              fibre.skip_factor);
-  keys.number(
-      {.name = "relaxation_time",
-       .unit = "s",
-       .least = 0,
-       .most = 1e6,
-       .what = "bends and twists also resist their rates, with this times their stiffness; not for masses "
-               "and springs"},
-      fibre.relaxation_time);
+  keys.number("radius", material.radius, {.unit = "m", .least = 1e-7, .most = 1});
+  keys.number("density", material.density, {.unit = "kg/m³", .least = 1e-3, .most = 1e6});
+  keys.number("young_modulus", material.young_modulus, {.unit = "Pa", .least = 1, .most = 1e15});
+  keys.number("stretch_factor", fibre.stretch_factor, {.least = 0, .most = kLargestFactor},
+              "times the EA that follows from these; 0: no springs along the segments");
+  keys.number("bend_factor", fibre.bend_factor, {.least = 0, .most = kLargestFactor},
+              "times EI; 0: nothing resists bending");
+  keys.number("twist_factor", fibre.twist_factor, {.least = 0, .most = kLargestFactor},
+              "times GJ, which resists twisting; not for masses and springs");
+  keys.number("skip_factor", fibre.skip_factor, {.least = 0, .most = kLargestFactor},
+              "the rigidity of springs that skip a particle (H3), times EA");
+  keys.number("relaxation_time", fibre.relaxation_time, {.unit = "s", .least = 0, .most = 1e6},
+              "bends and twists also resist their rates, with this times their stiffness; not for masses and "
+              "springs");
   std::optional<double> degrees;
-  keys.number({.name = "joint_limit",
-               .unit = "°",
-               .least = 0.1,
-               .most = 180,
-               .otherwise = "none",
-               .what = "how far a joint of rigid links turns from its rest before it meets a buffer"},
-              degrees);
+  keys.number("joint_limit", degrees, {.unit = "°", .least = 0.1, .most = 180, .otherwise = "none"},
+              "how far a joint of rigid links turns from its rest before it meets a buffer");
   if (degrees) fibre.joint_limit = std::numbers::pi / 180 * *degrees;
 }
 
 void keys_of(Keys& keys, Held& held) {
   keys.about("Each strand is held straight in a direction, with its lengths at rest.");
   held.differently = true;
-  keys.direction({.name = "direction", .needed = true}, held.direction);
-  keys.number({.name = "stretch", .least = 0, .most = 100, .what = "times the lengths at rest"},
-              held.stretch);
-  keys.flag({.name = "folded", .what = "every other segment goes back"}, held.folded);
-  keys.vector({.name = "spin", .unit = "rad/s", .what = "turns about its root, like a stick"}, held.spin);
+  keys.direction("direction", held.direction, {.needed = true});
+  keys.number("stretch", held.stretch, {.least = 0, .most = 100}, "times the lengths at rest");
+  keys.flag("folded", held.folded, {}, "every other segment goes back");
+  keys.vector("spin", held.spin, {.unit = "rad/s"}, "turns about its root, like a stick");
 }
 
 void keys_of(Keys& keys, GroupText& group) {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> ids;
-    for (const ModelRow& row : models()) ids.emplace_back(row.id);
-    return ids;
-  }();
-  keys.word({.name = "model", .what = "what strands are made of; masses and springs come first"}, names,
-            group.model);
-  keys.part({.name = "material", .otherwise = "human hair"}, group.fibre);
+  keys.word("model", group.model, words_of(models(), &ModelRow::id), {},
+            "what strands are made of; masses and springs come first");
+  keys.part("material", group.fibre, {.otherwise = "human hair"});
   keys.flag(
-      {.name = "clamped",
-       .what = "a clamped strand leaves its root in the root's direction, a wave or curl along its own "
-               "tangent there, and only its axis has that direction; else the root is a hinge. Wavy and "
-               "curly hair must be clamped"},
-      group.clamped);
-  keys.part({.name = "start", .otherwise = "at rest", .what = "how it is held at the start"}, group.start);
-  keys.vector({.name = "root_velocity", .unit = "m/s", .what = "of the roots, all the time"},
-              group.root_velocity);
-  keys.text({.name = "moves_with", .otherwise = "nothing", .what = "the name of a motion"}, group.moves_with);
-  keys.part(
-      {.name = "synthesis",
-       .otherwise = "none",
-       .what =
-           "draws many strands in the place of these, which are their guides and have as many points each"},
-      group.synthesis);
+      "clamped", group.clamped, {},
+      "a clamped strand leaves its root in the root's direction, a wave or curl along its own tangent there, "
+      "and only its axis has that direction; else the root is a hinge. Wavy and curly hair must be clamped");
+  keys.part("start", group.start, {.otherwise = "at rest"}, "how it is held at the start");
+  keys.vector("root_velocity", group.root_velocity, {.unit = "m/s"}, "of the roots, all the time");
+  keys.text("moves_with", group.moves_with, {.otherwise = "nothing"}, "the name of a motion");
+  keys.part("synthesis", group.synthesis, {.otherwise = "none"},
+            "draws many strands in the place of these, which are their guides and have as many points each");
 }
 
 StrandSpec spec_of(const JsonValue& object, const GroupText& group) {

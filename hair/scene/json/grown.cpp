@@ -1,5 +1,3 @@
-#include "hair/scene/json/group.h"
-
 #include <memory>
 #include <string>
 
@@ -19,33 +17,21 @@ struct GrownText {
 };
 
 void keys_of(Keys& keys, GrownText& groom) {
-  static const std::vector<std::string_view> styles = [] {
-    std::vector<std::string_view> names;
-    for (const HairStyle& style : hair_styles()) names.emplace_back(style.name);
-    return names;
-  }();
   keys.about(
-      "Hair in a style, on a head. It goes round the head, and round the shoulders of a bust: place the "
-      "bust under `obstacles[].bust` alike. At rest it has the shape in which it grew, and only its "
-      "weight moves it from there. As guides of dense hair, strands are in no clumps.");
-  keys.word({.name = "style",
-             .needed = true,
-             .what = "[what they look like](../lab/README.md#hairlab-info-convert-groom)"},
-            styles, groom.style);
-  keys.whole({.name = "strands", .needed = true, .least = 1, .most = 100'000}, groom.settings.strands);
-  keys.whole({.name = "points",
-              .least = 2,
-              .most = kMostPoints,
-              .otherwise = "the style's",
-              .what = "of each strand; curls and waves need eight a turn"},
-             groom.settings.points);
-  keys.number(
-      {.name = "length", .unit = "m", .least = kShortest, .most = kLongest, .otherwise = "the style's"},
-      groom.length);
-  keys.word({.name = "head", .what = "what it grows on"}, {"bust", "ellipsoid"}, groom.head);
-  keys.vector({.name = "at", .unit = "m", .what = "where the middle of its skull is"}, groom.at);
-  keys.whole({.name = "seed", .least = 0, .most = kLargestSeed, .what = "the same seed gives the same hair"},
-             groom.settings.seed);
+      "Hair in a style, on a head. It goes round the head, and round the shoulders of a bust: place the bust "
+      "under `obstacles[].bust` alike. At rest it has the shape in which it grew, and only its weight moves "
+      "it from there. As guides of dense hair, strands are in no clumps.");
+  keys.word("style", groom.style, words_of(hair_styles(), &HairStyle::name), {.needed = true},
+            "[what they look like](../lab/README.md#hairlab-info-convert-groom)");
+  keys.whole("strands", groom.settings.strands, {.needed = true, .least = 1, .most = 100'000});
+  keys.whole("points", groom.settings.points, {.least = 2, .most = kMostPoints, .otherwise = "the style's"},
+             "of each strand; curls and waves need eight a turn");
+  keys.number("length", groom.length,
+              {.unit = "m", .least = kShortest, .most = kLongest, .otherwise = "the style's"});
+  keys.word("head", groom.head, {"bust", "ellipsoid"}, {}, "what it grows on");
+  keys.vector("at", groom.at, {.unit = "m"}, "where the middle of its skull is");
+  keys.whole("seed", groom.settings.seed, {.least = 0, .most = kLargestSeed},
+             "the same seed gives the same hair");
 }
 
 }  // namespace
@@ -70,11 +56,10 @@ StillHair read_grown(const JsonValue& groom) {
 
 void keys_of(Keys& keys, StillText& still) {
   keys.about(
-      "Hair that keeps the shape in which it grows, and goes with the head: what is tied, and what is "
-      "short. It is only drawn. No exercise is called for it, and no other hair touches it.");
-  keys.any({.name = "groom", .needed = true, .what = "[a groom that grows](#hairgroom-that-grows)"},
-           still.groom);
-  keys.text({.name = "moves_with", .otherwise = "nothing", .what = "the name of a motion"}, still.moves_with);
+      "Hair that keeps the shape in which it grows, and goes with the head: what is tied, and what is short. "
+      "It is only drawn. No exercise is called for it, and no other hair touches it.");
+  keys.any("groom", still.groom, {.needed = true}, "[a groom that grows](#hairgroom-that-grows)");
+  keys.text("moves_with", still.moves_with, {.otherwise = "nothing"}, "the name of a motion");
 }
 
 void add_still_hair(const JsonValue& list, Reading& reading) {

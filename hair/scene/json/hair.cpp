@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "hair/scene/json/group.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/roots.h"
 #include "hair/simulation/models.h"
@@ -30,17 +29,11 @@ struct Spread {
 
 void keys_of(Keys& keys, Spread& spread) {
   keys.about("Random differences. The same seed gives the same strands.");
-  keys.whole({.name = "seed", .least = 0, .most = kLargestSeed}, spread.seed);
-  keys.number({.name = "length", .least = 0, .most = 0.9, .what = "longer or shorter by up to this part"},
-              spread.length);
-  keys.number({.name = "tilt", .unit = "°", .least = 0, .most = 90, .what = "of the direction, up to"},
-              spread.tilt);
-  keys.number({.name = "turn",
-               .unit = "°",
-               .least = 0,
-               .most = 180,
-               .what = "of waves and curls about the strand, up to, either way"},
-              spread.turn);
+  keys.whole("seed", spread.seed, {.least = 0, .most = kLargestSeed});
+  keys.number("length", spread.length, {.least = 0, .most = 0.9}, "longer or shorter by up to this part");
+  keys.number("tilt", spread.tilt, {.unit = "°", .least = 0, .most = 90}, "of the direction, up to");
+  keys.number("turn", spread.turn, {.unit = "°", .least = 0, .most = 180},
+              "of waves and curls about the strand, up to, either way");
 }
 
 // A group that has "roots".
@@ -55,16 +48,12 @@ struct RootedText {
 
 void keys_of(Keys& keys, RootedText& text) {
   keys.about("A group: strands that differ by their roots, and by chance.");
-  keys.whole({.name = "segments",
-              .needed = true,
-              .least = 1,
-              .most = 10'000,
-              .what = "of each strand: it has one particle more"},
-             text.segments);
-  keys.number(a_length({.name = "length", .needed = true, .what = "of each strand"}), text.length);
-  keys.part({.name = "roots", .needed = true, .what = "where they grow, and in which direction"}, text.roots);
-  keys.part({.name = "shape", .otherwise = "straight", .what = "at rest"}, text.shape);
-  keys.part({.name = "variation", .otherwise = "none", .what = "how strands differ"}, text.variation);
+  keys.whole("segments", text.segments, {.needed = true, .least = 1, .most = 10'000},
+             "of each strand: it has one particle more");
+  keys.length("length", text.length, {.needed = true}, "of each strand");
+  keys.part("roots", text.roots, {.needed = true}, "where they grow, and in which direction");
+  keys.part("shape", text.shape, {.otherwise = "straight"}, "at rest");
+  keys.part("variation", text.variation, {.otherwise = "none"}, "how strands differ");
   keys_of(keys, text.group);
 }
 
@@ -122,29 +111,21 @@ void add_rooted(const JsonValue& object, Reading& reading) {
 }  // namespace
 
 static void keys_of(Keys& keys, Wavy& wave) {
-  keys.number({.name = "amplitude",
-               .unit = "m",
-               .needed = true,
-               .least = 0,
-               .most = kLongest,
-               .what = "at most a wavelength"},
-              wave.amplitude);
-  keys.number(a_length({.name = "wavelength", .needed = true, .what = "at least four segments"}),
-              wave.wavelength);
+  keys.number("amplitude", wave.amplitude, {.unit = "m", .needed = true, .least = 0, .most = kLongest},
+              "at most a wavelength");
+  keys.length("wavelength", wave.wavelength, {.needed = true}, "at least four segments");
 }
 
 static void keys_of(Keys& keys, Curly& curl) {
-  keys.number({.name = "radius", .unit = "m", .needed = true, .least = 0, .most = kLongest}, curl.radius);
-  keys.number(a_length({.name = "pitch",
-                        .needed = true,
-                        .what = "from one turn to the next; a turn takes at least four segments"}),
-              curl.pitch);
+  keys.number("radius", curl.radius, {.unit = "m", .needed = true, .least = 0, .most = kLongest});
+  keys.length("pitch", curl.pitch, {.needed = true},
+              "from one turn to the next; a turn takes at least four segments");
 }
 
 static void keys_of(Keys& keys, ShapeText& shape) {
   keys.one_of();
-  keys.part({.name = "wavy", .what = "a plane wave"}, shape.wavy);
-  keys.part({.name = "curly", .what = "a helix"}, shape.curly);
+  keys.part("wavy", shape.wavy, {}, "a plane wave");
+  keys.part("curly", shape.curly, {}, "a helix");
 }
 
 std::vector<ObjectKind> kinds_of_hair() {

@@ -21,8 +21,8 @@ class Tables {
     for (const NotedKey& key : section.keys) add_row(key);
     text_ += "\n";
     for (const NotedKey& key : section.keys)
-      for (const ObjectKind& inner : key.objects) {
-        const std::string below = path + (path.empty() ? "" : ".") + key.key.name + (key.list ? "[]" : "");
+      for (const ObjectKind& inner : key.spec.objects) {
+        const std::string below = path + (path.empty() ? "" : ".") + key.name + (key.list ? "[]" : "");
         add(inner, below, "`" + below + "`" + inner.addition);
       }
   }
@@ -31,9 +31,9 @@ class Tables {
 
  private:
   void add_row(const NotedKey& key) {
-    text_ += "| `" + std::string(key.key.name) + "` ";
+    text_ += "| `" + std::string(key.name) + "` ";
     for (const std::string& cell :
-         {std::string(key.key.unit), key.otherwise, key.bounds, std::string(key.key.what)})
+         {std::string(key.spec.unit), key.otherwise, key.bounds, std::string(key.what)})
       text_ += "|" + (cell.empty() ? "" : " " + cell) + " ";
     text_ += "|\n";
   }
@@ -58,29 +58,28 @@ void Section::check(const JsonValue& object) const {
 }
 
 void Keys::note(NotedKey key) {
-  (key.key.needed ? noted_->needed : noted_->optional).emplace_back(key.key.name);
+  (key.spec.needed ? noted_->needed : noted_->optional).emplace_back(key.name);
   noted_->keys.push_back(std::move(key));
 }
 
-Vector3d Keys::vector_at(const KeySpec& key) const {
-  const auto numbers = at(key).three_numbers(key.least, key.most);
-  return {numbers[0], numbers[1], numbers[2]};
+Vector3d Keys::vector_at(const char* key, const KeySpec& spec) const {
+  return Vector3d(at(key).three_numbers(spec.least, spec.most).data());
 }
 
-Vector3d Keys::direction_at(const KeySpec& key) const {
-  const Vector3d along = vector_at(key);
+Vector3d Keys::direction_at(const char* key, const KeySpec& spec) const {
+  const Vector3d along = vector_at(key, spec);
   const double size = along.norm();
   if (size < 1e-9) at(key).fail("has no direction; give one that is not [0, 0, 0]");
   return size == 1 ? along : Vector3d(along / size);
 }
 
-std::string Keys::text_of(double number) {
+std::string exact_text(double number) {
   std::array<char, 32> text;
   return {text.data(), std::to_chars(text.begin(), text.end(), number).ptr};
 }
 
 std::string Keys::text_of(const Vector3d& vector) {
-  return "[" + text_of(vector[0]) + ", " + text_of(vector[1]) + ", " + text_of(vector[2]) + "]";
+  return "[" + exact_text(vector[0]) + ", " + exact_text(vector[1]) + ", " + exact_text(vector[2]) + "]";
 }
 
 }  // namespace hair::json

@@ -6,8 +6,8 @@
 //     double radius = 0.1;
 //   };
 //   void keys_of(Keys& keys, Ball& ball) {
-//     keys.vector({.name = "centre", .unit = "m", .needed = true}, ball.centre);
-//     keys.number({.name = "radius", .unit = "m", .least = 0, .most = 1, .what = "its hull"}, ball.radius);
+//     keys.vector("centre", ball.centre, {.unit = "m", .needed = true});
+//     keys.number("radius", ball.radius, {.unit = "m", .least = 0, .most = 1}, "its hull");
 //   }
 //   const Ball ball = read<Ball>(object);
 //
@@ -16,7 +16,6 @@
 #pragma once
 
 #include <concepts>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,22 +34,8 @@ inline constexpr double kLongest = 1e4;  // m, bounds lengths and radii
 inline constexpr double kShortest = 1e-7;
 inline constexpr double kLargestSeed = 9007199254740992;  // a double holds all whole numbers up to here
 
-struct KeySpec {
-  const char* name;
-  const char* unit = "";
-  bool needed = false;
-  double least = -kFar, most = kFar;  // bounds a number, and each number of a vector
-  const char* otherwise = nullptr;    // the default in words; null: the value as it is
-  const char* what = "";
-};
-
-// The same key, for a length in metres.
-constexpr KeySpec a_length(KeySpec key) {
-  key.unit = "m";
-  key.least = kShortest;
-  key.most = kLongest;
-  return key;
-}
+// The shortest text that reads back as the same number.
+std::string exact_text(double number);
 
 struct Section;
 
@@ -61,11 +46,19 @@ struct ObjectKind {
   const char* addition = "";
 };
 
-struct NotedKey {
-  KeySpec key;
-  std::string otherwise, bounds;  // as the tables show them
+struct KeySpec {
+  const char* unit = "";
+  bool needed = false;
+  double least = -kFar, most = kFar;  // bounds a number, and each number of a vector
+  const char* otherwise = nullptr;    // the default in words; null: the value as it is
   std::vector<ObjectKind> objects = {};
-  bool list = false;  // a list of such objects
+};
+
+struct NotedKey {
+  const char *name, *what;
+  KeySpec spec;
+  std::string otherwise, bounds;  // as the tables show them
+  bool list = false;              // a list of objects
 };
 
 // All keys of an object.
@@ -103,55 +96,59 @@ class Keys {
 
   // The named type is that of the value, or of its std::optional. Without the key the value stays as it is.
   template <class Value>  // double
-  void number(const KeySpec& key, Value& value) {
-    if (has(key, value, [&] { return number_range(key.least, key.most); }))
-      value = at(key).number(key.least, key.most);
+  void number(const char* key, Value& value, const KeySpec& spec = {}, const char* what = "") {
+    if (has(key, value, spec, what, [&] { return number_range(spec.least, spec.most); }))
+      value = at(key).number(spec.least, spec.most);
+  }
+  template <class Value>  // double, a length in metres
+  void length(const char* key, Value& value, KeySpec spec = {}, const char* what = "") {
+    spec.unit = "m";
+    spec.least = kShortest;
+    spec.most = kLongest;
+    number(key, value, spec, what);
   }
   template <class Value>  // a whole number
-  void whole(const KeySpec& key, Value& value) {
-    const auto least = static_cast<long>(key.least), most = static_cast<long>(key.most);
-    if (has(key, value, [&] { return "whole, " + whole_range(least, most); }))
+  void whole(const char* key, Value& value, const KeySpec& spec = {}, const char* what = "") {
+    const auto least = static_cast<long>(spec.least), most = static_cast<long>(spec.most);
+    if (has(key, value, spec, what, [&] { return "whole, " + whole_range(least, most); }))
       value = static_cast<Plain<Value>>(at(key).whole_number(least, most));
   }
   template <class Value>  // Vector3d
-  void vector(const KeySpec& key, Value& value) {
-    if (has(key, value, [&] { return number_range(key.least, key.most); })) value = vector_at(key);
+  void vector(const char* key, Value& value, const KeySpec& spec = {}, const char* what = "") {
+    if (has(key, value, spec, what, [&] { return number_range(spec.least, spec.most); }))
+      value = vector_at(key, spec);
   }
   template <class Value>  // Vector3d, of any length but 0, which becomes 1
-  void direction(const KeySpec& key, Value& value) {
-    if (has(key, value, [&] { return number_range(key.least, key.most); })) value = direction_at(key);
+  void direction(const char* key, Value& value, const KeySpec& spec = {}, const char* what = "") {
+    if (has(key, value, spec, what, [&] { return number_range(spec.least, spec.most); }))
+      value = direction_at(key, spec);
   }
   template <class Value>  // bool
-  void flag(const KeySpec& key, Value& value) {
-    if (has(key, value, [] { return "true, false"; })) value = at(key).boolean();
+  void flag(const char* key, Value& value, const KeySpec& spec = {}, const char* what = "") {
+    if (has(key, value, spec, what, [] { return "true, false"; })) value = at(key).boolean();
   }
   template <class Value>  // std::string
-  void text(const KeySpec& key, Value& value) {
-    if (has(key, value, [] { return ""; })) value = at(key).text();
+  void text(const char* key, Value& value, const KeySpec& spec = {}, const char* what = "") {
+    if (has(key, value, spec, what)) value = at(key).text();
   }
   template <class Value>  // one of the words: its index, as an enumeration, a number or a bool
-  void word(const KeySpec& key, std::span<const std::string_view> words, Value& value) {
-    if (has(key, Word{words, index_of(value)}, [&] { return listed(words); }))
+  void word(const char* key, Value& value, const std::vector<std::string_view>& words,
+            const KeySpec& spec = {}, const char* what = "") {
+    if (has(key, Word{words, index_of(value)}, spec, what, [&] { return listed(words); }))
       value = static_cast<Plain<Value>>(at(key).word(words));
   }
-  template <class Value>
-  void word(const KeySpec& key, std::initializer_list<std::string_view> words, Value& value) {
-    word(key, std::span(words.begin(), words.size()), value);
-  }
   template <class Value>  // an object of a type that has keys_of
-  void part(const KeySpec& key, Value& value) {
-    if (has(key, Nothing{}, [] { return ""; }, {object<Plain<Value>>()})) value = read<Plain<Value>>(at(key));
+  void part(const char* key, Value& value, KeySpec spec = {}, const char* what = "") {
+    spec.objects = {object<Plain<Value>>()};
+    if (has(key, Nothing{}, spec, what)) value = read<Plain<Value>>(at(key));
   }
-  // The caller reads the value: an object of one of these kinds, a list of such objects, or anything else.
-  void any(const KeySpec& key, std::optional<JsonValue>& value, const std::vector<ObjectKind>& objects = {}) {
-    if (has(
-            key, Nothing{}, [] { return ""; }, objects))
-      value = at(key);
+  // The caller reads the value: an object of the spec's kinds, a list of such objects, or anything else.
+  void any(const char* key, std::optional<JsonValue>& value, const KeySpec& spec = {},
+           const char* what = "") {
+    if (has(key, Nothing{}, spec, what)) value = at(key);
   }
-  void list(const KeySpec& key, std::optional<JsonValue>& value, const std::vector<ObjectKind>& objects) {
-    if (has(
-            key, Nothing{}, [] { return ""; }, objects, true))
-      value = at(key);
+  void list(const char* key, std::optional<JsonValue>& value, const KeySpec& spec, const char* what = "") {
+    if (has(key, Nothing{}, spec, what, no_bounds, true)) value = at(key);
   }
 
  private:
@@ -168,26 +165,27 @@ class Keys {
 
   struct Nothing {};
   struct Word {
-    std::span<const std::string_view> words;
+    const std::vector<std::string_view>& words;
     std::size_t index;
   };
 
   // True if there is an object that has the key. Without an object, notes the key.
-  template <class Value, class Bounds>
-  bool has(const KeySpec& key, const Value& value, const Bounds& bounds,
-           const std::vector<ObjectKind>& objects = {}, bool list = false) {
-    if (object_) return object_->has(key.name);
-    note({key,
-          key.needed      ? "needed"
-          : key.otherwise ? key.otherwise
-                          : text_of(value),
-          bounds(), objects, list});
+  template <class Value, class Bounds = std::string (*)()>
+  bool has(const char* key, const Value& value, const KeySpec& spec, const char* what,
+           const Bounds& bounds = no_bounds, bool list = false) {
+    if (object_) return object_->has(key);
+    note({key, what, spec,
+          spec.needed      ? "needed"
+          : spec.otherwise ? spec.otherwise
+                           : text_of(value),
+          bounds(), list});
     return false;
   }
+  static std::string no_bounds() { return ""; }
   void note(NotedKey key);
-  JsonValue at(const KeySpec& key) const { return (*object_)[key.name]; }
-  Vector3d vector_at(const KeySpec& key) const;
-  Vector3d direction_at(const KeySpec& key) const;
+  JsonValue at(const char* key) const { return (*object_)[key]; }
+  Vector3d vector_at(const char* key, const KeySpec& spec) const;
+  Vector3d direction_at(const char* key, const KeySpec& spec) const;
 
   template <class Value>
   static std::size_t index_of(const Value& value) {
@@ -197,7 +195,7 @@ class Keys {
   static std::size_t index_of(const std::optional<Value>&) {
     return 0;
   }
-  static std::string text_of(double number);  // the shortest text that reads back as the same number
+  static std::string text_of(double number) { return exact_text(number); }
   static std::string text_of(const Vector3d& vector);
   static std::string text_of(bool flag) { return flag ? "true" : "false"; }
   static std::string text_of(const std::string& text) { return text; }
@@ -215,6 +213,14 @@ class Keys {
   Section* noted_ = nullptr;
   const JsonValue* object_ = nullptr;
 };
+
+// The words of a key: this text of each row of a table.
+template <class Rows, class Row, class Text>
+std::vector<std::string_view> words_of(const Rows& rows, Text Row::*text) {
+  std::vector<std::string_view> words;
+  for (const Row& row : rows) words.emplace_back(row.*text);
+  return words;
+}
 
 template <class T>
 const Section& section_of() {

@@ -13,55 +13,31 @@ constexpr double kStretched = 1e6;  // times a link's length
 }  // namespace
 
 void keys_of(Keys& keys, StripLaw& strips) {
-  keys.number(
-      a_length({.name = "thickness",
-                .needed = true,
-                .what = "particles that are nearer to a strip are pushed away; in a step they should move "
-                        "by less than this"}),
-      strips.thickness);
-  keys.number({.name = "stiffness",
-               .unit = "N/m",
-               .needed = true,
-               .least = 0,
-               .most = kStiffest,
-               .what = "of this push, where hairs cross"},
-              strips.stiffness);
-  keys.number({.name = "friction", .least = 0, .most = 1e3, .what = "of hair that slips along a strip"},
-              strips.friction);
+  keys.length(
+      "thickness", strips.thickness, {.needed = true},
+      "particles that are nearer to a strip are pushed away; in a step they should move by less than this");
+  keys.number("stiffness", strips.stiffness, {.unit = "N/m", .needed = true, .least = 0, .most = kStiffest},
+              "of this push, where hairs cross");
+  keys.number("friction", strips.friction, {.least = 0, .most = 1e3}, "of hair that slips along a strip");
 }
 
 void keys_of(Keys& keys, LinksText& links) {
   keys.about(
-      "Each group of `hair` is a row of guides, in the order of its roots. Neighbours in a row are "
-      "linked, and linked hair is one system: its `method` is `implicit_euler`, and it is of masses and "
-      "springs, and clamped.");
+      "Each group of `hair` is a row of guides, in the order of its roots. Neighbours in a row are linked, "
+      "and linked hair is one system: its `method` is `implicit_euler`, and it is of masses and springs, and "
+      "clamped.");
   MeshSpec& spec = links.spec;
-  keys.number(
-      {.name = "stiffness",
-       .unit = "N/m",
-       .needed = true,
-       .least = 0,
-       .most = kStiffest,
-       .what = "of a link; one goes from each particle of a guide to the nearest one of the guide before"},
-      spec.stiffness);
-  keys.number({.name = "yields",
-               .least = 0,
-               .most = kStretched,
-               .what = "the stretch, over the link's length, from which on it loses stiffness for good"},
-              spec.yields);
+  keys.number("stiffness", spec.stiffness, {.unit = "N/m", .needed = true, .least = 0, .most = kStiffest},
+              "of a link; one goes from each particle of a guide to the nearest one of the guide before");
+  keys.number("yields", spec.yields, {.least = 0, .most = kStretched},
+              "the stretch, over the link's length, from which on it loses stiffness for good");
   spec.breaks = std::max(spec.breaks, spec.yields);
-  keys.number({.name = "breaks",
-               .least = 0,
-               .most = kStretched,
-               .what = "the stretch that breaks it; at least `yields`"},
-              spec.breaks);
-  keys.word({.name = "neighbours",
-             .what = "both: a guide is also linked to the one in its place in the next row, as on a brush"},
-            {"rows", "both"}, links.neighbours);
-  keys.part({.name = "strips",
-             .otherwise = "none",
-             .what = "strips of triangles between neighbours, which other guides can't go through"},
-            spec.strips);
+  keys.number("breaks", spec.breaks, {.least = 0, .most = kStretched},
+              "the stretch that breaks it; at least `yields`");
+  keys.word("neighbours", links.neighbours, {"rows", "both"}, {},
+            "both: a guide is also linked to the one in its place in the next row, as on a brush");
+  keys.part("strips", spec.strips, {.otherwise = "none"},
+            "strips of triangles between neighbours, which other guides can't go through");
 }
 
 void add_links(const JsonValue& object, const LinksText& links, Reading& reading) {

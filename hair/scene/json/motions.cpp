@@ -19,21 +19,12 @@ void keys_of(Keys& keys, MotionKey& key) {
       "At the first key, a moving thing is where the scene puts it. It turns about the key's `position`. "
       "From one key to the next it speeds up and slows down. It rests before the first key and after the "
       "last.");
-  keys.number({.name = "time",
-               .unit = "s",
-               .needed = true,
-               .least = 0,
-               .most = 1e6,
-               .what = "later than the key before it"},
-              key.time);
-  keys.vector({.name = "position", .unit = "m"}, key.position);
-  keys.direction({.name = "axis", .what = "of the rotation; goes with `degrees`"}, key.axis);
-  keys.number({.name = "degrees",
-               .unit = "°",
-               .least = -3600,
-               .most = 3600,
-               .what = "at most 180 from one key to the next"},
-              key.degrees);
+  keys.number("time", key.time, {.unit = "s", .needed = true, .least = 0, .most = 1e6},
+              "later than the key before it");
+  keys.vector("position", key.position, {.unit = "m"});
+  keys.direction("axis", key.axis, {}, "of the rotation; goes with `degrees`");
+  keys.number("degrees", key.degrees, {.unit = "°", .least = -3600, .most = 3600},
+              "at most 180 from one key to the next");
 }
 
 Motion read_keys(const JsonValue& list) {
@@ -59,8 +50,8 @@ Motion read_keys(const JsonValue& list) {
 }  // namespace
 
 void keys_of(Keys& keys, MotionText& motion) {
-  keys.text({.name = "name", .needed = true, .what = "what `moves_with` says"}, motion.name);
-  keys.list({.name = "keys", .needed = true, .what = "where it is when"}, motion.keys, {object<MotionKey>()});
+  keys.text("name", motion.name, {.needed = true}, "what `moves_with` says");
+  keys.list("keys", motion.keys, {.needed = true, .objects = {object<MotionKey>()}}, "where it is when");
 }
 
 void add_motions(const JsonValue& list, Reading& reading) {

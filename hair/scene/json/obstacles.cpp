@@ -7,19 +7,19 @@
 namespace hair::json {
 
 static void keys_of(Keys& keys, Plane& plane) {
-  keys.vector({.name = "point", .unit = "m", .needed = true}, plane.point);
-  keys.direction({.name = "normal", .needed = true, .what = "to where hair may be"}, plane.normal);
+  keys.vector("point", plane.point, {.unit = "m", .needed = true});
+  keys.direction("normal", plane.normal, {.needed = true}, "to where hair may be");
 }
 
 static void keys_of(Keys& keys, Sphere& sphere) {
-  keys.vector({.name = "centre", .unit = "m", .needed = true}, sphere.centre);
-  keys.number(a_length({.name = "radius", .needed = true}), sphere.radius);
+  keys.vector("centre", sphere.centre, {.unit = "m", .needed = true});
+  keys.length("radius", sphere.radius, {.needed = true});
 }
 
 static void keys_of(Keys& keys, Capsule& capsule) {
-  keys.vector({.name = "from", .unit = "m", .needed = true, .what = "an end of its middle line"}, capsule.a);
-  keys.vector({.name = "to", .unit = "m", .needed = true, .what = "the other end"}, capsule.b);
-  keys.number(a_length({.name = "radius", .needed = true}), capsule.radius);
+  keys.vector("from", capsule.a, {.unit = "m", .needed = true}, "an end of its middle line");
+  keys.vector("to", capsule.b, {.unit = "m", .needed = true}, "the other end");
+  keys.length("radius", capsule.radius, {.needed = true});
 }
 
 namespace {
@@ -32,7 +32,7 @@ void keys_of(Keys& keys, PlacedBust& bust) {
   keys.about(
       "z is up, and the face looks along -y. The head is 15 cm wide, 19 cm deep and 23 cm high; the chest "
       "ends 35 cm below the middle of the skull.");
-  keys.vector({.name = "at", .unit = "m", .what = "where the middle of its skull is"}, bust.at);
+  keys.vector("at", bust.at, {.unit = "m"}, "where the middle of its skull is");
 }
 
 decltype(Obstacle::shape) shape_of(const JsonValue& object, const ObstacleText& text) {
@@ -49,18 +49,16 @@ decltype(Obstacle::shape) shape_of(const JsonValue& object, const ObstacleText& 
 
 void keys_of(Keys& keys, ObstacleText& text) {
   keys.about(
-      "Only hair collides; toys do not. Particles collide; the segments between them do not. One of "
-      "`plane`, `sphere`, `capsule`, `bust`, and:");
-  keys.any({.name = "plane", .what = "all that is below it"}, text.plane, {object<Plane>()});
-  keys.any({.name = "sphere"}, text.sphere, {object<Sphere>()});
-  keys.any({.name = "capsule"}, text.capsule, {object<Capsule>()});
-  keys.any({.name = "bust", .what = "a head with its neck and shoulders"}, text.bust, {object<PlacedBust>()});
-  keys.number({.name = "friction", .least = 0, .most = 1e3, .what = "Coulomb's mu"}, text.friction);
-  keys.text({.name = "moves_with",
-             .otherwise = "nothing",
-             .what = "the name of a motion. Only a sphere or a bust can move with one that turns. A sphere's "
-                     "surface does not turn with it"},
-            text.moves_with);
+      "Only hair collides; toys do not. Particles collide; the segments between them do not. One of `plane`, "
+      "`sphere`, `capsule`, `bust`, and:");
+  keys.any("plane", text.plane, {.objects = {object<Plane>()}}, "all that is below it");
+  keys.any("sphere", text.sphere, {.objects = {object<Sphere>()}});
+  keys.any("capsule", text.capsule, {.objects = {object<Capsule>()}});
+  keys.any("bust", text.bust, {.objects = {object<PlacedBust>()}}, "a head with its neck and shoulders");
+  keys.number("friction", text.friction, {.least = 0, .most = 1e3}, "Coulomb's mu");
+  keys.text("moves_with", text.moves_with, {.otherwise = "nothing"},
+            "the name of a motion. Only a sphere or a bust can move with one that turns. A sphere's surface "
+            "does not turn with it");
 }
 
 void add_obstacles(const JsonValue& list, Reading& reading) {

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "hair/linked_guides/make_control_mesh.h"
-#include "hair/scene/cloth.h"
 #include "hair/scene/json/keys.h"
 #include "hair/scene/json/roots.h"
 #include "hair/scene/scene.h"
 #include "hair/simulation/models.h"
+#include "hair/strand/strand_spec.h"
+#include "particles/toys/toy.h"
 
 namespace hair::json {
 
@@ -97,6 +98,26 @@ void keys_of(Keys& keys, SynthesisText& synthesis);
 void add_synthesis(const JsonValue& object, const SynthesisText& synthesis, GroupScalp scalp,
                    Reading& reading);
 
+// The common keys of all groups of strands.
+struct GroupText {
+  std::size_t model = 0;  // its row in the table of models
+  Fibre fibre;
+  bool clamped = true;
+  Held start;
+  Vector3d root_velocity = Vector3d::Zero();
+  std::optional<std::string> moves_with;
+  std::optional<SynthesisText> synthesis;
+};
+
+void keys_of(Keys& keys, GroupText& group);
+
+// Reads all of a strand specification, except roots, forms, lengths and elements. `object`: the group.
+StrandSpec spec_of(const JsonValue& object, const GroupText& group);
+
+// Hair that grows on a head: a groom of a group, or hair that stays still.
+const Section& grown_section();
+StillHair read_grown(const JsonValue& groom);
+
 struct LinksText {
   MeshSpec spec;
   Neighbours neighbours = Neighbours::rows;
@@ -107,6 +128,25 @@ void add_links(const JsonValue& object, const LinksText& links,
 
 std::vector<ObjectKind> kinds_of_toys();
 void add_toys(const JsonValue& list, Reading& reading);
+
+// A patch of cloth, made of the same particles and springs as hair: the lecture's closing question. It is a
+// flat grid of rows x columns particles at equal distances, >= 2 each, between three corners:
+//
+//   corner ---- across ---- corner + across
+//      |
+//     down                                       particle (row, column) is number row * columns + column
+//      |
+//   corner + down
+//
+// Springs of the given stiffness: along the threads between neighbours (stretch), across the squares (shear),
+// and from each particle to the second next along both threads (bend).
+struct Cloth {
+  int rows, columns;
+  Vector3d corner, across, down;  // m
+  double area_density;            // kg/m^2; inner particles have the mass of a square, those on edges half
+  double stretch, shear, bend;    // N/m, >= 0; 0: no such springs
+  double damping;                 // N s/m, of every spring
+};
 
 struct ClothText {
   Cloth cloth;

@@ -41,9 +41,6 @@ struct Roots {
 
 void keys_of(Keys& keys, Roots& roots);
 
-// On the cap, along its normals.
-std::vector<RootFrame> on_cap(const RootCap& cap, int count);
-
 // Calls `expect` with the number of roots before making any; it throws for too many, and returns the number
 // to make. A list is made whole. `object`: the one that `roots` was read from.
 std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,

@@ -1,5 +1,3 @@
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "hair/scene/json/keys.h"
@@ -19,83 +17,46 @@ struct SceneText {
 };
 
 void keys_of_hair(Keys& keys, Description& hair) {
-  keys.vector({.name = "gravity", .unit = "m/s²"}, hair.gravity);
-  keys.vector(
-      {.name = "wind", .unit = "m/s", .what = "of the air that drags; without `drag` it has no effect"},
-      hair.wind);
-  std::vector<std::string_view> names;
-  for (const MethodRow& row : methods()) names.emplace_back(row.id);
-  keys.word({.name = "method",
-             .otherwise = "predictor_corrector; of rigid links, super-helices and linked hair implicit_euler",
-             .what = "how hair moves"},
-            names, hair.method);
-  keys.number({.name = "drag",
-               .unit = "N s/m²",
-               .least = 0,
-               .most = 1e6,
-               .what = "of the air, for each metre of hair; 2e-4 is right for hair that moves slowly"},
-              hair.drag);
-  keys.word({.name = "geometric_term",
-             .otherwise = "filtered; with H6 dropped",
-             .what = "of a segment's product: see `../geometric_term.h`"},
-            {"full", "filtered", "dropped"}, hair.geometric_term);
-  keys.word({.name = "bend_product", .what = "of bending's product"}, {"exact", "definite"},
-            hair.bend_product);
+  keys.vector("gravity", hair.gravity, {.unit = "m/s²"});
+  keys.vector("wind", hair.wind, {.unit = "m/s"}, "of the air that drags; without `drag` it has no effect");
+  keys.word(
+      "method", hair.method, words_of(methods(), &MethodRow::id),
+      {.otherwise = "predictor_corrector; of rigid links, super-helices and linked hair implicit_euler"},
+      "how hair moves");
+  keys.number("drag", hair.drag, {.unit = "N s/m²", .least = 0, .most = 1e6},
+              "of the air, for each metre of hair; 2e-4 is right for hair that moves slowly");
+  keys.word("geometric_term", hair.geometric_term, {"full", "filtered", "dropped"},
+            {.otherwise = "filtered; with H6 dropped"}, "of a segment's product: see `../geometric_term.h`");
+  keys.word("bend_product", hair.bend_product, {"exact", "definite"}, {}, "of bending's product");
   // Rounding leaves more than this, and a solver that waits for 0 never ends.
-  keys.number({.name = "tolerance",
-               .least = 1e-15,
-               .most = 1,
-               .what = "of an implicit solve, relative to its right-hand side"},
-              hair.tolerance);
-  keys.word({.name = "preconditioner",
-             .what = "with `band`, implicit solves use the forces' band: see `particles/preconditioner.h`"},
-            {"none", "band"}, hair.preconditioner);
+  keys.number("tolerance", hair.tolerance, {.least = 1e-15, .most = 1},
+              "of an implicit solve, relative to its right-hand side");
+  keys.word("preconditioner", hair.preconditioner, {"none", "band"}, {},
+            "with `band`, implicit solves use the forces' band: see `particles/preconditioner.h`");
 }
 
 void keys_of(Keys& keys, SceneText& text) {
   Scene& scene = text.scene;
-  keys.text({.name = "shows", .needed = true, .what = "one line for people; the file's name is the scene's"},
-            scene.shows);
-  keys.whole({.name = "frames",
-              .needed = true,
-              .least = 1,
-              .most = kMostFrames,
-              .what = "after the first, which is the start"},
-             scene.frames);
-  keys.number({.name = "frames_per_second", .unit = "1/s", .least = 1e-3, .most = 1e6},
-              scene.frames_per_second);
-  keys.whole({.name = "steps_per_frame",
-              .least = 1,
-              .most = kMostSteps,
-              .what = "a step takes 1 / (`frames_per_second` x `steps_per_frame`)"},
-             scene.steps_per_frame);
-  keys.number({.name = "step",
-               .unit = "s",
-               .least = 1e-9,
-               .most = 10,
-               .what = "instead of `steps_per_frame`; it must make a whole number of them"},
-              text.step);
+  keys.text("shows", scene.shows, {.needed = true}, "one line for people; the file's name is the scene's");
+  keys.whole("frames", scene.frames, {.needed = true, .least = 1, .most = kMostFrames},
+             "after the first, which is the start");
+  keys.number("frames_per_second", scene.frames_per_second, {.unit = "1/s", .least = 1e-3, .most = 1e6});
+  keys.whole("steps_per_frame", scene.steps_per_frame, {.least = 1, .most = kMostSteps},
+             "a step takes 1 / (`frames_per_second` x `steps_per_frame`)");
+  keys.number("step", text.step, {.unit = "s", .least = 1e-9, .most = 10},
+              "instead of `steps_per_frame`; it must make a whole number of them");
   keys_of_hair(keys, scene.hair);
-  keys.list({.name = "hair", .what = "a list of groups of strands"}, text.hair, kinds_of_hair());
-  keys.part(
-      {.name = "links", .otherwise = "none", .what = "a control mesh: hair is linked to its neighbours (H9)"},
-      text.links);
-  keys.list({.name = "obstacles", .what = "a list of what hair can't go through"}, text.obstacles,
-            {object<ObstacleText>()});
-  keys.list({.name = "motions", .what = "a list of motions, which roots and obstacles can follow"},
-            text.motions, {object<MotionText>()});
-  keys.list({.name = "toys", .what = "a list of toys"}, text.toys, kinds_of_toys());
-  keys.list({.name = "still_hair",
-             .otherwise = "none",
-             .what = "a list of hair that is drawn, and does not move on its own"},
-            text.still_hair, {object<StillText>()});
-  keys.part({.name = "render", .what = "how it is drawn"}, scene.look);
-}
-
-// The shortest text that reads back as the same number.
-std::string exact_text(double number) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.begin(), text.end(), number).ptr};
+  keys.list("hair", text.hair, {.objects = kinds_of_hair()}, "a list of groups of strands");
+  keys.part("links", text.links, {.otherwise = "none"},
+            "a control mesh: hair is linked to its neighbours (H9)");
+  keys.list("obstacles", text.obstacles, {.objects = {object<ObstacleText>()}},
+            "a list of what hair can't go through");
+  keys.list("motions", text.motions, {.objects = {object<MotionText>()}},
+            "a list of motions, which roots and obstacles can follow");
+  keys.list("toys", text.toys, {.objects = kinds_of_toys()}, "a list of toys");
+  keys.list("still_hair", text.still_hair, {.otherwise = "none", .objects = {object<StillText>()}},
+            "a list of hair that is drawn, and does not move on its own");
+  keys.part("render", scene.look, {}, "how it is drawn");
 }
 
 void set_step(const JsonValue& object, const std::optional<double>& step, Scene& scene) {
@@ -174,10 +135,13 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
 
 namespace hair {
 
+Scene parse_scene(const std::string& text, const std::string& name) {
+  return json::scene_of(parse_document(text, name), name, {});
+}
+
 std::string scene_keys() {
   return "# The keys of a scene\n\nA key that is not in these tables is an error, and so is a key that "
-         "stands twice. A scene "
-         "has at most " +
+         "stands twice. A scene has at most " +
          std::to_string(json::kMostParticles) + " particles, and particles times frames are at most " +
          std::to_string(json::kMostStates) + ".\n\n" +
          json::key_tables(json::object<json::SceneText>(), "The scene");

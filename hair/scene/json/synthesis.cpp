@@ -38,56 +38,29 @@ void keys_of(Keys& keys, SynthesisText& text) {
   keys.about(
       "Dense hair (H10). The group's strands move, and are guides: others are drawn, at roots that are "
       "spread over the same line, disc, cap or bust, over the head that a groom grows on, or over the "
-      "triangles between the roots of a list or of a groom's file, without those that have very long "
-      "sides. It has no effect on how hair moves.");
+      "triangles between the roots of a list or of a groom's file, without those that have very long sides. "
+      "It has no effect on how hair moves.");
   SynthesisDescription& made = text.made;
-  keys.whole({.name = "strands",
-              .needed = true,
-              .least = 1,
-              .most = kMostDense,
-              .what = "that are drawn; a scene draws at most 50 million points of them"},
-             text.strands);
-  keys.word({.name = "mode",
-             .what = "between three guides; as a wisp, beside the nearest guide; the first at roots, the "
-                     "second at tips"},
-            {"interpolate", "extrapolate", "blend"}, made.mode);
-  keys.number({.name = "spread",
-               .least = 0,
-               .most = 100,
-               .what = "how wide wisps are at their tips, over how wide they are at their roots"},
-              made.spread);
-  keys.number({.name = "jitter",
-               .least = 0,
-               .most = 1,
-               .what = "each strand's spread is larger or smaller by up to this part"},
-              made.jitter);
-  keys.number({.name = "length",
-               .least = 0,
-               .most = 0.9,
-               .what = "each strand is larger or smaller by up to this part"},
-              made.length);
-  keys.whole(
-      {.name = "seed", .least = 0, .most = kLargestSeed, .what = "of jitter, length, clumps and fly-aways"},
-      made.seed);
-  keys.whole(
-      {.name = "rows",
-       .least = 1,
-       .most = 1000,
-       .what =
-           "so many groups, which are lists of roots, are guides together: this one, and those before it"},
-      text.rows);
-  keys.whole({.name = "clump",
-              .least = 0,
-              .most = kMostDense,
-              .what = "strands grow towards a common one, about so many together; 0: no clumps"},
-             made.clump);
-  keys.number({.name = "gathered", .least = 0, .most = 1, .what = "how much of the way to that one a tip is"},
-              text.gathered);
-  keys.number({.name = "fly_aways",
-               .least = 0,
-               .most = 1,
-               .what = "this part of the strands stands out from the others, in no clump"},
-              made.fly_aways);
+  keys.whole("strands", text.strands, {.needed = true, .least = 1, .most = kMostDense},
+             "that are drawn; a scene draws at most 50 million points of them");
+  keys.word(
+      "mode", made.mode, {"interpolate", "extrapolate", "blend"}, {},
+      "between three guides; as a wisp, beside the nearest guide; the first at roots, the second at tips");
+  keys.number("spread", made.spread, {.least = 0, .most = 100},
+              "how wide wisps are at their tips, over how wide they are at their roots");
+  keys.number("jitter", made.jitter, {.least = 0, .most = 1},
+              "each strand's spread is larger or smaller by up to this part");
+  keys.number("length", made.length, {.least = 0, .most = 0.9},
+              "each strand is larger or smaller by up to this part");
+  keys.whole("seed", made.seed, {.least = 0, .most = kLargestSeed},
+             "of jitter, length, clumps and fly-aways");
+  keys.whole("rows", text.rows, {.least = 1, .most = 1000},
+             "so many groups, which are lists of roots, are guides together: this one, and those before it");
+  keys.whole("clump", made.clump, {.least = 0, .most = kMostDense},
+             "strands grow towards a common one, about so many together; 0: no clumps");
+  keys.number("gathered", text.gathered, {.least = 0, .most = 1}, "how much of the way to that one a tip is");
+  keys.number("fly_aways", made.fly_aways, {.least = 0, .most = 1},
+              "this part of the strands stands out from the others, in no clump");
 }
 
 void add_synthesis(const JsonValue& object, const SynthesisText& text, GroupScalp scalp, Reading& reading) {

@@ -16,10 +16,10 @@ struct ParticleText {
 
 void keys_of(Keys& keys, ParticleText& particle) {
   keys.about("Counted from 0.");
-  keys.vector({.name = "position", .unit = "m", .needed = true}, particle.position);
-  keys.number({.name = "mass", .unit = "kg", .needed = true, .least = 1e-15, .most = 1e6}, particle.mass);
-  keys.vector({.name = "velocity", .unit = "m/s"}, particle.velocity);
-  keys.flag({.name = "pinned", .what = "keeps its velocity, whatever force acts"}, particle.pinned);
+  keys.vector("position", particle.position, {.unit = "m", .needed = true});
+  keys.number("mass", particle.mass, {.unit = "kg", .needed = true, .least = 1e-15, .most = 1e6});
+  keys.vector("velocity", particle.velocity, {.unit = "m/s"});
+  keys.flag("pinned", particle.pinned, {}, "keeps its velocity, whatever force acts");
 }
 
 struct SpringText {
@@ -30,14 +30,11 @@ struct SpringText {
 };
 
 void keys_of(Keys& keys, SpringText& spring) {
-  keys.any({.name = "between", .needed = true, .what = "two particles, as in [0, 1]"}, spring.between);
-  keys.number({.name = "stiffness", .unit = "N/m", .needed = true, .least = 0, .most = 1e12},
-              spring.stiffness);
-  keys.number(
-      {.name = "rest_length", .unit = "m", .least = 0, .most = kLongest, .otherwise = "as at the start"},
-      spring.rest_length);
-  keys.number({.name = "damping", .unit = "N s/m", .least = 0, .most = 1e9, .what = "along the spring"},
-              spring.damping);
+  keys.any("between", spring.between, {.needed = true}, "two particles, as in [0, 1]");
+  keys.number("stiffness", spring.stiffness, {.unit = "N/m", .needed = true, .least = 0, .most = 1e12});
+  keys.number("rest_length", spring.rest_length,
+              {.unit = "m", .least = 0, .most = kLongest, .otherwise = "as at the start"});
+  keys.number("damping", spring.damping, {.unit = "N s/m", .least = 0, .most = 1e9}, "along the spring");
 }
 
 struct RodText {
@@ -46,8 +43,8 @@ struct RodText {
 };
 
 void keys_of(Keys& keys, RodText& rod) {
-  keys.any({.name = "between", .needed = true, .what = "two particles"}, rod.between);
-  keys.number(a_length({.name = "length", .otherwise = "as at the start"}), rod.length);
+  keys.any("between", rod.between, {.needed = true}, "two particles");
+  keys.length("length", rod.length, {.otherwise = "as at the start"});
 }
 
 struct WireText {
@@ -58,10 +55,10 @@ struct WireText {
 
 void keys_of(Keys& keys, WireText& wire) {
   keys.about("A circle that a particle slides along.");
-  keys.any({.name = "particle", .needed = true}, wire.particle);
-  keys.vector({.name = "centre", .unit = "m", .needed = true}, wire.centre);
-  keys.direction({.name = "normal", .needed = true, .what = "of the circle's plane"}, wire.normal);
-  keys.number(a_length({.name = "radius", .needed = true}), wire.radius);
+  keys.any("particle", wire.particle, {.needed = true});
+  keys.vector("centre", wire.centre, {.unit = "m", .needed = true});
+  keys.direction("normal", wire.normal, {.needed = true}, "of the circle's plane");
+  keys.length("radius", wire.radius, {.needed = true});
 }
 
 struct Feedback {
@@ -69,15 +66,9 @@ struct Feedback {
 };
 
 void keys_of(Keys& keys, Feedback& feedback) {
-  keys.number({.name = "stiffness", .unit = "1/s²", .needed = true, .least = 0, .most = 1e12},
-              feedback.stiffness);
-  keys.number({.name = "damping",
-               .unit = "1/s",
-               .needed = true,
-               .least = 0,
-               .most = 1e9,
-               .what = "2 √stiffness is critical"},
-              feedback.damping);
+  keys.number("stiffness", feedback.stiffness, {.unit = "1/s²", .needed = true, .least = 0, .most = 1e12});
+  keys.number("damping", feedback.damping, {.unit = "1/s", .needed = true, .least = 0, .most = 1e9},
+              "2 √stiffness is critical");
 }
 
 // The common keys of all toys.
@@ -97,12 +88,9 @@ const std::vector<MethodRow>& toy_methods() {
 }
 
 void keys_of(Keys& keys, ToyText& toy) {
-  std::vector<std::string_view> names;
-  for (const MethodRow& row : toy_methods()) names.emplace_back(row.id);
-  keys.word({.name = "method", .what = "P1's or H4's; rods and wires need one of P1's"}, names, toy.method);
-  keys.number(
-      {.name = "drag", .unit = "kg/s", .least = 0, .most = 1e6, .what = "of the air, for each particle"},
-      toy.drag);
+  keys.word("method", toy.method, words_of(toy_methods(), &MethodRow::id), {},
+            "P1's or H4's; rods and wires need one of P1's");
+  keys.number("drag", toy.drag, {.unit = "kg/s", .least = 0, .most = 1e6}, "of the air, for each particle");
 }
 
 struct ParticlesText {
@@ -112,12 +100,12 @@ struct ParticlesText {
 
 void keys_of(Keys& keys, ParticlesText& text) {
   keys.about("Points with mass, and the springs, rods and wires that hold them together.");
-  keys.list({.name = "particles", .needed = true}, text.particles, {object<ParticleText>()});
-  keys.list({.name = "springs"}, text.springs, {object<SpringText>()});
-  keys.list({.name = "rods", .what = "held by P2's constraint forces"}, text.rods, {object<RodText>()});
-  keys.list({.name = "wires", .what = "likewise"}, text.wires, {object<WireText>()});
-  keys.any({.name = "feedback", .otherwise = "none", .what = "what corrects errors of rods and wires"},
-           text.feedback, {object<Feedback>()});
+  keys.list("particles", text.particles, {.needed = true, .objects = {object<ParticleText>()}});
+  keys.list("springs", text.springs, {.objects = {object<SpringText>()}});
+  keys.list("rods", text.rods, {.objects = {object<RodText>()}}, "held by P2's constraint forces");
+  keys.list("wires", text.wires, {.objects = {object<WireText>()}}, "likewise");
+  keys.any("feedback", text.feedback, {.otherwise = "none", .objects = {object<Feedback>()}},
+           "what corrects errors of rods and wires");
   keys_of(keys, text.toy);
 }
 
@@ -127,7 +115,7 @@ struct ClothToyText {
 };
 
 void keys_of(Keys& keys, ClothToyText& text) {
-  keys.any({.name = "cloth", .needed = true}, text.cloth, {object<ClothText>()});
+  keys.any("cloth", text.cloth, {.needed = true, .objects = {object<ClothText>()}});
   keys_of(keys, text.toy);
 }
 

@@ -1,4 +1,4 @@
-#include "hair/io/plot/base64.h"
+#include "hair/io/files/base64.h"
 
 #include <array>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "hair/render/check_drawing.h"
+#include "hair/render/drawing.h"
 
 #include <numeric>
 #include <string>
