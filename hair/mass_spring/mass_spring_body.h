@@ -8,7 +8,7 @@
 #include "hair/mass_spring/step_methods.h"
 #include "hair/mass_spring/strand_start.h"
 #include "hair/strand/body.h"
-#include "hair/strand/centre_line.h"
+#include "hair/strand/measures.h"
 
 namespace hair {
 

@@ -4,7 +4,7 @@
 #include "hair/mass_spring/moving_strand.h"
 #include "hair/strand/blow_up.h"
 #include "particles/implicit_euler.h"
-#include "particles/step_options.h"
+#include "particles/system.h"
 
 namespace hair {
 

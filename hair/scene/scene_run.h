@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/linked_guides/mesh_record.h"
+#include "hair/linked_guides/control_mesh.h"
 #include "hair/scene/scene.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <utility>
 
-#include "hair/strand/drop_traces.h"
+#include "hair/strand/blow_up.h"
 #include "hair/strand/turns.h"
 #include "hair/super_helix/helix_forces.h"
 

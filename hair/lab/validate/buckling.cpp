@@ -9,7 +9,7 @@
 #include "hair/lab/validate/greenhill.h"
 #include "hair/lab/validate/planar_statics.h"
 #include "hair/lab/validate/validations.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 
