@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
 #include "grader/judge/student/student.h"
 #include "reference/S1/calls.h"
 
