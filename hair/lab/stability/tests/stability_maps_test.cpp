@@ -13,7 +13,7 @@
 #include "hair/lab/stability/tests/never_interrupted.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/simulation/test_hairs.h"
-#include "solver/dense_solve.h"
+#include "solver/dense_algebra.h"
 
 namespace reference_tests {
 namespace {
