@@ -5,11 +5,11 @@
 // including a moved strand.
 #pragma once
 
-#include "grader/compare/flip.h"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "grader/compare/flip.h"
 
 namespace grader::inline compare {
 

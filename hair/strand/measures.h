@@ -3,7 +3,6 @@
 #pragma once
 
 #include "hair/strand.h"
-
 #include "particles/force.h"
 #include "particles/state.h"
 #include "particles/vectors.h"
