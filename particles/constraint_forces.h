@@ -63,7 +63,7 @@ std::unique_ptr<implicitMatrix> constraint_matrix(const Constraints& constraints
 // apart, contradict each other at any tolerance: then the function still returns, the report has a residual
 // above the tolerance, and lambda may be arbitrarily large.
 // If all forces cancel, the right-hand side contains only rounding errors, which contradict each other:
-// callers then take lambda = 0 without a solve (particles/toys/constraint_rounding.h).
+// callers then take lambda = 0 without a solve (particles/toys/toy_constraints.cpp).
 ConstraintReport solve_constraints(const Constraints& constraints, const Particles& particles,
                                    const State& state, Input f, Output lambda);
 

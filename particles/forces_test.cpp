@@ -8,7 +8,7 @@
 #include "particles/gravity.h"
 #include "particles/springs.h"
 #include "particles/system.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace particles_tests {
 namespace {

@@ -10,7 +10,7 @@
 #include "particles/gravity.h"
 #include "particles/products_to_band.h"
 #include "particles/springs.h"
-#include "solver/dense_solve.h"
+#include "solver/dense_algebra.h"
 #include "solver/test_allocations.h"
 #include "solver/test_numbers.h"
 

@@ -14,9 +14,14 @@
 #include <vector>
 
 #include "particles/force.h"
-#include "particles/products.h"
 
 namespace particles {
+
+// The matrix of a force's products with df/dx: the exact derivative, or one that suits an implicit step.
+enum class Products {
+  exact,    // the exact df/dx. It may have positive eigenvalues, and with damping it is not symmetric
+  definite  // df/dx without those parts: symmetric and negative semi-definite, so that ConjGrad can solve
+};
 
 struct Spring {
   int i, j;            // i != j

@@ -24,6 +24,12 @@ class ParticleSystem : public Dynamics {
   std::vector<int> pinned_;
 };
 
+// The parameters of a step, common to all methods.
+struct StepOptions {
+  double h;          // s
+  double tolerance;  // relative tolerance of implicit solves
+};
+
 // Sums over all particles, including pinned ones.
 double kinetic_energy(const Particles& particles, Input v);              // J
 Vector3d momentum(const Particles& particles, Input v);                  // kg m/s

@@ -7,4 +7,3 @@ target_link_options(hair_allocations INTERFACE "LINKER:--wrap=malloc")
 
 hair_test(matrices_test SANITISED SOURCES matrices_test.cpp LIBRARIES hair_solver)
 hair_test(block_cholesky_test SANITISED SOURCES block_cholesky_test.cpp LIBRARIES hair_block_bands)
-hair_test(matrix_market_test SANITISED SOURCES matrix_market_test.cpp LIBRARIES hair_solver)

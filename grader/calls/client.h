@@ -17,9 +17,8 @@
 #include <limits>
 
 #include "grader/calls/call.h"
-#include "grader/calls/dynamics_server.h"
-#include "grader/calls/force_server.h"
-#include "grader/wire/products.h"
+#include "grader/calls/object_servers.h"
+#include "grader/wire/message.h"
 
 namespace grader::inline calls {
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "grader/wire/force_answer.h"
+#include "grader/wire/force_message.h"
 #include "particles/dynamics.h"
 #include "particles/force.h"
 #include "solver/linearSolver.h"
@@ -40,11 +40,8 @@ class RemoteMatrix : public implicitMatrix {
       : host_(host), which_(which), rows_(rows), cols_(cols) {}
 
   void matVecMult(double x[], double b[]) override {
-    const auto rows = static_cast<std::size_t>(rows_), cols = static_cast<std::size_t>(cols_);
-    const std::less<const double*> before;
-    const bool overlap = before(x, b + rows) && before(b, x + cols);
-    host_.ask({which_, false, {x, cols}, {b, rows}});
-    if (overlap) std::fill(b, b + rows, std::numeric_limits<double>::quiet_NaN());
+    host_.ask({which_, false, {x, static_cast<std::size_t>(cols_)}, {b, static_cast<std::size_t>(rows_)}});
+    poison_overlap(x, cols_, b, rows_);
   }
 
  private:

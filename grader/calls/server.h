@@ -8,7 +8,7 @@
 //   host.ask                  see remote.h
 //
 // Hosts are a worker, which calls a student's function (grader/worker/worker_host.h), and the suite, which
-// calls the reference's for a worker (grader/judge/student/providing_host.h).
+// calls the reference's for a worker (grader/judge/student/provided.cpp.in).
 #pragma once
 
 #include <cstring>

@@ -1,11 +1,9 @@
-// STAFF ONLY. Puts pictures side by side, and makes them smaller.
+// STAFF ONLY. Puts pictures side by side, makes them smaller, and colours errors.
 #include "grader/compare/montage.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-
-#include "grader/compare/plane.h"
 
 namespace grader::inline compare {
 namespace {
@@ -33,6 +31,18 @@ Plane shortened_and_turned(const Plane& in, int width) {
     }
   }
   return out;
+}
+
+// Clamps to 0..1.
+HeatColor heat_color(double value) {
+  const double at = std::clamp(value, 0.0, 1.0) * (kHeatColors.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(at), kHeatColors.size() - 2);
+  const double share = at - static_cast<double>(below);
+  HeatColor color{};
+  for (std::size_t c = 0; c < 3; ++c)
+    color[c] = static_cast<std::uint8_t>(
+        std::lround((1 - share) * kHeatColors[below][c] + share * kHeatColors[below + 1][c]));
+  return color;
 }
 
 }  // namespace
@@ -69,6 +79,14 @@ Image shrunk(const Image& image, int width) {
       result.pixels[3 * i + c] = static_cast<std::uint8_t>(std::lround(small.values[i]));
   }
   return result;
+}
+
+Image heat_map(const Plane& map) {
+  Image image{map.width, map.height, {}};
+  image.pixels.reserve(3 * map.values.size());
+  for (const float value : map.values)
+    for (const std::uint8_t channel : heat_color(value)) image.pixels.push_back(channel);
+  return image;
 }
 
 }  // namespace grader::compare

@@ -16,9 +16,7 @@
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline compile {
-
 namespace fs = std::filesystem;
-
 namespace {
 
 // Returns the first `most` lines, and how many more there are.
@@ -79,6 +77,13 @@ std::string undefined_names(const std::string& log) {
   }
   return first_lines(names, 10);
 }
+
+// The precompiled header.
+constexpr double kHeaderSeconds = 300;  // is CPU time
+constexpr std::size_t kHeaderBytes = std::size_t{512} << 20;
+const std::vector<std::string> kHeaderLibraries = {"eigen"};
+
+constexpr const char* kHeaderText = "#include \"particles/usual.h\"\n";
 
 }  // namespace
 
@@ -212,6 +217,60 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   std::ofstream(compiled.object, std::ios::binary) << *object;
   fs::permissions(compiled.object, fs::perms(0755));
   return compiled;
+}
+
+bool PrecompiledHeader::use(const std::vector<std::string>& libraries, Sandbox& sandbox,
+                            std::vector<std::string>& command) const {
+  if (libraries != kHeaderLibraries) return false;
+  std::call_once(made_, [this] { make(); });
+  if (folder_.empty()) return false;
+  sandbox.mounts.push_back({folder_, "/precompiled"});
+  command.insert(command.end(), {"-include", "/precompiled/given.h"});
+  return true;
+}
+
+void PrecompiledHeader::make() const {
+  const fs::path folder = toolchain_.kit().new_job("precompiled");
+  const fs::path file = folder / "given.h.gch";
+  std::ofstream(folder / "given.h") << kHeaderText;
+  fs::permissions(folder / "given.h", fs::perms(0644));
+
+  const fs::path cached =
+      cache_ /
+      ("given-" +
+       sha256(toolchain_.version() + kHeaderText + sha256_of(toolchain_.kit().folder() / "handout")) +
+       ".gch");
+  std::error_code error;
+  if (!toolchain_.isolated() || !fs::copy_file(cached, file, error)) {
+    const std::optional<std::string> bytes = compile();
+    if (!bytes) return;
+    std::ofstream(file, std::ios::binary) << *bytes;
+    if (toolchain_.isolated()) {
+      // Keeps one: it is large, and fits one kit and one compiler.
+      for (const auto& entry : fs::directory_iterator(cache_, error))
+        if (entry.path().extension() == ".gch") fs::remove(entry.path(), error);
+      keep_copy(file, cached);
+    }
+  }
+  mark_as_used(cached);
+  fs::permissions(file, fs::perms(0644));
+  folder_ = folder;
+}
+
+std::optional<std::string> PrecompiledHeader::compile() const {
+  const fs::path job = toolchain_.kit().new_job("precompile"),
+                 in = source_folder(job / "source", "given.h", kHeaderText),
+                 out = writable_folder(job / "object");
+  Sandbox sandbox = toolchain_.compiling(kHeaderLibraries, kHeaderSeconds, in, out);
+  sandbox.limits.file_bytes = kHeaderBytes;
+  std::vector<std::string> command = toolchain_.compile_command(kHeaderLibraries);
+  command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
+  const Toolchain::Run run = toolchain_.run(sandbox, command, "given.h");
+  std::optional<std::string> bytes =
+      run.ending.well() ? read_written(out / "given.h.gch", kHeaderBytes) : std::nullopt;
+  std::error_code ignored;
+  fs::remove_all(job, ignored);
+  return bytes;
 }
 
 }  // namespace grader::compile

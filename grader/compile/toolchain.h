@@ -6,10 +6,37 @@
 #include <string>
 #include <vector>
 
-#include "grader/compile/kit.h"
+#include "grader/course/course.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/sandbox.h"
 
 namespace grader::inline compile {
+
+// A copy of the grading kit (see grader/worker/CMakeLists.txt) in a folder that only the
+// sandbox's user can read. The original can't be mounted directly if the clone is under /root.
+class StagedKit {
+ public:
+  // Throws BadInput if the kit is missing or incomplete.
+  StagedKit(const std::filesystem::path& kit, const Course& course);
+  StagedKit(const StagedKit&) = delete;
+  StagedKit& operator=(const StagedKit&) = delete;
+
+  std::filesystem::path folder() const { return root_.path() / "kit"; }
+  std::filesystem::path empty_folder() const { return root_.path() / "empty"; }
+  std::filesystem::path roots() const {
+    return root_.path() / "roots";
+  }  // see grader/sandbox/container_root.h
+
+  // Makes a new folder beside it for one job; the sandbox's user can read it.
+  std::filesystem::path new_job(const std::string& name) const;
+
+  // Changes with every file that student code is compiled against or run by.
+  const std::string& hash() const { return hash_; }
+
+ private:
+  StagingFolder root_;
+  std::string hash_;
+};
 
 // The sandbox that compiles has student/ beside the contracts' folders, as at home.
 inline constexpr const char* kStudentFolder = "/handout/student";

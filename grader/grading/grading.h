@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grader/compile/compiler.h"
-#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
 #include "grader/course/course.h"
 #include "grader/grading/made_by.h"
 #include "grader/grading/suite_jobs.h"

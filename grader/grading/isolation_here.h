@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
 #include "grader/course/isolation.h"
 
 namespace grader::inline grading {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
 #include "grader/course/course.h"
 #include "grader/judge/job.h"
 #include "grader/result/costs.h"

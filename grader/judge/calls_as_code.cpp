@@ -6,7 +6,7 @@
 
 #include "all_calls.h"
 #include "grader/calls/client.h"
-#include "grader/calls/literals.h"
+#include "grader/calls/in_words.h"
 #include "grader/calls/server.h"
 
 namespace grader::inline judge {

@@ -27,9 +27,6 @@ class NotWritable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// They are in the exercise's order; `headers` is the folder that students have.
-std::vector<Declared> declared(const Exercise& exercise, const std::filesystem::path& headers);
-
 struct CallsAsCode {
   std::string inputs, statements;  // structs Call1, ...; statements of main
   std::string given;               // definitions of given functions

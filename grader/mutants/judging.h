@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grader/compile/compiler.h"
-#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
 #include "grader/grading/suite_jobs.h"
 #include "grader/result/result.h"
 

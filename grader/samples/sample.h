@@ -23,7 +23,7 @@
 //   link TARGET PATH     a symbolic link
 //   zeros BYTES PATH     as many zero bytes. A PATH with odd letters is a JSON string, too
 //   others SOLUTION      adds all other exercises' files at the top: reference or stub; or none
-//   edit [FILE]          changes a solution's file: edit.h. Without FILE: the sample's first "file"
+//   edit [FILE]          changes a solution's file: struct Edit. Without FILE: the sample's first "file"
 //   part NAME            before the samples: names the next lines +; an edit's line *NAME inserts them
 //   windows              solution files begin with a byte order mark and have CR LF
 //   cut BYTES            keeps these first bytes of the archive, as after a broken upload
@@ -58,9 +58,24 @@
 #include <string>
 #include <vector>
 
-#include "grader/samples/edit.h"
-
 namespace grader::inline samples {
+
+// A change of a solution's file, which gives a sample its bug: lines of the solution, which occur
+// once, and their replacement.
+//
+//   -  double k = strand.stretch_rigidity / l0;    this line is removed
+//   =  double l0 = strand.rest_length(i);          this line stays: it shows the place
+//   +  double k = strand.stretch_rigidity;         this line is added
+struct EditLine {
+  char mark = '=';
+  std::string text;
+};
+
+struct Edit {
+  std::string where;  // "H1.samples:12", for messages
+  std::string file;   // "stretch_springs.cpp"
+  std::vector<EditLine> lines;
+};
 
 enum class SampleForm { zip, tar_gz, folder };
 

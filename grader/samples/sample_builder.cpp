@@ -1,9 +1,12 @@
-// STAFF ONLY. Makes a sample of its section.
+// STAFF ONLY. Reads the categories of exercises, and makes a sample of its section.
 #include "grader/samples/sample_builder.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "grader/course/input.h"
 
 namespace grader::inline samples {
 namespace {
@@ -228,6 +231,26 @@ void SampleBuilder::complete(const GroupLine& first) {
     }
   }
   std::ranges::sort(sample.files, {}, &SampleFile::path);
+}
+
+SampleCategories read_categories(const std::filesystem::path& project, const Course& course) {
+  SampleCategories all;
+  for (const Exercise& exercise : course.exercises) {
+    const std::filesystem::path file = project / "handout" / exercise.folder / "categories.json";
+    const nlohmann::json document = read_json(file);
+    for (const JsonValue& json : JsonValue(document, file).items()) {
+      json.check_keys({"id", "title", "points", "asks"}, {"functions", "rows"});
+      all[exercise.id].push_back({json["id"].text(), json["title"].text(), json["points"].number(0, 1000)});
+    }
+  }
+  return all;
+}
+
+double points_without(const std::vector<SampleCategory>& categories, const std::vector<std::string>& failed) {
+  double points = 0;
+  for (const SampleCategory& category : categories)
+    if (std::ranges::find(failed, category.title) == failed.end()) points += category.points;
+  return points;
 }
 
 }  // namespace grader::samples

@@ -1,17 +1,31 @@
 // STAFF ONLY. Makes a sample line by line. sample.h explains the lines.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "grader/course/course.h"
-#include "grader/samples/categories.h"
 #include "grader/samples/group_file.h"
 #include "grader/samples/sample.h"
 
 namespace grader::inline samples {
+
+// A category by which an exercise is graded, as the exercise's categories.json declares it.
+struct SampleCategory {
+  std::string name, title;  // "Energy", and for students "The energy"
+  double points = 0;
+};
+
+using SampleCategories = std::map<std::string, std::vector<SampleCategory>>;  // by exercise
+
+// Reads the categories of all exercises of PROJECT/handout. Throws BadInput with the file and the JSON path.
+SampleCategories read_categories(const std::filesystem::path& project, const Course& course);
+
+// Returns the points of an exercise if the categories with these titles fail.
+double points_without(const std::vector<SampleCategory>& categories, const std::vector<std::string>& failed);
 
 // Is one sample, line by line.
 struct SampleBuilder {

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "grader/samples/categories.h"
 #include "grader/samples/sample.h"
+#include "grader/samples/sample_builder.h"
 #include "grader/samples/solution_files.h"
 #include "hair/io/files/read_file.h"
 #include "solver/test_refusal.h"

@@ -13,34 +13,25 @@
 #include <vector>
 
 #include "grader/sandbox/processes/descriptor.h"
-#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
 
 namespace grader::inline sandbox {
 
 namespace {
 
-class Listener {
- public:
-  Listener();  // on a port that the machine chooses; throws std::system_error if there is none
-
-  int port() const { return port_; }
-
- private:
-  Descriptor socket_;
-  int port_ = 0;
-};
-
-Listener::Listener() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+// Listens on a port of the loopback that the machine chooses, and returns it. Throws std::system_error if
+// there is none.
+int listen_on(const Descriptor& socket) {
   constexpr int kWaiting = 8;
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof address;
   auto* plain = reinterpret_cast<sockaddr*>(&address);
-  if (bind(socket_.get(), plain, size) != 0 || listen(socket_.get(), kWaiting) != 0 ||
-      getsockname(socket_.get(), plain, &size) != 0)
+  if (bind(socket.get(), plain, size) != 0 || listen(socket.get(), kWaiting) != 0 ||
+      getsockname(socket.get(), plain, &size) != 0)
     throw std::system_error(errno, std::generic_category(), "a server on the loopback");
-  port_ = ntohs(address.sin_port);
+  return ntohs(address.sin_port);
 }
 
 constexpr double kMostSeconds = 60;
@@ -70,10 +61,6 @@ bool lives(const std::string& number) {
 
 }  // namespace
 
-std::string open_fence(const Sandbox& sandbox) {
-  return open_fence(sandbox, [](Launch&, RunLimits&) {});
-}
-
 std::string open_fence(const Sandbox& sandbox, const SandboxedProcess::LeaveOut& leave_out) {
   // The probe exits with 0 if its attempt is stopped; otherwise it prints the attempt.
   const Tried starts = tries(sandbox, {"start"}, leave_out);
@@ -95,8 +82,8 @@ std::string open_fence(const Sandbox& sandbox, const SandboxedProcess::LeaveOut&
     return "student code " + tried.said;
 
   if (sandbox.isolation == Isolation::namespaces) {  // containers have the filter alone
-    const Listener listener;
-    if (const Tried tried = tries(open, {"reach", std::to_string(listener.port())}, leave_out);
+    const Descriptor server(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    if (const Tried tried = tries(open, {"reach", std::to_string(listen_on(server))}, leave_out);
         !tried.ending.well())
       return "student code " + tried.said;
   }

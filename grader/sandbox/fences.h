@@ -11,8 +11,7 @@ namespace grader::inline sandbox {
 // Returns an empty text if each layer holds; otherwise a phrase for the first one that does not: "student
 // code can reach the network". `probe` is the program hairprobe, and `sandbox` holds it as /probe, with its
 // libraries. Throws std::system_error if no sandbox can be made.
-std::string open_fence(const Sandbox& sandbox);
 // Tests call it with a layer left out.
-std::string open_fence(const Sandbox& sandbox, const SandboxedProcess::LeaveOut& leave_out);
+std::string open_fence(const Sandbox& sandbox, const SandboxedProcess::LeaveOut& leave_out = {});
 
 }  // namespace grader::sandbox

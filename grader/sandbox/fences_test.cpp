@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "grader/sandbox/processes/launch.h"
 #include "grader/sandbox/processes/supervisor.h"
 #include "grader/sandbox/sandboxed_for_tests.h"
 
@@ -37,8 +36,6 @@ LeaveOut with(const std::vector<const char*>& words) {
     launch.argv.insert(end, added.begin(), added.end());
   };
 }
-
-void nothing(Launch& /*launch*/, RunLimits& /*limits*/) {}
 
 void identity(Launch& launch, RunLimits& /*limits*/) {
   launch.identity = {};
@@ -76,7 +73,7 @@ struct LeftOut {
 
 using enum Isolation;
 const LeftOut kFences[] = {
-    {"Nothing", namespaces, nothing, ""},
+    {"Nothing", namespaces, {}, ""},
     {"User", namespaces, identity, "student code can do all that root may: it is root\n"},
     {"Processes", namespaces, identity_and_processes, "student code can signal the staff's processes\n"},
     {"NoNamespacesInside", namespaces, without("--disable-userns"), "student code can make namespaces\n"},
@@ -85,7 +82,7 @@ const LeftOut kFences[] = {
     {"ReadOnly", namespaces, without("--remount-ro", 2), "student code can write to /\n"},
     {"Filter", namespaces, filter, "student code can reach the network\n"},
     {"Network", namespaces, without("--unshare-net"), "student code can reach servers of this machine\n"},
-    {"Nothing", container, nothing, ""},
+    {"Nothing", container, {}, ""},
     {"User", container, identity, "student code can signal the staff's processes\n"},
     {"Root", container, root, "student code can read the system's files\n"},
     {"Filter", container, filter, "student code can reach the network\n"},

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <functional>
 
-#include "grader/sandbox/processes/launch.h"
 #include "grader/sandbox/processes/supervisor.h"
 #include "grader/sandbox/sandboxed_for_tests.h"
 #include "hair/io/files/bad_input.h"

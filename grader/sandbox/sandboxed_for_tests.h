@@ -12,7 +12,6 @@
 
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/identity.h"
-#include "grader/sandbox/processes/staging_folder.h"
 #include "grader/sandbox/sandboxed_process.h"
 #include "grader/sandbox/system_mounts.h"
 

@@ -19,9 +19,8 @@
 #include <vector>
 
 #include "grader/sandbox/container_root.h"
+#include "grader/sandbox/processes/control_groups.h"
 #include "grader/sandbox/processes/identity.h"
-#include "grader/sandbox/processes/launch.h"
-#include "grader/sandbox/processes/own_groups.h"
 #include "grader/sandbox/processes/supervisor.h"
 #include "grader/sandbox/sandbox.h"
 
@@ -125,10 +124,6 @@ std::string program_of(pid_t process) {
 }  // namespace
 
 SandboxedProcess::SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command,
-                                   int requests, int replies, int output)
-    : SandboxedProcess(sandbox, command, requests, replies, output, [](Launch&, RunLimits&) {}) {}
-
-SandboxedProcess::SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command,
                                    int requests, int replies, int output, const LeaveOut& leave_out)
     : isolation_(sandbox.isolation),
       group_(
@@ -181,7 +176,7 @@ SandboxedProcess::SandboxedProcess(const Sandbox& sandbox, const std::vector<std
       joins.emplace_back(open(file.c_str(), O_WRONLY | O_CLOEXEC));
       if (joins.back()) launch.joins.push_back(joins.back().get());
     }
-  leave_out(launch, limits);
+  if (leave_out) leave_out(launch, limits);
   run_ = std::make_unique<Supervisor>(launch, limits);
   info_ = std::move(info.read_end);
 }

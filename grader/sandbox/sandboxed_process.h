@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/sandbox/processes/control_group.h"
+#include "grader/sandbox/processes/control_groups.h"
 #include "grader/sandbox/processes/descriptor.h"
 #include "grader/sandbox/sandbox.h"
 
@@ -23,15 +23,12 @@ class Supervisor;
 
 class SandboxedProcess {
  public:
-  // Starts a command, given by its path inside the sandbox. `requests` becomes descriptor 3 and `replies`
-  // descriptor 4 (both optional: -1), and `output` descriptors 1 and 2. Throws std::system_error if it can't
-  // be started.
-  SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command, int requests, int replies,
-                   int output);
-  // Tests remove a layer with `leave_out` before the start, to show its purpose.
   using LeaveOut = std::function<void(Launch&, RunLimits&)>;
+  // Starts a command, given by its path inside the sandbox. `requests` becomes descriptor 3 and `replies`
+  // descriptor 4 (both optional: -1), and `output` descriptors 1 and 2. Tests remove a layer with `leave_out`
+  // before the start, to show its purpose. Throws std::system_error if it can't be started.
   SandboxedProcess(const Sandbox& sandbox, const std::vector<std::string>& command, int requests, int replies,
-                   int output, const LeaveOut& leave_out);
+                   int output, const LeaveOut& leave_out = {});
   SandboxedProcess(SandboxedProcess&&) noexcept;
   SandboxedProcess& operator=(SandboxedProcess&&) = delete;
   ~SandboxedProcess();  // kills it

@@ -11,7 +11,7 @@
 
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/descriptor.h"
-#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/system_mounts.h"
 #include "solver/timing.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grader/course/isolation.h"
-#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/sandbox.h"
 
 namespace grader::inline similar {

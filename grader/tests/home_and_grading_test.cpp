@@ -187,7 +187,7 @@ TEST_F(HomeAndGrading, WhatNoLibraryHasIsNamed) {
   builds_in_neither("S1", reference("S1") + nowhere, "nowhere(double)", "checked");
   // These are given code of hairlab, and an exercise that this one does not need.
   builds_in_neither("P1",
-                    "#include \"solver/symmetric_eigen.h\"\n" + reference("P1") +
+                    "#include \"solver/dense_algebra.h\"\n" + reference("P1") +
                         "auto asks() { return &solver::symmetric_eigenvalues; }\n",
                     "solver::symmetric_eigenvalues");
   builds_in_neither(

@@ -14,7 +14,6 @@
 #include <sstream>
 
 #include "grader/compile/hash.h"
-#include "grader/compile/kit.h"
 #include "grader/compile/toolchain.h"
 #include "grader/course/course.h"
 #include "grader/samples/sample.h"

@@ -2,7 +2,11 @@
 // with its vectors concatenated into one.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
+
+#include "solver/block_band.h"
 
 namespace grader::inline wire {
 
@@ -16,23 +20,19 @@ inline constexpr int kForceDfdv = 103;    // x, v, dv, df  -> df + (df/dv) dv, 3
 // column
 inline constexpr int kForceBand = 104;
 
-// Returns the length of a question, with vectors of `size` numbers.
-inline int size_of_question(int which, int size) {
-  switch (which) {
-    case kForceEnergy:
-      return size;
-    case kForceForce:
-      return 3 * size;
-    case kForceBand:
-      return 2 * size + 2;
-    default:
-      return 4 * size;
-  }
-}
-
 // Returns the length of an answer about a band.
 inline constexpr std::size_t size_of_band(int size) {
   return 1 + 9 * static_cast<std::size_t>(size);
+}
+
+// Adds the band of an answer; returns false if there is none.
+inline bool add_answered_band(std::vector<double>& answer, solver::BlockBand& band) {
+  const solver::BlockBand answered(
+      Eigen::Map<Eigen::MatrixXd>(answer.data() + 1, 3 * band.rows(), solver::BlockBand::kColumns));
+  for (int i = 0; i < band.rows(); ++i)
+    for (int back = 0; back <= std::min(i, solver::BlockBand::kReach); ++back)
+      band.block(i, back) += answered.block(i, back);
+  return answer[0] != 0;
 }
 
 }  // namespace grader::wire

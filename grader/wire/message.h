@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -60,5 +61,10 @@ class MessageReader {
   std::vector<std::byte> bytes_;
   std::size_t at_ = 0;
 };
+
+// Computes y = A x with an object of the calling side, of operator number `which`. Sets the size of y.
+// Returns false to stop the request. Throws MalformedMessage for an unknown operator, or for another length
+// of x.
+using Products = std::function<bool(int which, const std::vector<double>& x, std::vector<double>& y)>;
 
 }  // namespace grader::wire

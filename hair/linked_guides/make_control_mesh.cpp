@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "hair/linked_guides/guide_frames.h"
+#include "hair/linked_guides/frame_torque.h"
 
 namespace hair {
 namespace {

@@ -4,7 +4,7 @@
 #include "hair/mass_spring/moving_strand.h"
 #include "hair/strand/blow_up.h"
 #include "particles/implicit_euler.h"
-#include "particles/step_options.h"
+#include "particles/system.h"
 
 namespace hair {
 
@@ -46,7 +46,7 @@ struct StepMethod {
   // Its steps preserve lengths.
   bool keeps_lengths = false;
 
-  // It moves particles along straight lines, so the energy balance leaves stretching out (spring_energy.h).
+  // It moves particles along straight lines, so the energy balance leaves stretching out (SpringEnergy).
   bool goes_straight_on = false;
 
   // The energy balance reads so many steps as one.

@@ -8,8 +8,8 @@
 #include "hair/strand.h"
 #include "hair/stretch_springs.h"
 #include "particles/force.h"
-#include "particles/products.h"
 #include "particles/products_to_band.h"
+#include "particles/springs.h"
 
 namespace hair {
 

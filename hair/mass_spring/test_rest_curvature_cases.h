@@ -8,7 +8,7 @@
 
 #include "hair/mass_spring/rest_curvature.h"
 #include "hair/strand/test_strand_states.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

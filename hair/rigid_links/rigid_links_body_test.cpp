@@ -261,9 +261,7 @@ TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
 
 // A limit stops a hair whose weight would fold it at its root.
 TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
-  StrandSpec spec = straight_hair(20, 0.2);
-  spec.root.axis = Vector3d(1, 0, 0);
-  spec.root.side = Vector3d(0, 0, 1);
+  StrandSpec spec = level(straight_hair(20, 0.2));
   spec.fibre.bend_factor = spec.fibre.twist_factor = 0.01;
   spec.fibre.joint_limit = 0.1;
   const auto strand = body(spec, {.drag = 1e-4});
@@ -289,10 +287,8 @@ TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   const double l = 0.02, mu = 0.3, speed = 20, h = 1e-4;
   const std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, mu}};
-  StrandSpec spec = straight_hair(1, l);
+  StrandSpec spec = level(straight_hair(1, l));
   spec.clamped = false;
-  spec.root.axis = Vector3d(1, 0, 0);
-  spec.root.side = Vector3d(0, 0, 1);
   spec.start = {true, Vector3d(1, 0, 0), 1, false, Vector3d(0, 0, speed)};
   const auto rate = [](const Body& one) { return BodyState(one).rate[5]; };
   const double slowing = 1.5 * mu * 9.81 / l;
@@ -319,10 +315,8 @@ TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
 // A moving obstacle takes hair on it along.
 TEST(RigidLinksBody, AMovingTableDragsItsHair) {
   std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, 0.5, Vector3d(0, 0.02, 0)}};
-  StrandSpec spec = straight_hair(1, 0.02);
+  StrandSpec spec = level(straight_hair(1, 0.02));
   spec.clamped = false;
-  spec.root.axis = Vector3d(1, 0, 0);
-  spec.root.side = Vector3d(0, 0, 1);
   const auto strand = body(spec);
   advance(*strand, 1e-3, 400, {}, table);
   EXPECT_GT(Line(*strand).x[4], 1e-3);

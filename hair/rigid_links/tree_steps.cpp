@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "hair/strand/drop_traces.h"
+#include "hair/strand/blow_up.h"
 
 namespace hair {
 
@@ -25,18 +25,9 @@ TreeSteps::TreeSteps(const LinkTree& tree, TreeForces forces)
       sum_q_(tree.coordinates()),
       sum_rates_(tree.rates()) {}
 
-void TreeSteps::symplectic_euler(const TreeBase& base, double h, std::span<const LinkForce> more, Output q,
-                                 Output rates) {
-  system_.accelerations(base, q, rates, 0, more, a_);
-  rates += h * a_;
-  system_.motion().turn(rates, h, q);
-  drop_traces(rates);
-  drop_traces(q);
-}
-
-void TreeSteps::linearly_implicit_euler(const TreeBase& base, double h, std::span<const LinkForce> more,
-                                        Output q, Output rates) {
-  system_.accelerations(base, q, rates, h, more, a_);
+void TreeSteps::euler(const TreeBase& base, double h, double implicit_h, std::span<const LinkForce> more,
+                      Output q, Output rates) {
+  system_.accelerations(base, q, rates, implicit_h, more, a_);
   rates += h * a_;
   system_.motion().turn(rates, h, q);
   drop_traces(rates);

@@ -23,12 +23,20 @@ class TreeSteps {
 
   // `base` is the base at t. Quaternions keep their length 1. No step allocates.
   void symplectic_euler(const TreeBase& base, double h, std::span<const LinkForce> more, Output q,
-                        Output rates);
+                        Output rates) {
+    euler(base, h, 0, more, q, rates);
+  }
   void runge_kutta_4(const TreeBase& base, double h, std::span<const LinkForce> more, Output q, Output rates);
   void linearly_implicit_euler(const TreeBase& base, double h, std::span<const LinkForce> more, Output q,
-                               Output rates);
+                               Output rates) {
+    euler(base, h, h, more, q, rates);
+  }
 
  private:
+  // implicit_h: the forces that grow with q and q' are those after this time.
+  void euler(const TreeBase& base, double h, double implicit_h, std::span<const LinkForce> more, Output q,
+             Output rates);
+
   TreeSystem system_;
   Eigen::VectorXd a_, stage_q_, stage_rates_, slope_, sum_q_, sum_rates_;
 };

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hair/linked_guides/mesh_record.h"
+#include "hair/linked_guides/control_mesh.h"
 #include "hair/scene/riding.h"
 #include "hair/scene/scene.h"
 #include "hair/scene/toy_body.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "hair/linked_guides/mesh_record.h"
+#include "hair/linked_guides/control_mesh.h"
 #include "hair/render/camera.h"
 #include "hair/render/drawing.h"
 #include "hair/render/opengl/renderer.h"

@@ -8,8 +8,8 @@
 #include "hair/lab/validate/elastica.h"
 #include "hair/obstacles/test_placed_ball.h"
 #include "hair/simulation/models.h"
-#include "hair/strand/centre_line.h"
 #include "hair/strand/implicit_contacts.h"
+#include "hair/strand/measures.h"
 #include "hair/strand/test_bodies.h"
 #include "hair/strand/turns.h"
 #include "solver/test_allocations.h"
@@ -299,9 +299,7 @@ const Hanging kHanging[] = {
 TEST(HangingBodies, HaveTheElasticasTipToTheSecondOrder) {
   for (const Hanging& row : kHanging)
     for (const auto& [gamma, elements] : row.loads) {
-      StrandSpec spec = straight_hair(elements);
-      spec.root.axis = Vector3d(1, 0, 0);
-      spec.root.side = Vector3d(0, 0, 1);
+      StrandSpec spec = level(straight_hair(elements));
       const Material& material = spec.fibre.material;
       const double EI = material.bend_rigidity(), line = material.line_density(), L = spec.length;
       const double g = gamma * EI / (line * L * L * L), h = row.step * std::sqrt(EI * line) / (line * L * g);

@@ -87,9 +87,7 @@ class EnergyOfModels : public testing::TestWithParam<Row> {
  protected:
   // Hair of ten elements, level, under gravity.
   EnergyOfModels() {
-    spec_ = straight_hair(10, kLength);
-    spec_.root.axis = Vector3d::UnitX();
-    spec_.root.side = -Vector3d::UnitY();
+    spec_ = level(straight_hair(10, kLength), -Vector3d::UnitY());
     spec_.fibre.bend_factor = spec_.fibre.twist_factor = 1;
     description_.method = row_.method;
     description_.step = kStep;

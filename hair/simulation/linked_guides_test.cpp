@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "hair/linked_guides/frame_torque.h"
-#include "hair/linked_guides/guide_frames.h"
-#include "hair/linked_guides/linked_energy.h"
+#include "hair/linked_guides/linked_guides.h"
 #include "hair/linked_guides/make_control_mesh.h"
 #include "hair/linked_guides/strip_contacts.h"
 #include "hair/simulation/simulation.h"
@@ -277,61 +276,52 @@ TEST(LinkedEnergy, AddsUpWhatNothingGave) {
   EXPECT_EQ(books.gain() + books.contact_gain(), 0);
 }
 
+// A strip of one triangle, 0.1 m thick, and a particle of another guide.
+class StripContacts : public testing::Test {
+ protected:
+  // The side on which the particle touches the strip, there; 0: it does not touch.
+  double side_at(double along, double height) {
+    x_.tail<3>() << along, 0.2, height;
+    contacts_.find(x_, VectorXd::Zero(15));
+    return contacts_.all().empty() ? 0 : contacts_.all()[0].normal.z();
+  }
+
+  hair::ControlMesh mesh_{{}, {{{0, 1}, {{0, 1, 2}}}}, {0.1, 1, 0}};
+  hair::StripContacts contacts_{mesh_, {0, 1, 3, 5}};  // the last guide's particle 4 touches
+  VectorXd x_ = (VectorXd(15) << 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 0, 0, 0).finished();
+};
+
 // A particle belongs to the side on which it first touched, wherever it is later, until it is far away.
-TEST(StripContacts, RememberTheSide) {
-  hair::ControlMesh mesh;
-  mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
-  mesh.law = {0.1, 1, 0};
-  hair::StripContacts contacts(mesh, {0, 1, 3, 5});  // the last guide's particle 4 touches
-  VectorXd x(15);
-  x << 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 0.2, 0.2, 0.05;
-  const VectorXd tangents = VectorXd::Zero(15);
-  const auto side_at = [&](double height) {
-    x[14] = height;
-    contacts.find(x, tangents);
-    return contacts.all().empty() ? 0 : contacts.all()[0].normal.z();
-  };
-  EXPECT_EQ(side_at(0.05), 1);
-  EXPECT_EQ(side_at(-0.05), 1) << "it went through: it is pushed back";
-  EXPECT_EQ(side_at(-0.15), 0) << "far away";
-  EXPECT_EQ(side_at(-0.05), -1) << "it comes from the other side now";
-  contacts.forget();
-  EXPECT_EQ(side_at(0.05), 1);
+TEST_F(StripContacts, RememberTheSide) {
+  EXPECT_EQ(side_at(0.2, 0.05), 1);
+  EXPECT_EQ(side_at(0.2, -0.05), 1) << "it went through: it is pushed back";
+  EXPECT_EQ(side_at(0.2, -0.15), 0) << "far away";
+  EXPECT_EQ(side_at(0.2, -0.05), -1) << "it comes from the other side now";
+  contacts_.forget();
+  EXPECT_EQ(side_at(0.2, 0.05), 1);
 }
 
 // A step that moves a particle farther than the strip's thickness: if it is still near the strip, it belongs
 // to its old side; if not, it went through, and is counted. A particle that passes the strip's edge is not
 // counted.
-TEST(StripContacts, CountWhatGoesThroughInOneStep) {
-  hair::ControlMesh mesh;
-  mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
-  mesh.law = {0.1, 1, 0};
-  hair::StripContacts contacts(mesh, {0, 1, 3, 5});
-  VectorXd x(15);
-  x << 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 0.2, 0.2, 0;
-  const VectorXd tangents = VectorXd::Zero(15);
-  const auto side_at = [&](double along, double height) {
-    x.tail<3>() << along, 0.2, height;
-    contacts.find(x, tangents);
-    return contacts.all().empty() ? 0 : contacts.all()[0].normal.z();
-  };
+TEST_F(StripContacts, CountWhatGoesThroughInOneStep) {
   EXPECT_EQ(side_at(0.2, 0.15), 0);
   EXPECT_EQ(side_at(0.2, -0.05), 1) << "it came from above, by twice the thickness";
   EXPECT_EQ(side_at(0.2, 0.15), 0);
-  EXPECT_EQ(contacts.passes(2), 0);
+  EXPECT_EQ(contacts_.passes(2), 0);
   EXPECT_EQ(side_at(0.2, -0.15), 0);
-  EXPECT_EQ(contacts.passes(2), 1) << "by three times the thickness";
+  EXPECT_EQ(contacts_.passes(2), 1) << "by three times the thickness";
   EXPECT_EQ(side_at(0.2, -5), 0);
   EXPECT_EQ(side_at(2, -0.15), 0);
   EXPECT_EQ(side_at(2, 0.15), 0) << "beside the strip";
   EXPECT_EQ(side_at(-0.9, 0.15), 0);
   EXPECT_EQ(side_at(0.5, -0.35), 0) << "it meets the plane where there is no strip";
-  EXPECT_EQ(contacts.passes(2), 1);
+  EXPECT_EQ(contacts_.passes(2), 1);
   EXPECT_EQ(side_at(0.2, -0.05), -1);
   EXPECT_EQ(side_at(0.2, 0.05), -1);
   EXPECT_EQ(side_at(0.2, 0.12), 0);
-  EXPECT_EQ(contacts.passes(2), 2) << "it leaves at the wrong side";
-  EXPECT_EQ(contacts.passes(0) + contacts.passes(1), 0);
+  EXPECT_EQ(contacts_.passes(2), 2) << "it leaves at the wrong side";
+  EXPECT_EQ(contacts_.passes(0) + contacts_.passes(1), 0);
 }
 
 // Two guides with a strip between them, and a third across their way, 4 mm from it, that moves towards it,

@@ -1,11 +1,10 @@
-#include "hair/simulation/mass_spring_strand.h"
+#include "hair/simulation/models.h"
 
 #include <stdexcept>
 
 #include "hair/linked_guides/linked_guides.h"
 #include "hair/mass_spring/force_parts.h"
 #include "hair/mass_spring/step_methods.h"
-#include "hair/simulation/models.h"
 
 namespace hair {
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hair/mass_spring/mass_spring_body.h"
 #include "hair/simulation/description.h"
 #include "hair/strand/body.h"
 
@@ -47,6 +48,17 @@ struct ModelRow {
 };
 
 std::span<const ModelRow> models();
-const ModelRow* find_model(std::string_view id);  // null if there is none with this id
+
+// Null if there is none with this id.
+inline const ModelRow* find_model(std::string_view id) {
+  for (const ModelRow& row : models())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+// Makes a strand of masses and springs with a description's method and forces. Throws std::invalid_argument
+// for a start that is out of bounds (`name` is in the message).
+std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, const StrandStart& start,
+                                                   const Description& description);
 
 }  // namespace hair

@@ -1,5 +1,3 @@
-#include "hair/simulation/rigid_links_strand.h"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -25,6 +23,14 @@ const TreeStep* step_of(Method method) {
   return row == std::end(kLinkSteps) ? nullptr : &row->step;
 }
 
+LinkStrand links_of(const StrandSpec& spec, const Description& description) {
+  LinkStrand strand = link_strand(spec);
+  strand.forces.gravity = description.gravity;
+  strand.forces.drag = description.drag;
+  strand.forces.wind = description.wind;
+  return strand;
+}
+
 std::unique_ptr<Body> make_links(const StrandSpec& spec, const Description& description) {
   const MethodRow& method = row_of(description.method);
   const TreeStep* step = step_of(description.method);
@@ -43,14 +49,6 @@ std::unique_ptr<Body> make_links(const StrandSpec& spec, const Description& desc
 }
 
 }  // namespace
-
-LinkStrand links_of(const StrandSpec& spec, const Description& description) {
-  LinkStrand strand = link_strand(spec);
-  strand.forces.gravity = description.gravity;
-  strand.forces.drag = description.drag;
-  strand.forces.wind = description.wind;
-  return strand;
-}
 
 // Turns: the root's position, m, and for each link the rotation vector, rad, from its orientation in the rest
 // shape.

@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "hair/linked_guides/linked_guides.h"
-#include "hair/simulation/mass_spring_strand.h"
 #include "hair/simulation/models.h"
 #include "particles/require.h"
 
@@ -51,7 +49,7 @@ Simulation::Simulation(Description description) : step_{description.step, descri
     springs_.push_back(body.get());
     bodies_.push_back(std::move(body));
   }
-  if (description.mesh) joint_ = linked_guides(springs_, *description.mesh, watched_);
+  if (description.mesh) joint_ = std::make_unique<LinkedGuides>(springs_, *description.mesh, watched_);
   for (const ModelledStrand& strand : description.modelled)
     bodies_.push_back(strand.model->make(strand.spec, description));
   int rows = 0, columns = 0;

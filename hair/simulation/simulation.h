@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "hair/linked_guides/joint_step.h"
+#include "hair/linked_guides/linked_guides.h"
 #include "hair/mass_spring/mass_spring_body.h"
 #include "hair/simulation/description.h"
 #include "hair/simulation/strand_threads.h"
@@ -83,7 +83,7 @@ class Simulation {
  private:
   std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<MassSpringBody*> springs_;  // the bodies of `strands`, which come first
-  std::unique_ptr<JointStep> joint_;      // for strands that a mesh couples
+  std::unique_ptr<LinkedGuides> joint_;   // for strands that a mesh couples
   std::vector<Obstacle> obstacles_;
   struct {
     double h, tolerance;

@@ -24,11 +24,9 @@ inline constexpr std::array kExplicitMethods = {Method::forward_euler, Method::s
 inline constexpr std::array kMethods = {Method::forward_euler,  Method::symplectic_euler,
                                         Method::midpoint,       Method::runge_kutta_4,
                                         Method::implicit_euler, Method::predictor_corrector};
-inline constexpr std::array kMethodNames = {
-    "forward Euler", "symplectic Euler", "midpoint", "RK4", "H4", "H6"};
 
 inline const char* name_of(Method method) {
-  return kMethodNames[static_cast<std::size_t>(method)];
+  return hair::row_of(method).name;
 }
 
 // Straight hair at rest, starting at the origin.

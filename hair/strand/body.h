@@ -7,6 +7,7 @@
 // line does not contain the twist.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,7 +16,6 @@
 #include "hair/obstacles/obstacles.h"
 #include "hair/strand/blow_up.h"
 #include "hair/strand/watch.h"
-#include "hair/strand/work.h"
 #include "particles/vectors.h"
 
 namespace hair {
@@ -45,6 +45,34 @@ struct BodyStep {
   std::span<const PointForce> forces = {};  // during the whole step; not for bodies without point forces
 };
 
+// The effort of steps. Each step adds its numbers.
+struct Work {
+  long strand_steps = 0;      // steps times strands
+  long solver_steps = 0;      // iterations of ConjGrad
+  long plain_solves = 0;      // solves that had no preconditioner
+  long correction_steps = 0;  // Newton steps of the length correction
+  long solves = 0;            // solves and corrections
+  long unconverged = 0;       // those that ended above their tolerance
+  long unmended = 0;          // collisions after which obstacles and lengths did not agree (H6)
+  long kept_steps = 0;        // steps of rigid links with momenta of the step before
+  long contacts = 0;          // particles that were pushed out of an obstacle
+  double penetration = 0;     // m, the largest depth of a particle that remained in an obstacle
+
+  Work& operator+=(const Work& other) {
+    strand_steps += other.strand_steps;
+    solver_steps += other.solver_steps;
+    plain_solves += other.plain_solves;
+    correction_steps += other.correction_steps;
+    solves += other.solves;
+    unconverged += other.unconverged;
+    unmended += other.unmended;
+    kept_steps += other.kept_steps;
+    contacts += other.contacts;
+    penetration = std::max(penetration, other.penetration);
+    return *this;
+  }
+};
+
 struct BodyMeasures {
   double stretch = 0;                            // the largest |l - l0| / l0 of all parts with a rest length
   double kinetic = 0, potential = 0;             // J
@@ -70,7 +98,7 @@ class Body {
   virtual int points() const = 0;  // the points of the centre line
 
   // The arc lengths of these points at rest, from the root, m: with them lines with different numbers of
-  // points are compared (hair/strand/centre_line.h). Empty: the points lie on no line.
+  // points are compared (hair/strand/measures.h). Empty: the points lie on no line.
   virtual Eigen::VectorXd arc_lengths() const = 0;
 
   // The memory that a step needs: bodies share one matrix of at least `scratch_rows` x `scratch_columns`.

@@ -15,6 +15,13 @@ inline StrandSpec straight_hair(int elements, double length = 0.1) {
   return spec;
 }
 
+// Its root goes along x.
+inline StrandSpec level(StrandSpec spec, const Vector3d& side = Vector3d(0, 0, 1)) {
+  spec.root.axis = Vector3d(1, 0, 0);
+  spec.root.side = side;
+  return spec;
+}
+
 inline StrandSpec curl(int elements) {
   StrandSpec spec = straight_hair(elements, 0.12);
   spec.form = Curly{0.005, 0.02};

@@ -15,7 +15,7 @@ Eigen::Quaterniond turn_by(const Vector3d& angle);
 Vector3d turn_of(const Eigen::Quaterniond& q);
 
 // A: while the object turned by theta continues to turn with the angular velocity w, along the axes of the
-// world, theta' = A w. The formula is in hair/rigid_links/joint_spring.h.
+// world, theta' = A w. The formula is in hair/rigid_links/tree_system.h.
 Matrix3d rate_of_turn(const Vector3d& theta);
 
 // The smallest turn that takes the direction of `from` to that of `to`, of any lengths: quaternion

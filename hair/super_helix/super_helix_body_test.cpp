@@ -52,9 +52,7 @@ TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
 // Kirchhoff's rod by two models that share only its constants. A sagging level curl bends back and forth with
 // each turn, so an element should be a small part of a turn.
 TEST(SuperHelixBody, FallsAsRigidLinksDo) {
-  StrandSpec spec = curl(24);
-  spec.root.axis = Vector3d(1, 0, 0);
-  spec.root.side = Vector3d(0, 0, 1);
+  StrandSpec spec = level(curl(24));
   const auto helices = body(spec);
   spec.elements = 96;
   Description description;
@@ -77,9 +75,7 @@ struct Whirl {
 };
 
 double gain_of(const Whirl& whirl) {
-  StrandSpec spec = straight_hair(whirl.elements, whirl.length);
-  spec.root.axis = Vector3d::UnitX();
-  spec.root.side = -Vector3d::UnitY();
+  StrandSpec spec = level(straight_hair(whirl.elements, whirl.length), -Vector3d::UnitY());
   spec.fibre.bend_factor = spec.fibre.twist_factor = whirl.bend_factor;
   SuperHelixBody strand(helix_start(spec), {Vector3d(0, 0, -9.81)}, Vector3d::Zero(), true);
   Eigen::MatrixXd scratch(strand.scratch_rows(), strand.scratch_columns());

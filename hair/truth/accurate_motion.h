@@ -17,8 +17,8 @@
 #include <optional>
 #include <string>
 
+#include "hair/truth/ode.h"
 #include "hair/truth/problem.h"
-#include "hair/truth/trajectory.h"
 
 namespace hair {
 
@@ -44,7 +44,7 @@ struct AccurateMotion {
 struct AccurateSettings {
   double tolerance = kTightest;  // > 0, relative to the strand's length, for each step; at least kTightest
 
-  // A folder for computed motions (motion_cache.h), or none. A folder that can't be written is ignored.
+  // A folder for computed motions (find_motion), or none. A folder that can't be written is ignored.
   std::optional<std::filesystem::path> cache = {};
 };
 
@@ -54,5 +54,22 @@ struct AccurateSettings {
 std::optional<AccurateMotion> accurate_motion(const Problem& problem, const AccurateSettings& settings,
                                               const std::atomic<bool>& interrupted);
 bool have_accurate_motion();
+
+// The largest distance of a particle between two states, m; for trajectories, over all moments that both
+// have.
+double largest_distance(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+double largest_distance(const Trajectory& a, const Trajectory& b);
+
+// ---- A cache of accurate motions: files that are kept (hair/io/files/kept_file.h) ----
+
+// Everything that a motion depends on, in one line: the problem, the solution method, the versions, and the
+// forces, as digests of f at the start and near it, because the code of an exercise may have changed.
+std::string motion_key(const Problem& problem, Ode& ode, const std::string& method);
+
+// The stored motion, bit by bit, with from_cache set; nothing if there is none, or if the file is not valid.
+std::optional<AccurateMotion> find_motion(const std::filesystem::path& folder, const std::string& key);
+
+// Throws BadInput if the folder can't be written.
+void keep_motion(const std::filesystem::path& folder, const std::string& key, const AccurateMotion& motion);
 
 }  // namespace hair

@@ -16,6 +16,7 @@
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace hair {
@@ -38,7 +39,6 @@ struct Call {
   const std::atomic<bool>& interrupted;
   BandMatrix matrix;
   std::exception_ptr thrown = nullptr;
-  long matrices = 0;
 
   template <typename Work>
   int guard(const Work& work) {
@@ -66,7 +66,6 @@ int jacobian(sunrealtype t, N_Vector y, N_Vector, SUNMatrix matrix, void* data, 
   Call& call = *static_cast<Call*>(data);
   return call.guard([&] {
     BandMatrix& df = call.matrix;
-    ++call.matrices;
     df.columns.setZero();
     call.ode.jacobian(t, values(y), df);
     const int n = static_cast<int>(df.columns.cols());
@@ -153,10 +152,7 @@ class CvodeSolver {
 
   // CVODE counts from its last restart.
   void add_to(CvodeRun& run) {
-    run.evaluations += evaluations_;
-    run.steps += steps_;
-    run.matrices = call_.matrices;
-    evaluations_ = steps_ = 0;
+    run.evaluations += std::exchange(evaluations_, 0);
   }
 
  private:
@@ -175,11 +171,9 @@ class CvodeSolver {
   }
 
   void count() {
-    long all_steps = 0, all_evaluations = 0, of_differences = 0;
-    CVodeGetNumSteps(cvode_.get(), &all_steps);
+    long all_evaluations = 0, of_differences = 0;
     CVodeGetNumRhsEvals(cvode_.get(), &all_evaluations);
     if (linear_) CVodeGetNumLinRhsEvals(cvode_.get(), &of_differences);
-    steps_ = all_steps;
     evaluations_ = all_evaluations + of_differences;
   }
 
@@ -201,7 +195,7 @@ class CvodeSolver {
   Owned<SUNNonlinearSolver, SUNNonlinSolFree> nonlinear_;
   std::unique_ptr<void, Free<free_cvode>> cvode_;
   sunrealtype time_ = 0;
-  long steps_ = 0, evaluations_ = 0;
+  long evaluations_ = 0;
 };
 
 struct Stop {

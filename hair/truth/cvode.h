@@ -8,7 +8,6 @@
 #include <string>
 
 #include "hair/truth/ode.h"
-#include "hair/truth/trajectory.h"
 
 namespace hair {
 
@@ -25,8 +24,6 @@ struct CvodeWay {
 struct CvodeRun {
   Trajectory states;
   long evaluations = 0;  // evaluations of f
-  long matrices = 0;     // calculations of df/dy
-  long steps = 0;
 };
 
 // Returns the states at the start and at `moments` equally spaced times, the last one at `duration` seconds.

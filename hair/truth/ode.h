@@ -2,6 +2,7 @@
 // df/dy.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "particles/state.h"
@@ -45,5 +46,15 @@ class Ode {
   // Converts y to the places and velocities of the problem's particles.
   virtual particles::State state(double t, particles::Input y) = 0;
 };
+
+struct Problem;
+
+// A problem's toy: positions, then velocities, of the particles that are not pinned. Exercise P2 computes the
+// forces of rods and wires. Throws what particles::MovingToy throws.
+std::unique_ptr<Ode> toy_ode(const Problem& problem);
+
+// The motion of a problem's particles: their states at each of its moments.
+// states[k] is at time duration * k / moments; states[0] is the start.
+using Trajectory = std::vector<particles::State>;
 
 }  // namespace hair

@@ -5,10 +5,10 @@
 #include <exception>
 
 #include "hair/io/files/printable.h"
-#include "hair/strand/centre_line.h"
+#include "hair/strand/measures.h"
+#include "hair/truth/accurate_motion.h"
 #include "hair/truth/cvode.h"
 #include "hair/truth/rigid_strand_ode.h"
-#include "hair/truth/trajectory.h"
 #include "solver/timing.h"
 
 namespace hair {

@@ -1,6 +1,8 @@
-#include "hair/truth/toy_ode.h"
-
 #include <algorithm>
+
+#include "hair/truth/ode.h"
+#include "hair/truth/problem.h"
+#include "particles/toys/moving_toy.h"
 
 namespace hair {
 
@@ -13,7 +15,25 @@ Toy exact_toy(const Problem& problem) {
   return toy;
 }
 
-}  // namespace
+class ToyOde : public Ode {
+ public:
+  explicit ToyOde(const Problem& problem);
+
+  int size() const override { return 6 * static_cast<int>(free_.size()); }
+  Eigen::VectorXd start() const override;
+  Eigen::VectorXd scales() const override;
+  void rates(double t, particles::Input y, particles::Output dy) override;
+  particles::State state(double t, particles::Input y) override;
+
+ private:
+  void unpack(double t, particles::Input y);
+
+  particles::MovingToy moving_;
+  std::vector<int> free_;  // particles
+  double duration_;
+  particles::State state_;
+  Eigen::VectorXd acceleration_;
+};
 
 ToyOde::ToyOde(const Problem& problem)
     : moving_(exact_toy(problem)),
@@ -81,6 +101,12 @@ void ToyOde::rates(double t, particles::Input y, particles::Output dy) {
 particles::State ToyOde::state(double t, particles::Input y) {
   unpack(t, y);
   return state_;
+}
+
+}  // namespace
+
+std::unique_ptr<Ode> toy_ode(const Problem& problem) {
+  return std::make_unique<ToyOde>(problem);
 }
 
 }  // namespace hair

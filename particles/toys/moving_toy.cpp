@@ -9,7 +9,6 @@
 #include "particles/gravity.h"
 #include "particles/require.h"
 #include "particles/system.h"
-#include "particles/toys/toy_methods.h"
 
 namespace particles {
 

@@ -7,7 +7,7 @@
 
 #include "particles/dynamics.h"
 #include "particles/force_sum.h"
-#include "particles/step_options.h"
+#include "particles/system.h"
 #include "particles/toys/toy.h"
 
 namespace particles {
@@ -49,5 +49,11 @@ std::vector<std::string> exercises_of_constraints(const Toy& toy);
 // lengths is NaN.
 double largest_stretch(const Toy& toy, Input x);
 double largest_rod_stretch(const Toy& toy, Input x);
+
+// The parts of a toy that call an exercise.
+extern const ToyStep kToyForwardEuler, kToySymplecticEuler, kToyMidpoint, kToyRungeKutta4;
+extern const ToyStep kToyImplicitEuler;
+// The acceleration of a toy under its constraints. Keeps a reference to the toy.
+std::unique_ptr<Dynamics> constrained_dynamics(MovingToy& moving, bool watched);
 
 }  // namespace particles

@@ -1,5 +1,5 @@
 #include "particles/explicit_integrators.h"
-#include "particles/toys/toy_methods.h"
+#include "particles/toys/moving_toy.h"
 
 namespace particles {
 

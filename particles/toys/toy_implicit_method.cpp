@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "particles/implicit_euler.h"
-#include "particles/toys/toy_methods.h"
+#include "particles/toys/moving_toy.h"
 
 namespace particles {
 

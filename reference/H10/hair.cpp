@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 
 namespace grader::h10 {
 namespace {

@@ -12,7 +12,7 @@
 #include "hair/strand/make_strand.h"
 #include "hair/strand/test_strand_states.h"
 #include "hair/stretch_springs.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace reference_tests {
 namespace {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "reference/H4/answers.h"
 
 namespace grader::h4 {

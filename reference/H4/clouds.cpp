@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "grader/judge/cases/other_force.h"
+#include "grader/judge/cases/implicit_system.h"
 #include "handout/check/ordinary.h"
 
 namespace grader::h4 {

@@ -7,8 +7,7 @@
 #include <limits>
 
 #include "grader/judge/cases/case_asker.h"
-#include "grader/judge/cases/random_vector.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "reference/H4/answers.h"
 #include "reference/H4/calls.h"
 
@@ -46,7 +45,7 @@ Solution solve(Trial& trial, const System& system, double tolerance, int most_st
   const Served matrix{size, size, [&](int, const std::vector<double>& x, std::vector<double>& y) {
                         if (static_cast<int>(x.size()) != size)
                           throw MalformedMessage("a question that makes no sense");
-                        const VectorXd product = system.A * to_vector(x);
+                        const VectorXd product = system.A * vector_of(x);
                         y.assign(product.begin(), product.end());
                         return ++products <= kMostQuestions;
                       }};

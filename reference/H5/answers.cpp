@@ -7,7 +7,7 @@
 
 #include "grader/judge/cases/case_asker.h"
 #include "reference/H5/calls.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace grader::h5 {
 namespace {

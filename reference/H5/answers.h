@@ -10,8 +10,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "grader/judge/cases/random_vector.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "hair/length_correction.h"
 #include "hair/strand.h"

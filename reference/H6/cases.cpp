@@ -10,8 +10,7 @@
 
 #include "grader/judge/cases/case_asker.h"
 #include "grader/judge/cases/implicit_system.h"
-#include "grader/judge/cases/other_force.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"

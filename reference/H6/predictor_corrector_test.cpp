@@ -9,7 +9,7 @@
 #include "hair/predictor_corrector.h"
 #include "particles/system.h"
 #include "reference/H6/stepping_for_tests.h"
-#include "solver/dense_solve.h"
+#include "solver/dense_algebra.h"
 
 namespace reference_tests {
 namespace {

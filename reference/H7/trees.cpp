@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "grader/judge/cases/random_vector.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "hair/rigid_links.h"
 
 namespace grader::h7 {

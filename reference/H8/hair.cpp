@@ -1,7 +1,7 @@
 // STAFF ONLY. Draws hair for H8's cases.
 #include "reference/H8/hair.h"
 
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 
 namespace grader::h8 {
 namespace {

@@ -8,7 +8,7 @@
 #include "hair/lab/validate/elastica.h"
 #include "hair/super_helix/helix_momentum.h"
 #include "reference/H8/super_helices_for_tests.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace reference_tests {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 #include "handout/check/ordinary.h"
 #include "reference/H9/answers.h"
 

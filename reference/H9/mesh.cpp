@@ -1,7 +1,7 @@
 // STAFF ONLY. Draws links, triangles and contacts for H9's cases.
 #include "reference/H9/mesh.h"
 
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 
 namespace grader::h9 {
 

@@ -4,7 +4,7 @@
 // Bounds: those of each function's own cases. Powers of 2 change no digit, so units alone make no error.
 #include <cmath>
 
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 #include "reference/H9/answers.h"
 
 namespace grader::h9 {

@@ -3,7 +3,7 @@
 // coordinates of 10 cm: 20 / 0.3 roundings, squared for two subtractions that each lose a digit: 1e-12.
 #include <cmath>
 
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 #include "handout/check/ordinary.h"
 #include "reference/H9/answers.h"
 

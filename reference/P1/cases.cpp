@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "grader/judge/cases/linear_system.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "particles/explicit_integrators.h"
 #include "reference/P1/runs.h"

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "grader/calls/dynamics_server.h"
+#include "grader/calls/object_servers.h"
 #include "grader/judge/cases/case_asker.h"
-#include "grader/judge/cases/random_vector.h"
+#include "grader/judge/cases/random.h"
 #include "particles/explicit_integrators.h"
 
 namespace grader::p1 {

@@ -6,8 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "grader/judge/cases/random_vector.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "reference/P2/system.h"
 

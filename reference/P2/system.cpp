@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 
 namespace grader {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "grader/judge/cases/case_asker.h"
 #include "grader/judge/cases/linear_system.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "reference/S2/calls.h"
 

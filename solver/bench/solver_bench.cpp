@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/bench/operators.h"
-#include "solver/study/eigen_conj_grad.h"
+#include "solver/study/history.h"
 #include "solver/study/systems.h"
 #include "solver/timing.h"
 

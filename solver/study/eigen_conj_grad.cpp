@@ -1,11 +1,9 @@
-#include "solver/study/eigen_conj_grad.h"
+#include "solver/study/history.h"
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 #include <algorithm>
-
-#include "solver/study/history.h"
 
 // Eigen's protocol for matrices that are given only by their products ("Matrix-free solvers" in its
 // documentation).

@@ -5,13 +5,15 @@
 // implementation.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "solver/study/cpu_time.h"
+#include "solver/linearSolver.h"
 #include "solver/study/systems.h"
+#include "solver/timing.h"
 
 namespace solver::study {
 
@@ -29,6 +31,50 @@ struct Watch {
     if (interrupted && *interrupted) throw Interrupted();
   }
 };
+
+// The duration of calls: CPU time of this thread, medians of repeats.
+struct Timing {
+  double least_seconds = 1e-4;  // per repeat; a repeat makes several calls if they are shorter
+  int repeats = 5;              // a third of them if a call takes 10 least_seconds or more
+
+  int repeats_of(double call_seconds) const {
+    return call_seconds < 10 * least_seconds ? repeats : (repeats + 2) / 3;
+  }
+};
+
+// The seconds that each of the calls takes. The calls are repeated in turn, so that a temporary slowdown of
+// the machine affects all of them. The first calls warm up and determine how many calls make a repeat.
+inline std::vector<double> median_seconds(const Timing& how,
+                                          const std::vector<std::function<void()>>& calls) {
+  const auto seconds = [&](std::size_t call, long times) {
+    const double start = timing::cpu_seconds();
+    for (long i = 0; i < times; ++i) calls[call]();
+    return timing::cpu_seconds() - start;
+  };
+  std::vector<long> times(calls.size(), 1);
+  std::vector<int> repeats;
+  for (std::size_t call = 0; call < calls.size(); ++call) {
+    double taken = seconds(call, 1);
+    while (taken < how.least_seconds && times[call] < (1L << 30)) {
+      const double needed = taken > 0 ? static_cast<double>(times[call]) * how.least_seconds / taken : 0;
+      times[call] = std::max(2 * times[call], static_cast<long>(needed));
+      taken = seconds(call, times[call]);
+    }
+    repeats.push_back(how.repeats_of(taken / static_cast<double>(times[call])));
+  }
+  std::vector<std::vector<double>> all(calls.size());
+  for (int repeat = 0; repeat < how.repeats; ++repeat)
+    for (std::size_t call = 0; call < calls.size(); ++call)
+      if (repeat < repeats[call])
+        all[call].push_back(seconds(call, times[call]) / static_cast<double>(times[call]));
+  std::vector<double> medians;
+  for (const std::vector<double>& one : all) medians.push_back(timing::median(one));
+  return medians;
+}
+
+inline double median_seconds(const Timing& how, const std::function<void()>& call) {
+  return median_seconds(how, std::vector{call})[0];
+}
 
 struct Progress {
   int asked = 0;  // the number of iterations that it was allowed
@@ -83,5 +129,9 @@ class CountingMatrix : public implicitMatrix {
   implicitMatrix& A_;
   long count_ = 0;
 };
+
+// Eigen's conjugate gradients behind ConjGrad's interface: no preconditioner, the same operator, first guess
+// and stopping rule. As ConjGrad, but ends when ||b - Ax|| < tolerance ||b||.
+void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double tolerance, int* steps);
 
 }  // namespace solver::study

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solver/study/banded_cholesky.h"
-#include "solver/study/eigen_conj_grad.h"
+#include "solver/study/history.h"
 #include "solver/study/systems.h"
 
 namespace solver::study {

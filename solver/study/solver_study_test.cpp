@@ -10,7 +10,7 @@
 
 #include "solver/study/banded_cholesky.h"
 #include "solver/study/bowl_path.h"
-#include "solver/study/eigen_conj_grad.h"
+#include "solver/study/history.h"
 #include "solver/study/systems.h"
 
 namespace solver::study {

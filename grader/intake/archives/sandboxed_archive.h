@@ -11,7 +11,7 @@
 #include <string>
 
 #include "grader/intake/archives/archive.h"
-#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/sandbox.h"
 
 namespace grader::inline intake {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "particles/springs.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace grader::inline judge {
 namespace {
@@ -52,10 +52,6 @@ class InOtherUnits final : public particles::Force {
 };
 
 }  // namespace
-
-Eigen::VectorXd to_vector(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 CoupledForce::CoupledForce(Random& random, int n, double stiffness, double damping)
     : f0_(random_vector(random, 3 * n, stiffness)),

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "grader/judge/cases/case_asker.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "reference/S1/calls.h"
 
 namespace grader::inline judge {
@@ -44,10 +44,6 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> difference = a;
   for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= b[i];
   return norm(difference);
-}
-
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {

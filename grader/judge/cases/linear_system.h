@@ -52,7 +52,6 @@ struct Solution {
 
 double norm(const std::vector<double>& v);
 double distance(const std::vector<double>& a, const std::vector<double>& b);  // ||a - b||
-Eigen::VectorXd vector_of(const std::vector<double>& values);
 // Compares bits: a NaN equals itself, 0 and -0 differ.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
 LinearSystem scaled(LinearSystem system, double factor);  // scales b and the solution

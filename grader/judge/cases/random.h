@@ -1,7 +1,9 @@
-// STAFF ONLY. Random inputs: a seed gives the same ones on every machine, unlike the standard library's
-// distributions. A statement draws once: compilers may evaluate two draws of one expression in either order.
+// STAFF ONLY. Random inputs, and the unit of the hidden cases' bounds. A seed gives the same inputs on every
+// machine, unlike the standard library's distributions. A statement draws once: compilers may evaluate two
+// draws of one expression in either order.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -55,5 +57,18 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+// Draws normal entries of size `scale`.
+inline Eigen::VectorXd random_vector(Random& random, Eigen::Index size, double scale = 1) {
+  Eigen::VectorXd v(size);
+  for (double& entry : v) entry = scale * random.normal();
+  return v;
+}
+
+inline Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+inline constexpr double kUnit = 0x1p-53;  // u: one rounding's relative error is at most this
 
 }  // namespace grader::judge

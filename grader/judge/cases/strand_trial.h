@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "grader/judge/cases/case_asker.h"
-#include "grader/judge/cases/random_vector.h"
-#include "grader/judge/cases/rounding.h"
+#include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "hair/geometric_term.h"
 #include "hair/strand.h"

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "grader/wire/message.h"
-#include "grader/wire/products.h"
 #include "hair/scene/scene.h"
 #include "particles/state.h"
 
@@ -25,13 +24,18 @@ namespace grader::inline judge {
 // Sends a request to the student's worker and returns the reply. Its exceptions end the run.
 using Ask = std::function<MessageReader(const MessageWriter& request, const Products& products)>;
 
+// The way of proxies to the student's worker of the present run.
+MessageReader ask_student(const MessageWriter& request, const Products& products);
+MessageReader ask_student(const MessageWriter& request);  // for functions that call nothing back
+
 // Holds a run of a scene with a student's code. Its sizes are right; its numbers are untrusted and may be
 // anything.
 struct Played {
-  std::vector<particles::State> frames;  // the first is the start; at most as many as the scene has
-  std::string trouble;                   // empty, or the place of a blow-up
+  std::vector<particles::State> frames;         // the first is the start; at most as many as the scene has
+  std::string trouble;                          // empty, or the place of a blow-up
+  std::vector<std::uint32_t> coordinates = {};  // the kind of each body's, in a run of this process
   std::vector<Eigen::VectorXd>
-      dense;  // m, of each frame: see dense_strands.h; empty for a scene without dense hair
+      dense;  // m, of each frame: see play_scene.h; empty for a scene without dense hair
 
   // Counts, as the student's code reports them.
   std::int64_t solver_steps = 0;      // ConjGrad's

@@ -1,12 +1,35 @@
-// STAFF ONLY. Reads the frames of a worker's run.
+// STAFF ONLY. Loads the reference's runner, and reads the frames of a worker's run.
 #include "grader/judge/run/played.h"
 
-#include <numeric>
+#include <dlfcn.h>
 
-#include "grader/judge/run/dense_strands.h"
+#include <numeric>
+#include <stdexcept>
+
+#include "grader/judge/run/play_scene.h"
 #include "hair/scene/scene_run.h"
 
 namespace grader::inline judge {
+
+PlayFunction load_runner(const std::filesystem::path& runner) {
+  void* object = dlopen(runner.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* function = object == nullptr ? nullptr : dlsym(object, kRunnerName);
+  if (function == nullptr) throw std::runtime_error(std::string("no runner: ") + dlerror());
+  return reinterpret_cast<PlayFunction>(function);
+}
+
+Played play_with_student(Trial& trial, const std::filesystem::path& runner, const hair::Scene& scene) {
+  const Ask ask = [&](const MessageWriter& request, const Products& products) {
+    return trial.ask(request, products,
+                     "asks for far more products or forces in a run than a solution takes");
+  };
+  PlayResult play;
+  load_runner(runner)(scene, ask, play);
+  if (play.end == PlayEnd::malformed) throw MalformedMessage(play.note);
+  if (play.end == PlayEnd::threw)
+    trial.fail(Status::crashed, "the scene can't go on with its numbers", play.note);
+  return std::move(play.played);
+}
 
 Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times) {
   MessageWriter request;
@@ -31,7 +54,6 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {
-    reply.get<double>();  // the worker's time is ignored: ours is the scene's
     particles::State state;
     for (Eigen::VectorXd* part : {&state.x, &state.v}) {
       const std::vector<double> values = reply.get_doubles(static_cast<std::size_t>(size));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grader/calls/client.h"
-#include "grader/judge/run/proxies_worker.h"
+#include "grader/judge/run/play.h"
 
 namespace grader::inline judge {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "grader/judge/run/dense_strands.h"
+#include "grader/judge/run/play_scene.h"
 #include "hair/scene_drawing/scene_drawing.h"
 #include "hair/view/motion.h"
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "grader/compare/compare.h"
-#include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"

@@ -3,7 +3,6 @@
 
 #include "grader/judge/run/play.h"
 #include "grader/judge/run/play_scene.h"
-#include "grader/judge/run/proxies_worker.h"
 
 namespace grader::inline judge {
 namespace {

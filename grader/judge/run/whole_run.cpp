@@ -1,12 +1,16 @@
 // STAFF ONLY. Runs the hidden scene and compares the submission's run with the reference's.
 #include "grader/judge/run/whole_run.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "grader/compare/compare.h"
-#include "grader/judge/run/student_play.h"
+#include "grader/course/input.h"
+#include "grader/judge/cases/random.h"
+#include "grader/judge/run/played.h"
 #include "solver/timing.h"
 
 namespace grader::inline judge {
@@ -111,6 +115,30 @@ void WholeRun::judge_pictures(Trial& trial) const {
   }
   trial.expect(pictures_.size() == hidden_.pictures.size() && !pictures_.back().breaks_off,
                "the run ends before its last picture");
+}
+
+HiddenScene read_hidden_scene(const std::filesystem::path& file, const std::string& seed) {
+  const nlohmann::json document = read_json(file);
+  const JsonValue value(document, file);
+  value.check_keys({"canary", "scene", "vary", "pictures"});
+
+  nlohmann::json scene = document["scene"];
+  const JsonValue vary = value["vary"];
+  for (const std::string& place : vary.keys()) {
+    const double most = vary[place].number(0, 1e3), part = Random(seed, place).uniform(-1, 1);
+    try {
+      nlohmann::json& number = scene.at(nlohmann::json::json_pointer(place));
+      number = number.get<double>() + most * part;
+    } catch (const nlohmann::json::exception&) {
+      vary[place].fail("the scene has no number there; expected a JSON pointer to one");
+    }
+  }
+
+  HiddenScene hidden{scene.dump(), {}, {}};
+  hidden.scene = hair::parse_scene(hidden.text, file.string());
+  for (const JsonValue& frame : value["pictures"].items())
+    hidden.pictures.push_back(static_cast<int>(frame.number(0, hidden.scene.frames)));
+  return hidden;
 }
 
 }  // namespace grader::judge

@@ -21,11 +21,27 @@
 
 #include "grader/judge/cases/suite_table.h"
 #include "grader/judge/cases/trial.h"
-#include "grader/judge/run/hidden_scene.h"
 #include "grader/judge/run/run_comparison.h"
 #include "grader/result/result.h"
+#include "hair/scene/scene.h"
 
 namespace grader::inline judge {
+
+// The scene of an exercise's whole run: reference/H1/scene.json for H1, with small variations by a seed, so
+// that its result is not predictable. The seed is the same for a class, so that pictures can be compared.
+//
+//   {"canary": "STAFF ONLY: ...",
+//    "scene": SCENE,                              as hair/scenes/README.md describes it
+//    "vary": {"/toys/0/start/2/x": 0.05, ...},    numbers of SCENE, with the largest variation of each
+//    "pictures": [10, 20, 30]}                    frames to draw
+struct HiddenScene {
+  std::string text;  // is sent to the worker
+  hair::Scene scene;
+  std::vector<int> pictures;
+};
+
+// Throws BadInput for a file in another format.
+HiddenScene read_hidden_scene(const std::filesystem::path& file, const std::string& seed);
 
 // Limits the error of held particles, relative to the scene's size: the rounding of their motion.
 inline constexpr double kHeld = 1e-9;

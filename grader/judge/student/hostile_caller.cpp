@@ -74,6 +74,11 @@ void send_products_forever() {
   }
 }
 
+void solve_until_asked() {
+  send(Kind::call, conj_grad(3, 3));
+  receive();
+}
+
 void misbehave(const std::string& how) {
   if (how == "calls-what-is-not-provided") {
     MessageWriter call;
@@ -87,29 +92,22 @@ void misbehave(const std::string& how) {
   } else if (how == "has-less-than-no-unknowns") {
     send(Kind::call, conj_grad(-1, 0));
   } else if (how == "calls-in-callbacks-forever") {
-    for (;;) {
-      send(Kind::call, conj_grad(3, 3));
-      receive();
-    }
+    for (;;) solve_until_asked();
   } else if (how == "throws-unasked") {
     send(Kind::callback_threw);
   } else if (how == "answers-unasked") {
     send_product({1, 2, 3});
   } else if (how == "answers-with-another-length") {
-    send(Kind::call, conj_grad(3, 3));
-    receive();
+    solve_until_asked();
     send_product({1, 2, 3, 4});
   } else if (how == "is-done-in-a-callback") {
-    send(Kind::call, conj_grad(3, 3));
-    receive();
+    solve_until_asked();
     send(Kind::done);
   } else if (how == "exits-in-a-callback") {
-    send(Kind::call, conj_grad(3, 3));
-    receive();
+    solve_until_asked();
     _exit(0);
   } else if (how == "throws-in-a-callback") {
-    send(Kind::call, conj_grad(3, 3));
-    receive();
+    solve_until_asked();
     send(Kind::callback_threw);
     MessageWriter text;
     send(Kind::threw, text.put(std::string("as it may")));

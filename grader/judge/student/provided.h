@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "grader/wire/message.h"
-#include "grader/wire/products.h"
 
 namespace grader::inline judge {
 

@@ -18,7 +18,6 @@
 #include "grader/sandbox/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
-#include "grader/wire/products.h"
 
 namespace grader::inline judge {
 

@@ -1,11 +1,15 @@
 // STAFF ONLY. The small scenes of a study, which all exercises of a submission run together, each in a few
-// milliseconds of the reference; and their parts: a scene, or one of its toys, in fewer or more steps.
+// milliseconds of the reference; their parts: a scene, or one of its toys, in fewer or more steps; and each
+// part's true motion.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hair/scene/scene.h"
+#include "hair/truth/accurate_motion.h"
 
 namespace grader::inline judge {
 
@@ -37,5 +41,17 @@ std::vector<TimeGrid> grids_of(const hair::Scene& scene);
 
 // Lists the grids between `coarse` and the one with twice its steps, fewest steps first.
 std::vector<TimeGrid> between(const TimeGrid& coarse);
+
+// Holds the reference solution of a part's motion, against which errors are measured. It is the same for a
+// class, and is stored.
+struct Truth {
+  hair::AccurateMotion motion;  // its states are the frames of the part's scene; the first is the start
+  double size = 0;              // m: the diagonal of the motion's bounding box
+};
+
+// The accurate solution of the equations of motion if there is one (hair/truth/accurate_motion.h). Otherwise
+// (several strands, or hair with obstacles) the reference itself, with many times the steps of the finest
+// division. `kept` is a folder for stored motions. Throws std::runtime_error if the reference breaks.
+Truth true_motion(const StudiedPart& part, const std::optional<std::filesystem::path>& kept);
 
 }  // namespace grader::judge

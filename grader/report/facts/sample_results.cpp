@@ -6,7 +6,7 @@
 #include <array>
 
 #include "grader/compare/compare.h"
-#include "grader/compare/heat_map.h"
+#include "grader/compare/montage.h"
 #include "grader/compare/test_pictures.h"
 #include "hair/io/image/png.h"
 #include "hair/view/motion.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/compare/comparison.h"
+#include "grader/compare/compare.h"
 #include "grader/report/facts/class_facts.h"
 #include "grader/result/costs.h"
 #include "grader/result/result.h"

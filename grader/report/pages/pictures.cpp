@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "grader/compare/compare.h"
-#include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
 #include "grader/course/input.h"
 #include "grader/report/facts/picture_files.h"

@@ -1,13 +1,17 @@
 // STAFF ONLY. Chooses the users that run student code, and shares folders with them.
 #include "grader/sandbox/processes/identity.h"
 
+#include <fcntl.h>
 #include <grp.h>
+#include <stdlib.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <random>
 #include <string>
@@ -17,8 +21,9 @@
 #include "hair/io/files/bad_input.h"
 
 namespace grader::inline sandbox {
-
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Range {
   std::uint64_t first = 0, end = 0;
@@ -38,6 +43,19 @@ std::vector<Range> ranges_of(const char* map) {
 bool has_number(const char* map, std::uint64_t number) {
   const std::vector<Range> ranges = ranges_of(map);
   return std::ranges::any_of(ranges, [&](const Range& range) { return range.holds(number); });
+}
+
+constexpr const char* kBeginning = "hairgrade-";
+constexpr const char* kLockFile = "lock";
+
+// Removes folders of killed graders.
+void remove_stale() {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(), error)) {
+    if (!entry.path().filename().string().starts_with(kBeginning) || entry.is_symlink(error)) continue;
+    const Descriptor lock(open((entry.path() / kLockFile).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
+    if (lock && flock(lock.get(), LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry.path(), error);
+  }
 }
 
 }  // namespace
@@ -86,6 +104,25 @@ void share_with_sandbox(const std::filesystem::path& folder, bool writable) {
         "); give root the right to change owners (CAP_CHOWN), or run hairgrade as an ordinary user");
   if (chmod(folder.c_str(), 0750) != 0)
     throw std::system_error(errno, std::generic_category(), "chmod " + folder.string());
+}
+
+StagingFolder::StagingFolder() {
+  remove_stale();
+  // Until we hold the lock, another grader may take the new folder for a stale one and remove it.
+  do {
+    std::string pattern = (fs::temp_directory_path() / (std::string(kBeginning) + "XXXXXX")).string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw hair::BadInput(pattern + ": can't make a folder for temporary files: " + std::strerror(errno));
+    path_ = pattern;
+    lock_ = Descriptor(open((path_ / kLockFile).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+    flock(lock_.get(), LOCK_EX);
+  } while (!fs::exists(path_ / kLockFile));
+  share_with_sandbox(path_, false);
+}
+
+StagingFolder::~StagingFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
 }
 
 }  // namespace grader::sandbox

@@ -1,10 +1,12 @@
-// STAFF ONLY. The user that runs a sandbox. A sandbox of root could write the host's kernel settings through
-// /proc, so root first becomes a separate unprivileged user.
+// STAFF ONLY. The user that runs a sandbox, and a folder for it. A sandbox of root could write the host's
+// kernel settings through /proc, so root first becomes a separate unprivileged user.
 #pragma once
 
 #include <sys/types.h>
 
 #include <filesystem>
+
+#include "grader/sandbox/processes/descriptor.h"
 
 namespace grader::inline sandbox {
 
@@ -31,5 +33,21 @@ bool become(const Identity& identity);
 
 // Makes a folder readable for the sandbox user and us alone; `writable`: also writable.
 void share_with_sandbox(const std::filesystem::path& folder, bool writable);
+
+// A new folder in the system's temporary folder, which only we and the sandbox's user can read. Its
+// destructor removes it; after a SIGKILL the next such object does.
+class StagingFolder {
+ public:
+  StagingFolder();  // throws BadInput if none can be made
+  ~StagingFolder();
+  StagingFolder(const StagingFolder&) = delete;
+  StagingFolder& operator=(const StagingFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  Descriptor lock_;  // held while the folder is in use
+};
 
 }  // namespace grader::sandbox

@@ -13,7 +13,7 @@ enum class Syscalls {
   // files. System calls that honest student code never needs (see `denied_syscall`) raise SIGSYS, so that the
   // worker can report them.
   compute,
-  // The same for a process that handles SIGSYS (stopped_calls.h). Nothing blocks that signal: calls that
+  // The same for a process that handles SIGSYS. Nothing blocks that signal: calls that
   // block signals raise it, too. So do exit codes above 127, which look like an end by a signal.
   worker,
   // Also has what a compiler and a linker need: processes and files.
@@ -31,5 +31,15 @@ std::vector<sock_filter> syscall_filter(Syscalls kept);
 
 // Returns a phrase for the intention of a system call, as in "to open a network connection".
 const char* denied_syscall(int number);
+
+// Handles SIGSYS, to report the system calls that Syscalls::worker stops.
+//
+// A signal that is blocked when the filter raises it ends the process at once, and the attempt stays unknown:
+// the C library blocks all signals before it starts another process (system, popen, posix_spawn). So the
+// filter also stops calls that block signals; this handler does their work, but never blocks SIGSYS.
+//
+// Both may be called at any point of the process's code. After `denied` the call fails with EPERM. `leaves`
+// comes before an exit code above 127; if it returns, the process ends with 1.
+void hear_of_stopped_calls(void (*denied)(int number), void (*leaves)(int code));
 
 }  // namespace grader::sandbox

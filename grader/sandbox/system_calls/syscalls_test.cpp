@@ -150,25 +150,27 @@ const std::vector<Call>& trapping() {
   return calls;
 }
 
+void expect_trapped(const string& name, const std::function<long()>& call) {
+  SCOPED_TRACE(name);
+  EXPECT_EQ(attempt(call, Syscalls::compute), kTrapped);
+  const Tried free = attempt(call, {});
+  EXPECT_FALSE(free.trapped) << "something else stops it: this test shows nothing";
+  EXPECT_EQ(free.signal, 0);
+}
+
 TEST(ComputeFilter, TrapsEachCallThatHonestCodeNeverMakes) {
-  for (const Call& call : trapping()) {
-    SCOPED_TRACE(call.name);
-    if (call.number() < 0) continue;  // this architecture lacks it
-    EXPECT_EQ(attempt(call, Syscalls::compute), kTrapped);
-    const Tried free = attempt(call, {});
-    EXPECT_FALSE(free.trapped) << "something else stops it: this test shows nothing";
-    EXPECT_EQ(free.signal, 0);
-  }
+  for (const Call& call : trapping())
+    if (call.number() >= 0) expect_trapped(call.name, call);  // this architecture has it
 }
 
 // These are denied for some arguments, as listed here.
-const std::vector<std::pair<string, std::function<long()>>>& conditional() {
+std::vector<std::pair<string, std::function<long()>>> conditional() {
   constexpr long kThread = CLONE_VM | CLONE_FS | CLONE_FILES | CLONE_SIGHAND | CLONE_THREAD | CLONE_SYSVSEM |
                            CLONE_SETTLS | CLONE_PARENT_SETTID | CLONE_CHILD_CLEARTID;
   const auto raw = [](long number, auto... arguments) {
     return [=] { return syscall(number, arguments...); };
   };
-  static const std::vector<std::pair<string, std::function<long()>>> calls = {
+  return {
       {"fork", [] { return start([] { return syscall(SYS_fork); }); }},
       {"vfork",
        [] {
@@ -194,33 +196,20 @@ const std::vector<std::pair<string, std::function<long()>>>& conditional() {
       {"open, to create", raw(SYS_open, "/nowhere/at/all", O_RDONLY | O_CREAT, 0600)},
 #endif
   };
-  return calls;
 }
 
 TEST(ComputeFilter, TrapsArgumentsThatHonestCodeNeverGives) {
-  for (const auto& [name, call] : conditional()) {
-    SCOPED_TRACE(name);
-    EXPECT_EQ(attempt(call, Syscalls::compute), kTrapped);
-    const Tried free = attempt(call, {});
-    EXPECT_FALSE(free.trapped) << "something else stops it: this test shows nothing";
-    EXPECT_EQ(free.signal, 0);
-  }
+  for (const auto& [name, call] : conditional()) expect_trapped(name, call);
 }
 
 // A worker's filter stops these, too: popen makes a pipe first, and signals and some exit codes hide an
 // attempt.
-const std::vector<Call>& trapping_in_workers() {
-  static std::uint64_t mask = 0;
-  static const auto set = reinterpret_cast<long>(&mask);
-  static const std::vector<Call> calls = {{"pipe", {kNowhere}},
-                                          {"pipe2", {kNowhere, kBad}},
-                                          {"rt_sigprocmask", {SIG_BLOCK, set, 0, 8}},
-                                          {"rt_sigprocmask", {SIG_SETMASK, set, 0, 8}}};
-  return calls;
-}
-
 TEST(WorkerFilter, TrapsWhatHidesOtherCalls) {
-  for (const Call& call : trapping_in_workers()) {
+  std::uint64_t mask = 0;
+  const auto set = reinterpret_cast<long>(&mask);
+  for (const Call& call :
+       {Call{"pipe", {kNowhere}}, Call{"pipe2", {kNowhere, kBad}},
+        Call{"rt_sigprocmask", {SIG_BLOCK, set, 0, 8}}, Call{"rt_sigprocmask", {SIG_SETMASK, set, 0, 8}}}) {
     SCOPED_TRACE(call.name);
     EXPECT_EQ(attempt(call, Syscalls::worker), kTrapped);
     EXPECT_FALSE(attempt(call, Syscalls::compute).trapped);

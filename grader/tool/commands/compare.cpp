@@ -9,8 +9,7 @@
 #include <set>
 
 #include "grader/class_folder/progress.h"
-#include "grader/compare/comparison.h"
-#include "grader/compare/heat_map.h"
+#include "grader/compare/compare.h"
 #include "grader/compare/montage.h"
 #include "grader/course/input.h"
 #include "grader/report/pages/pages.h"

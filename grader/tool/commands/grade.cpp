@@ -25,7 +25,7 @@
 #include "grader/report/report.h"
 #include "grader/roster/groups.h"
 #include "grader/roster/times.h"
-#include "grader/sandbox/processes/own_groups.h"
+#include "grader/sandbox/processes/control_groups.h"
 #include "grader/text/shell_word.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"

@@ -6,7 +6,7 @@
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
 #include "grader/record/points/hand_ins.h"
-#include "grader/sandbox/processes/staging_folder.h"
+#include "grader/sandbox/processes/identity.h"
 #include "grader/sandbox/system_mounts.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/grade_options.h"

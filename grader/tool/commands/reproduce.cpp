@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "grader/compile/compiler.h"
-#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
 #include "grader/course/input.h"
 #include "grader/grading/exercise_grading.h"
 #include "grader/grading/grading.h"
@@ -123,8 +123,7 @@ int reproduce(const Again& options) {
   fs::copy(kit.folder() / "handout", out, fs::copy_options::recursive);
   fs::copy(kit.folder() / "given", out / "lib");
   const fs::path grader = fs::path(HAIR_SOURCE_DIR) / "grader";
-  for (const char* header :
-       {"grader/calls/remote.h", "grader/wire/force_answer.h", "grader/wire/force_message.h"})
+  for (const char* header : {"grader/calls/remote.h", "grader/wire/force_message.h"})
     files[header] = hair::bytes_of(fs::path(HAIR_SOURCE_DIR) / header);
   files["replay.h"] = hair::bytes_of(grader / "judge/replay.h");
   files["student/" + one.result.file] = one.result.source;

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "hair/lab/run/output_folder.h"
-#include "hair/linked_guides/mesh_record.h"
+#include "hair/linked_guides/control_mesh.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"
 

@@ -10,7 +10,7 @@
 #include "hair/scene/roots.h"
 #include "hair/strand/variation.h"
 #include "particles/force.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

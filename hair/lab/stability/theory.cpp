@@ -6,8 +6,7 @@
 #include <stdexcept>
 
 #include "particles/require.h"
-#include "solver/dense_solve.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "hair/scene/scene_run.h"
+#include "hair/truth/accurate_motion.h"
 #include "hair/truth/problem.h"
-#include "hair/truth/trajectory.h"
 
 namespace hair {
 

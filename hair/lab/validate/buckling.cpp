@@ -19,7 +19,7 @@
 #include "hair/lab/validate/clamped_hair.h"
 #include "hair/lab/validate/planar_statics.h"
 #include "hair/lab/validate/validations.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

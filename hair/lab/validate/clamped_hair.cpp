@@ -6,7 +6,7 @@
 #include "hair/lab/validate/planar_statics.h"
 #include "hair/mass_spring/force_parts.h"
 #include "hair/strand/make_strand.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

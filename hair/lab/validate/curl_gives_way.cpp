@@ -15,7 +15,7 @@
 
 #include "hair/lab/validate/validations.h"
 #include "hair/super_helix/helix_forces.h"
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/symmetric_eigen.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

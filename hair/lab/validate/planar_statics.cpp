@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "solver/dense_solve.h"
+#include "solver/dense_algebra.h"
 
 namespace hair {
 

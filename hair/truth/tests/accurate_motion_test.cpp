@@ -15,7 +15,6 @@
 #include "hair/strand/make_strand.h"
 #include "hair/truth/accurate_motion.h"
 #include "hair/truth/cvode.h"
-#include "hair/truth/motion_cache.h"
 #include "hair/truth/space_error.h"
 #include "hair/truth/strand_ode.h"
 #include "problems.h"
@@ -30,6 +29,8 @@ namespace fs = std::filesystem;
 
 // There are a few hundred steps, and each may be off by 1e-12 of the size: 1e-9 allows for their sum.
 constexpr double kOff = 1e-9;
+
+const std::atomic<bool> kNever = false;
 
 TEST(AccurateMotion, OfADampedSpringIsTheClosedForm) {
   constexpr double kMass = 0.1, kStiffness = 40, kDamping = 0.5, kAway = 0.2;
@@ -108,11 +109,10 @@ class Breaking : public hair::Ode {
 };
 
 TEST(AccurateMotion, SaysInALineWhereForcesAreNoNumbers) {
-  const std::atomic<bool> interrupted = false;
   for (const auto method : {hair::CvodeMethod::adams, hair::CvodeMethod::bdf}) {
     Breaking breaking;
     try {
-      hair::run_cvode(breaking, 1, 4, {method, 1e-6}, interrupted);
+      hair::run_cvode(breaking, 1, 4, {method, 1e-6}, kNever);
       ADD_FAILURE() << "no exception";
     } catch (const std::runtime_error& error) {
       const std::string said = error.what();
@@ -125,8 +125,7 @@ TEST(AccurateMotion, SaysInALineWhereForcesAreNoNumbers) {
 TEST(SpaceError, OfAStrandIsOfSecondOrder) {
   Problem problem = level_strand(1);
   problem.scene.hair.strands[0].strand.bend_rigidity *= 5;
-  const std::atomic<bool> interrupted = false;
-  const hair::SpaceError error = hair::space_error(problem, interrupted).value();
+  const hair::SpaceError error = hair::space_error(problem, kNever).value();
   ASSERT_EQ(error.levels.size(), 4U) << error.left_out;
   EXPECT_NEAR(error.order, 2, 0.3);
   EXPECT_EQ(error.levels[1].segments, 6);
@@ -137,10 +136,9 @@ TEST(SpaceError, OfAStrandIsOfSecondOrder) {
 }
 
 TEST(SpaceError, IsNotMadeUpWhereThereIsNone) {
-  const std::atomic<bool> interrupted = false;
   Problem problem = level_strand(1);
   problem.scene.hair.strands[0].state.x[3] += 1e-3;
-  const hair::SpaceError error = hair::space_error(problem, interrupted).value();
+  const hair::SpaceError error = hair::space_error(problem, kNever).value();
   EXPECT_TRUE(error.levels.empty());
   EXPECT_NE(error.left_out, "");
 }
@@ -153,8 +151,7 @@ class MotionCache : public ::testing::Test {
   MotionCache& operator=(const MotionCache&) = delete;
 
   AccurateMotion motion() const {
-    const std::atomic<bool> interrupted = false;
-    return hair::accurate_motion(level_strand(), {1e-6, folder_}, interrupted).value();
+    return hair::accurate_motion(level_strand(), {1e-6, folder_}, kNever).value();
   }
   fs::path only_file() const {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
@@ -192,17 +189,15 @@ TEST_F(MotionCache, GivesBackTheSameBits) {
 TEST_F(MotionCache, ChangesNothing) {
   Problem hard = level_strand(200);
   hard.duration = 1e-3;  // tensions grow from nothing
-  const std::atomic<bool> interrupted = false;
-  const AccurateMotion alone = hair::accurate_motion(hard, {hair::kTightest, {}}, interrupted).value();
+  const AccurateMotion alone = hair::accurate_motion(hard, {hair::kTightest, {}}, kNever).value();
   ASSERT_TRUE(alone.inextensible);
-  expect_same(alone, hair::accurate_motion(hard, {hair::kTightest, folder_}, interrupted).value());
+  expect_same(alone, hair::accurate_motion(hard, {hair::kTightest, folder_}, kNever).value());
 }
 
 // Tolerances as near to each other as people give them.
 TEST_F(MotionCache, KnowsTolerancesApart) {
-  const std::atomic<bool> interrupted = false;
   for (const double tolerance : {1e-6, 1.4e-6, 1.4001e-6})
-    EXPECT_FALSE(hair::accurate_motion(level_strand(), {tolerance, folder_}, interrupted)->from_cache)
+    EXPECT_FALSE(hair::accurate_motion(level_strand(), {tolerance, folder_}, kNever)->from_cache)
         << tolerance;
 }
 

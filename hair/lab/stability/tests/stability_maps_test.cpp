@@ -11,7 +11,7 @@
 #include "hair/lab/stability/maps.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/simulation/test_hairs.h"
-#include "solver/dense_solve.h"
+#include "solver/dense_algebra.h"
 
 namespace reference_tests {
 namespace {

@@ -1,11 +1,19 @@
-// Eigenvalues and eigenvectors of a symmetric matrix by Eigen's SelfAdjointEigenSolver. It is compiled only
-// here, because it costs three seconds for each file that includes it.
+// Solves, determinants and eigenvalues of small dense matrices, for tests and studies. Eigen's solvers are
+// compiled only here, because they cost some seconds for each file that includes them.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace solver {
 
+// Returns X with A X = B, by Gaussian elimination with partial pivoting. A: n x n, not singular. B: n x m.
+// The error is that of rounding, times the condition number of A.
+Eigen::MatrixXd dense_solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+// The sign -1, 0 or 1 of A's determinant, which may itself be too large or too small for a double.
+int determinant_sign(const Eigen::MatrixXd& A);
+
+// Eigenvalues and eigenvectors of a symmetric matrix by Eigen's SelfAdjointEigenSolver.
 struct SymmetricEigen {
   Eigen::VectorXd values;   // n, ascending
   Eigen::MatrixXd vectors;  // n x n; column i belongs to values[i] and has length 1

@@ -1,6 +1,6 @@
 // STAFF ONLY. Tests whole runs of the suite: they move as in one process with all objects, the student's
 // process holds no reference, and an answer of any kind ends only the run, not the suite.
-#include "grader/judge/run/student_play.h"
+#include "grader/judge/run/played.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -13,8 +13,7 @@
 #include <utility>
 
 #include "grader/course/course.h"
-#include "grader/judge/run/hidden_scene.h"
-#include "grader/judge/run/played.h"
+#include "grader/judge/run/whole_run.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processes/processors.h"
 #include "hair/io/files/temporary_folder.h"
