@@ -17,7 +17,7 @@ using tests::says;
 
 Finding finding(const std::string& suite, const std::string& name, Finding::State state,
                 std::vector<std::string> failures = {}, const std::string& hint = "") {
-  return {suite, name, "check.cpp", 7, state, std::move(failures), hint, "", ""};
+  return {suite, name, "check.cpp", 7, state, std::move(failures), hint, ""};
 }
 
 const Finding kRight = finding("Energy", "OfOne", Finding::State::passed);
@@ -26,12 +26,12 @@ const Finding kWrong =
             {"the sum\nerror = 2\nGoogle Test trace:\nexercises/H2/check.cpp:9: two strands"}, "a sign?");
 
 const std::vector<Category> kCategories = {
-    {"Energy", "The energy", 2, {"energy"}, {{"half", "the energy is wrong", "the half"}}},
+    {"Energy", "The energy", 2, {"energy"}, {{"half", "the half", {}}}},
     {"Balance",
      "The balance",
      3,
      {"force"},
-     {{"ends", "the sum is not 0", "both ends"}, {"sign", "-", "the sign"}}},
+     {{"ends", "both ends", {}}, {"sign", "the sign", {"HasItsSign"}}, {"none", "", {"IsLong"}}}},
     {"WholeRun", "The whole run", 1, {}, {}}};
 const Asked kAsked = {"H2", "build/check", kCategories};
 
@@ -60,11 +60,11 @@ TEST(Digest, ShowsTheFirstFailureAndWhatIsAtStake) {
                 "     1  The whole run                                 in grading alone\n");
 }
 
-TEST(Digest, PointsToTheRowThatACheckNames) {
+TEST(Digest, PointsToTheRowThatNamesTheCheck) {
   Finding one = kWrong;
-  one.row = "sign";
+  one.name = "HasItsSign/0";
   EXPECT_TRUE(says(digest(kAsked, {one}, false), "Where to look: the sign\n"));
-  one.row = "-";
+  one.name = "IsLong";
   EXPECT_FALSE(says(digest(kAsked, {one}, false), "Where to look"));
 }
 

@@ -21,7 +21,7 @@ namespace checks {
 namespace {
 
 // A child reports each event to its parent as a letter, a length and so many bytes.
-constexpr char kStarts = 's', kFails = 'f', kPointsTo = 'r', kHints = 'h', kPasses = 'p', kEnds = 'e';
+constexpr char kStarts = 's', kFails = 'f', kHints = 'h', kPasses = 'p', kEnds = 'e';
 
 void tell(int out, char event, const std::string& text) {
   std::string bytes(1, event);
@@ -62,7 +62,6 @@ class Teller : public testing::EmptyTestEventListener {
     std::fflush(stdout);
     for (int i = 0; i < test.result()->test_property_count(); ++i) {
       const testing::TestProperty& one = test.result()->GetTestProperty(i);
-      if (one.key() == std::string("row")) tell(out_, kPointsTo, one.value());
       if (one.key() == std::string("hint")) tell(out_, kHints, one.value());
     }
     tell(out_, test.result()->Failed() ? kEnds : kPasses, test.name());
@@ -154,8 +153,6 @@ Finding* take_events(const std::string& events, const std::vector<Finding*>& che
       current = found == checks.end() ? nullptr : *found;
     } else if (current != nullptr && event == kFails) {
       current->failures.push_back(text);
-    } else if (current != nullptr && event == kPointsTo) {
-      current->row = text;
     } else if (current != nullptr && event == kHints) {
       current->hint = text;
     } else if (current != nullptr) {

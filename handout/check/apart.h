@@ -6,9 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "finding.h"
-
 namespace checks {
+
+// The result of one check, and where the check stands.
+struct Finding {
+  enum class State { passed, failed, broke_off, waits };
+
+  std::string suite, name;  // "Forces", "AreBalanced"
+  std::string file;         // "check.cpp"
+  int line = 0;             // its TEST stands here
+  State state = State::waits;
+  std::vector<std::string> failures;  // GoogleTest's messages, or how the check broke off
+  std::string hint;                   // a likely mistake, if the wrong numbers show one
+  std::string waits_for;              // the function whose checks must pass first, if any
+
+  std::string full_name() const { return suite + "." + name; }
+};
 
 // CPU seconds that a check may take before its process is ended. Right programs take one or two for all
 // checks together.

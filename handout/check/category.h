@@ -10,15 +10,15 @@ namespace checks {
 
 // A cause of failures, and where to look for it.
 struct Row {
-  std::string id, see, look;
+  std::string id, look;             // without a look: no place is likelier than others
+  std::vector<std::string> checks;  // failures of these point here; those of all others, to the first row
 };
 
 struct Category {
   std::string id, title;  // "Velocities", "Pass 1: velocities"
   double points = 0;
   std::vector<std::string> functions;  // its checks call these; empty if only grading has its checks
-  std::vector<Row>
-      rows;  // a failure points to the first, unless its check names another (look_at in check.h)
+  std::vector<Row> rows;
 };
 
 // The category whose id is the name of this test suite. A suite with parameters, "Midpoint/Integrator", has

@@ -147,10 +147,6 @@ std::vector<Golden> read_golden(const std::string& exercise) {
   return cases;
 }
 
-void look_at(const std::string& row) {
-  testing::Test::RecordProperty("row", row);
-}
-
 namespace {
 
 using Functions = std::vector<Function>;
@@ -197,7 +193,6 @@ std::vector<Finding> all_checks(const std::vector<Category>& categories,
                           test.line(),
                           Finding::State::waits,
                           {},
-                          "",
                           "",
                           needed});
     }

@@ -89,10 +89,6 @@ struct Golden {
 // Throws std::runtime_error if a file is missing.
 std::vector<Golden> read_golden(const std::string& exercise);
 
-// Points a failure of the running check to this row of its category (categories.json) in place of the first
-// one; "-": to none.
-void look_at(const std::string& row);
-
 // A function of the exercise, and a call of it that any version survives. The checks of the categories that
 // ask it wait until those of the functions in `needs` pass, since they ask with these.
 struct Function {

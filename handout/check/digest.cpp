@@ -62,6 +62,13 @@ std::vector<std::string> lines_of(const std::string& text) {
   return all;
 }
 
+// The row that names this check, "HasItsOrder/0" as HasItsOrder, or else the first. Null if there is none.
+const Row* row_of(const Category& category, const std::string& check) {
+  for (const Row& row : category.rows)
+    if (std::ranges::find(row.checks, check.substr(0, check.find('/'))) != row.checks.end()) return &row;
+  return category.rows.empty() ? nullptr : &category.rows.front();
+}
+
 void tell_failure(std::ostream& out, const Asked& asked, const Finding& one, bool full) {
   out << one.full_name() << " (exercises/" << asked.exercise << "/" << one.file << ":" << one.line << ")"
       << (one.state == Finding::State::broke_off ? " broke off:" : ":") << "\n";
@@ -78,9 +85,9 @@ void tell_failure(std::ostream& out, const Asked& asked, const Finding& one, boo
     if (!full) break;
   }
   if (!hint.empty()) out << "  Hint: " << hint << "\n";
-  const Row* row = category == nullptr ? nullptr : row_of(*category, one.row);
+  const Row* row = category == nullptr ? nullptr : row_of(*category, one.name);
   // A crash says where it was; only a row about crashes knows more.
-  if (row != nullptr && (one.state == Finding::State::failed || row->id == "crash"))
+  if (row != nullptr && !row->look.empty() && (one.state == Finding::State::failed || row->id == "crash"))
     out << "  Where to look: " << row->look << "\n";
 }
 
@@ -148,12 +155,6 @@ void tell_categories(std::ostream& out, const Asked& asked, const std::vector<Fi
 }
 
 }  // namespace
-
-const Row* row_of(const Category& category, const std::string& row) {
-  if (category.rows.empty() || row == "-") return nullptr;
-  const auto found = std::ranges::find(category.rows, row, &Row::id);
-  return found == category.rows.end() ? &category.rows.front() : &*found;
-}
 
 std::string digest(const Asked& asked, const std::vector<Finding>& findings, bool full) {
   std::vector<const Finding*> wrong;

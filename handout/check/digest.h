@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apart.h"
 #include "category.h"
-#include "finding.h"
 
 namespace checks {
 
@@ -15,9 +15,6 @@ struct Asked {
   std::string program;   // its path
   std::vector<Category> categories;
 };
-
-// The row with the id that a check names ("-": no row). Null if the category has none of this id.
-const Row* row_of(const Category& category, const std::string& row);
 
 // At most fifteen lines. With `full`: all failures, each whole, and all categories.
 std::string digest(const Asked& asked, const std::vector<Finding>& findings, bool full);

@@ -16,6 +16,17 @@ Strand uniform(int segments) {
   return hair::uniform_strand({}, segments, 0.3);
 }
 
+// n numbers between -1 and 1 without a pattern: with them Newton's method gives up where a test says so.
+VectorXd scattered_vector(Eigen::Index n, unsigned which) {
+  VectorXd values(n);
+  unsigned state = 2654435761u * (which + 1);
+  for (double& value : values) {
+    state = 1664525u * state + 1013904223u;
+    value = state / 2147483648.0 - 1;
+  }
+  return values;
+}
+
 // A strand with its rest lengths, each segment turned against the one before by about `bend`.
 VectorXd bent(const Strand& strand, double bend) {
   const VectorXd numbers = scattered_vector(3 * strand.count(), 0);
@@ -31,7 +42,7 @@ VectorXd bent(const Strand& strand, double bend) {
 // The same, with all particles but the root moved by up to `size` of a segment.
 VectorXd disturbed(const Strand& strand, double bend, double size) {
   VectorXd x = bent(strand, bend);
-  x.tail(x.size() - 3) += size * strand.rest_length[0] * scattered_vector(x.size() - 3, 100);
+  x.tail(x.size() - 3) += size * strand.rest_length[0] * scattered_vector(3 * strand.segments(), 100);
   return x;
 }
 
@@ -61,7 +72,8 @@ TEST(CorrectLengths, SurvivesExtremes) {
         const CorrectionReport report = correct(of, state);
         EXPECT_TRUE(report.converged) << what << ", " << n << " segments, bend " << bend;
         EXPECT_LE(report.iterations, 31) << what;
-        EXPECT_LE(largest_error(of, state), std::max(1e-12, 0x1p-50 * state.cwiseAbs().maxCoeff() / l0))
+        EXPECT_LE(hair::largest_stretch(of, state),
+                  std::max(1e-12, 0x1p-50 * state.cwiseAbs().maxCoeff() / l0))
             << what << ", " << n << " segments, bend " << bend;
         EXPECT_EQ(state.head<3>(), root) << what;
       };
@@ -76,7 +88,7 @@ TEST(CorrectLengths, SurvivesExtremes) {
       VectorXd folded = 0 * x;
       for (int i = 1; i <= n; i += 2) folded[3 * i] = 1.05 * l0;
       expect_right("folded at every joint", strand, folded);
-      expect_right("crumpled", strand, l0 * scattered_vector(x.size(), 9));
+      expect_right("crumpled", strand, l0 * scattered_vector(3 * n + 3, 9));
       Strand uneven = strand;
       for (int i = 1; i <= n; i += 2) uneven.mass[i] *= 1e6;
       expect_right("masses 1:1e6", uneven, disturbed(uneven, bend, 0.01));
@@ -112,7 +124,7 @@ TEST(CorrectVelocities, IsAccurateForLongStraightStrandsAndUnevenMasses) {
   for (double ratio : {1.0, 1e6}) {
     for (int i = 1; i < strand.count(); i += 2) strand.mass[i] = ratio * strand.mass[2];
     const VectorXd x = bent(strand, 1e-3);
-    VectorXd v = scattered_vector(x.size(), 5);
+    VectorXd v = scattered_vector(30000, 5);
     MatrixXd scratch(x.size(), hair::kCorrectionScratch);
     EXPECT_TRUE(correct_velocities(strand, x, 1e-10, 100, v, scratch).converged);
     EXPECT_LE(largest_rate(strand, x, v), 1e-10);

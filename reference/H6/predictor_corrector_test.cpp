@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "hair/predictor_corrector.h"
+#include "handout/check/derivative.h"
 #include "particles/system.h"
 #include "reference/H6/stepping_for_tests.h"
 #include "solver/dense_algebra.h"
@@ -27,7 +27,7 @@ Strand soft() {
 
 void set_in_motion(Hair& hair) {
   hair.place(Vector3d(0.6, 0, 0.8));
-  hair.state.v = 0.3 * scattered_vector(hair.state.v.size(), 7);
+  hair.state.v = 0.3 * checks::scattered_vector(27, 7);
 }
 
 // If lengths are exact and no force acts, the constraints make the accelerations a_c that turn the
@@ -153,7 +153,7 @@ TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
       EXPECT_LE(report.filter.residual, 1e-8 * report.filter.rhs) << "h = " << h << ", step " << i;
       EXPECT_TRUE(report.second_filter.converged && report.correction.converged)
           << "h = " << h << ", step " << i;
-      EXPECT_LE(largest_error(strand, hair.state.x), 1e-12);
+      EXPECT_LE(hair::largest_stretch(strand, hair.state.x), 1e-12);
     }
     if (h > 0.01)
       EXPECT_NEAR(not_met, 35, 10) << "of 60";

@@ -8,6 +8,7 @@
 #include "hair/mass_spring/strand_forces.h"
 #include "hair/predictor_corrector.h"
 #include "hair/strand/make_strand.h"
+#include "hair/strand/measures.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/solve_implicit.h"
@@ -59,53 +60,12 @@ inline Vector3d segment(const VectorXd& x, int i) {
   return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
 }
 
-// The largest |l - l0| / l0.
-inline double largest_error(const hair::Strand& strand, const VectorXd& x) {
-  double largest = 0;
-  for (int i = 0; i < strand.segments(); ++i)
-    largest = std::max(largest, std::abs(segment(x, i).norm() / strand.rest_length[i] - 1));
-  return largest;
-}
-
 // The largest velocity that stretches a segment, m/s.
 inline double largest_rate(const hair::Strand& strand, const VectorXd& x, const VectorXd& v) {
   double largest = 0;
   for (int i = 0; i < strand.segments(); ++i)
     largest = std::max(largest, std::abs(segment(x, i).normalized().dot(segment(v, i))));
   return largest;
-}
-
-// The matrix of an implicit step as a table, by products with unit vectors.
-inline MatrixXd table(implicitMatrix& matrix, Eigen::Index size) {
-  MatrixXd A(size, size);
-  for (Eigen::Index j = 0; j < size; ++j) {
-    VectorXd e = VectorXd::Unit(size, j), column(size);
-    matrix.matVecMult(e.data(), column.data());
-    A.col(j) = column;
-  }
-  return A;
-}
-
-// a (f + b df/dx v), 0 where a particle is pinned.
-inline VectorXd right_hand_side(const particles::Force& force, const particles::Particles& particles,
-                                const particles::State& state, double a, double b) {
-  VectorXd rhs = VectorXd::Zero(state.x.size());
-  force.add_force(state.x, state.v, rhs);
-  force.add_dfdx(state.x, state.v, VectorXd(b * state.v), rhs);
-  for (int i = 0; i < particles.count(); ++i)
-    if (particles.is_pinned(i)) rhs.segment<3>(3 * i).setZero();
-  return a * rhs;
-}
-
-// n numbers between -1 and 1 without a pattern, the same ones for the same `which`.
-inline VectorXd scattered_vector(Eigen::Index n, unsigned which) {
-  VectorXd values(n);
-  unsigned state = 2654435761u * (which + 1);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    state = 1664525u * state + 1013904223u;
-    values[i] = state / 2147483648.0 - 1;
-  }
-  return values;
 }
 
 }  // namespace reference_tests

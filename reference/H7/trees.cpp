@@ -1,5 +1,5 @@
 // STAFF ONLY. Draws trees for H7's cases.
-#include "reference/H7/trees.h"
+#include "reference/H7/answers.h"
 
 #include <algorithm>
 #include <numbers>

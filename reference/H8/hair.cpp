@@ -1,5 +1,5 @@
 // STAFF ONLY. Draws hair for H8's cases.
-#include "reference/H8/hair.h"
+#include "reference/H8/answers.h"
 
 #include "grader/judge/cases/random.h"
 

@@ -72,7 +72,10 @@ struct Moving {
     momentum.add_to(motion, h);
     hair::add_weight(gravity, motion);
     hair::add_drag(drag, Vector3d::Zero(), h, motion);
-    rates += helix_step(motion, q, rates, h);
+    MatrixXd scratch(q.size(), q.size() + 10);
+    VectorXd change(q.size());
+    hair::helix_step(motion.strand(), motion.elements, motion.points, q, rates, h, scratch, change);
+    rates += change;
     momentum.keep(motion, root, rates);
     q += h * rates;
   }

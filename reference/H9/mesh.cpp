@@ -1,5 +1,5 @@
 // STAFF ONLY. Draws links, triangles and contacts for H9's cases.
-#include "reference/H9/mesh.h"
+#include "reference/H9/answers.h"
 
 #include "grader/judge/cases/random.h"
 

@@ -23,22 +23,6 @@ Matrix3d turn(double angle, int which) {
   return Eigen::AngleAxisd(angle, Vector3d(scattered_vector(3, which)).normalized()).toRotationMatrix();
 }
 
-// Seven particles, five links between them: new, worn, broken; some share particles.
-struct Linked {
-  Linked() {
-    for (int i = 0; i < 7; ++i) frames.push_back(turn(0.5 * i, i));
-    const std::array<std::array<int, 2>, 5> ends = {{{0, 1}, {1, 2}, {6, 0}, {3, 5}, {5, 4}}};
-    for (int l = 0; l < 5; ++l)
-      links.push_back(
-          {ends[l][0], ends[l][1], scattered_vector(3, 10 + l), 0.5 + 0.1 * l, 2.0 + l, 1, 2.0 + 0.5 * l});
-    largest << 0.5, 1, 1.5, 3, 9;
-  }
-
-  std::vector<StaticLink> links;
-  std::vector<Matrix3d> frames;
-  VectorXd x = scattered_vector(21, 1), largest = VectorXd(5);
-};
-
 // One particle is linked to a held one. Symplectic Euler is stable only if h^2 k / m < 4; implicit Euler,
 // (m + h^2 k) v' = m v + h f, is stable at any stiffness.
 TEST(StaticLinks, LimitExplicitStepsButNotImplicitOnes) {
@@ -70,24 +54,25 @@ TEST(StaticLinks, LimitExplicitStepsButNotImplicitOnes) {
 }
 
 TEST(StaticLinks, AllocateNothing) {
-  const Linked linked;
+  const std::vector<StaticLink> links = {{0, 1, Vector3d(0.2, -0.4, 0.1), 0.5, 2, 1, 2},
+                                         {3, 1, Vector3d(0.3, 0.1, 0.2), 0.6, 3, 1, 2.5}};
+  const std::vector<Matrix3d> frames(4, turn(1, 3));
   const StripLaw law{10, 5, 0.3};
   StripContact contact;
-  VectorXd f = VectorXd::Zero(21), largest = linked.largest;
-  const VectorXd inverse_mass = VectorXd::Ones(7), tangents = VectorXd::Zero(21);
-  VectorXd x = linked.x;
+  VectorXd f = VectorXd::Zero(12), largest = Eigen::Vector2d(0.5, 1.5), x = scattered_vector(12, 1);
+  const VectorXd inverse_mass = VectorXd::Ones(4), tangents = VectorXd::Zero(12), dx = x;
   x.segment<3>(9) = (x.segment<3>(0) + x.segment<3>(3) + x.segment<3>(6)) / 3;
   const long before = allocations();
   ASSERT_GT(before, 0) << "nothing is counted";
-  remember_stretches(linked.links, linked.frames, linked.x, largest);
-  double energy = link_energy(linked.links, linked.frames, linked.largest, linked.x);
-  add_link_force(linked.links, linked.frames, linked.largest, linked.x, f);
-  add_link_product(linked.links, linked.largest, linked.x, f);
+  remember_stretches(links, frames, x, largest);
+  double energy = link_energy(links, frames, largest, x);
+  add_link_force(links, frames, largest, x, f);
+  add_link_product(links, largest, dx, f);
   EXPECT_TRUE(touch_strip(3, {0, 1, 2}, 1, law.thickness, x, tangents, contact));
   const std::span<const StripContact> contacts(&contact, 1);
   energy += strip_energy(contacts, law, x);
   add_strip_force(contacts, law, x, f);
-  add_strip_product(contacts, law, x, linked.x, f);
+  add_strip_product(contacts, law, x, dx, f);
   apply_strip_friction(contacts, law, inverse_mass, 0.1, x, f);
   EXPECT_EQ(allocations(), before) << energy;
 }

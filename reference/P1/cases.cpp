@@ -15,7 +15,6 @@ namespace grader::p1 {
 namespace {
 
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -39,7 +39,6 @@ TEST(Sampling, OfTheEnergy) {
 }
 
 TEST(Sampling, OfTheEnergyOfSegmentsThatDiffer) {
-  look_at("sum");
   for (const int count : {2, 4, 6, 8}) springs().expect_even_energy(Springs::bent(count, count).strand);
 }
 
@@ -48,12 +47,10 @@ TEST(Forces, OfOneSpring) {
 }
 
 TEST(Forces, IsMinusTheEnergysGradient) {
-  look_at("neighbours");
   springs().expect_gradient({2, 3, 7});
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
-  look_at("other-end");
   springs().expect_balance();
 }
 
@@ -67,12 +64,10 @@ TEST(ExactProduct, OfOneSpring) {
 }
 
 TEST(ExactProduct, IsTheForcesDerivative) {
-  look_at("neighbours");
   springs().expect_derivative({2, 3, 7});
 }
 
 TEST(ExactProduct, IsSymmetric) {
-  look_at("symmetric");
   springs().expect_symmetry();
 }
 
@@ -81,7 +76,6 @@ TEST(FilteredProduct, LetsThroughWhatItIsToldTo) {
 }
 
 TEST(FilteredProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
-  look_at("each-segment");
   springs().expect_own_directions();
   springs().expect_semidefinite();
 }
@@ -96,13 +90,11 @@ TEST(NoDirection, OfASegmentWithoutLengthIsZero) {
 }
 
 TEST(NoDirection, OfASegmentWithoutLengthHasAnEnergy) {
-  look_at("energy");
   springs().expect_energy(kMetre, {0});
   EXPECT_NUMBER(stretch_energy(springs().strand_of(vector({})), vector({1, 2, 3})), 0, 0) << "one particle";
 }
 
 TEST(NoDirection, OfTheSegmentsBehindOneWithoutLengthStays) {
-  look_at("goes-on");
   springs().expect_to_go_on();
 }
 
@@ -111,7 +103,6 @@ TEST(Extremes, InAnyUnit) {
 }
 
 TEST(Extremes, OfALongStrand) {
-  look_at("crash");
   springs().expect_even_energy(springs().metres(10000));
   springs().expect_even_force(springs().metres(10000));
 }

@@ -227,7 +227,6 @@ void expect_nearest(const Corners& corners, const Vector3d& root, const Vector3d
 
 // Each of the three edges is the longest once, and each order of the corners has its turn.
 TEST(NoWidth, OfALineInAnyOrder) {
-  look_at("edges");
   const Vector3d along = Vector3d(2, -1, 2) / 3, off = Vector3d(1, 2, 0) / 4;
   std::array<int, 3> order = {0, 1, 2};
   do {
@@ -281,7 +280,6 @@ TEST(FlatScalp, OfFramesAlongTheAxesIsTheMeanOfTheShapes) {
 }
 
 TEST(FlatScalp, OfEqualFramesIsTheMeanOfTheShapes) {
-  look_at("frames");
   expect_mean_in(some_turn(), "along no axes");
 }
 
@@ -333,7 +331,6 @@ TEST(FlatScalp, OfCurlsOutOfStepHasNoCurl) {
 
 // A strand of a nanometre is one of a metre.
 TEST(Units, InAnyUnitByInterpolate) {
-  look_at("limit");
   const double unit = 0x1p-90;
   std::array<Lock, 3> locks, small;
   for (int k = 0; k < 3; ++k) {
@@ -375,7 +372,6 @@ TEST(CarriedTurns, BeginsWithTheFirstSegment) {
 }
 
 TEST(CarriedTurns, TurnsAtABend) {
-  look_at("point");
   const double bend = kPi / 3, y = 3 * std::sin(bend), z = 3 * std::cos(bend);
   const GuideFrames frames = carried(upright(vector({0, 0, 0, 0, 0, 2, 0, y, 2 + z, 0, 2 * y, 2 + 2 * z})));
   const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
@@ -387,7 +383,6 @@ TEST(CarriedTurns, TurnsAtABend) {
 
 // Around three edges of a cube: no corner twists the frame, and yet it comes back turned.
 TEST(CarriedTurns, AddsUpRotations) {
-  look_at("order");
   const Lock guide = upright(vector({0, 0, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 2, 2, 4}));
   const GuideFrames frames = carried(guide);
   const Matrix3d about_y = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitY()).toRotationMatrix(),
@@ -402,7 +397,6 @@ TEST(CarriedTurns, AddsUpRotations) {
 }
 
 TEST(Units, InAnyUnitByCarryAlong) {
-  look_at("limit");
   const Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(12, 0.5, 0.4, 2, 1));
   const GuideFrames expected = carried(guide);
   for (const double unit : {0x1p-90, 0x1p-45, 0x1p50}) {
@@ -428,7 +422,6 @@ TEST(Folds, BeginsBehindPointsThatCoincide) {
 
 // R_i takes one direction to the next and has its axis across both.
 TEST(CarriedTurns, DoesNotTwist) {
-  look_at("order");
   const Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(30, 0.5, 0.4, 3, 1));
   const GuideFrames frames = carried(guide);
   Vector3d before = (guide.points.segment<3>(3) - guide.points.head<3>()).normalized();
@@ -446,7 +439,6 @@ TEST(CarriedTurns, DoesNotTwist) {
 
 // Back and forth, up to the contract's 175 degrees: R_i is the rotation about the axis across the zigzag.
 TEST(Folds, TurnsSharply) {
-  look_at("sharp");
   for (const double degrees : {120.0, 150.0, 160.0, 170.0, 174.0}) {
     const double bend = degrees * kPi / 180;
     const double y = std::sin(bend), z = 1 + std::cos(bend);
@@ -481,7 +473,6 @@ TEST(Folds, SurvivesFoldsAndPointsThatCoincide) {
 
 // Nearer and nearer to a fold the sum of both directions is less and less than its rounding.
 TEST(Folds, TurnsRightRoundWhereAGuideAllButFolds) {
-  look_at("fold");
   const Vector3d along = Vector3d(2, -1, 2) / 3, aside = Vector3d(1, 2, 0).normalized();
   for (const char* said : {"1e-9", "1e-12", "1e-15"}) {
     const double off = std::stod(said);
@@ -523,7 +514,6 @@ TEST(Spreading, SpreadsFromTheRootToTheTip) {
 }
 
 TEST(Wisps, GoesAlongWithTheFrames) {
-  look_at("turns");
   const Lock guide = upright(line(3, Vector3d(0, 0, 2)));
   GuideFrames frames = no_turns(3);
   frames.turns[1] = some_turn(0.5);
@@ -538,7 +528,6 @@ TEST(Wisps, GoesAlongWithTheFrames) {
 
 // A strand beside a curl keeps the distance that it has at the root, and curls, too.
 TEST(Wisps, KeepsCurls) {
-  look_at("turns");
   const Lock guide =
       lock({Vector3d(1, 1, 1), Vector3d(0, 0, -1), Vector3d(1, 0, 0)}, curl(60, 0.5, 0.4, 4, 1));
   const GuideFrames frames = carried(guide);
@@ -558,7 +547,6 @@ TEST(Wisps, KeepsCurls) {
 }
 
 TEST(Units, InAnyUnitByExtrapolate) {
-  look_at("limit");
   const double unit = 0x1p-90;
   Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(12, 0.5, 0.4, 2, 1));
   const GuideFrames frames = carried(guide);
@@ -585,7 +573,6 @@ TEST(Blends, BeginsAsOneAndEndsAsTheOther) {
 }
 
 TEST(Units, InAnyUnitByBlend) {
-  look_at("limit");
   const VectorXd arc = VectorXd::LinSpaced(6, 0, 1), one = scattered_vector(18, 1),
                  other = scattered_vector(18, 2);
   VectorXd expected(18), small(18);
@@ -595,7 +582,6 @@ TEST(Units, InAnyUnitByBlend) {
 }
 
 TEST(Blends, MayGoWhereItComesFrom) {
-  look_at("overlap");
   const VectorXd arc = VectorXd::LinSpaced(6, 0, 1);
   const VectorXd one = scattered_vector(18, 1), other = scattered_vector(18, 2);
   VectorXd expected(18), child = one;

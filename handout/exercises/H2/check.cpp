@@ -204,7 +204,6 @@ TEST(Forces, OfOneJoint) {
 }
 
 TEST(Forces, IsMinusTheEnergysGradient) {
-  look_at("neighbours");
   for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
     const Case c = bent(6, bend);
     SCOPED_TRACE("each joint bent by " + std::to_string(bend));
@@ -228,7 +227,6 @@ TEST(ClampedRoot, IsMinusTheEnergysGradientWithAClampedRoot) {
 }
 
 TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
-  look_at("force");
   for (const int joint : {1, 2, 3})
     expect_entries(force(strand_of(kRestLengths), with_corner(4, joint)) * mean_at(joint),
                    force(strand_of(VectorXd::Ones(4)), with_corner(4, joint)), 64 * kU * 4 * pi,
@@ -239,7 +237,6 @@ TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
-  look_at("balance");
   const Case c = uneven(9, 4);
   const VectorXd f = force(c.strand, c.x);
   EXPECT_GT(f.norm(), 1) << "no force at all";
@@ -253,7 +250,6 @@ TEST(Added, IsAddedToWhatFHolds) {
 }
 
 TEST(Extremes, IsTheSameHoweverOftenItIsAsked) {
-  look_at("static");
   const Case c = clamped(uneven(5, 1));
   const VectorXd first = force(c.strand, c.x);
   for (int i = 1; i <= kManyCalls; ++i)
@@ -261,7 +257,6 @@ TEST(Extremes, IsTheSameHoweverOftenItIsAsked) {
 }
 
 TEST(Extremes, OfALongStrand) {
-  look_at("-");
   // A zigzag of right angles: each joint has k = 4 N m, and 2 pi N at its ends.
   const int n = 10001;
   const Strand strand = strand_of(VectorXd::Ones(n - 1));
@@ -277,7 +272,6 @@ TEST(Extremes, OfALongStrand) {
 
 // The force does not become 0 before the fold is reached: k (pi - missing) / |e|, across the segment.
 TEST(Fold, NextToTheFold) {
-  look_at("next");
   const Strand strand = strand_of(vector({1, 1}));
   for (const double missing : {1e-3, 1e-5}) {
     const double tip =
@@ -291,7 +285,6 @@ TEST(Fold, NextToTheFold) {
 }
 
 TEST(NearlyStraight, OfASmallAngleHasAForce) {
-  look_at("skipped");
   for (const double phi : {1e-3, 1e-5, 1e-7}) {
     const VectorXd x = vector({0, 0, 0, 0, 0, -1, 0, phi, -2});
     EXPECT_NUMBER(force(strand_of(vector({1, 1})), x).tail<3>().norm(),
@@ -302,7 +295,6 @@ TEST(NearlyStraight, OfASmallAngleHasAForce) {
 }
 
 TEST(NearlyStraight, OfAStraightStrandIsZero) {
-  look_at("straight");
   EXPECT_EQ(force(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), VectorXd::Zero(9));
 }
 
@@ -318,7 +310,6 @@ TEST(ExactProduct, IsTheForcesDerivative) {
 }
 
 TEST(CurrentLengths, IsTheForcesDerivativeAtUnevenLengths) {
-  look_at("exact");
   const Case c = uneven(7, 1);
   const VectorXd dx = scattered_vector(21, 6);
   expect_product(
@@ -326,7 +317,6 @@ TEST(CurrentLengths, IsTheForcesDerivativeAtUnevenLengths) {
 }
 
 TEST(ClampedRoot, IsTheForcesDerivativeWithAClampedRoot) {
-  look_at("exact");
   for (const Case& c : {clamped(uneven(2, 2)), clamped(uneven(5, 3))}) {
     const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
     expect_product(
@@ -335,7 +325,6 @@ TEST(ClampedRoot, IsTheForcesDerivativeWithAClampedRoot) {
 }
 
 TEST(ExactProduct, IsSymmetric) {
-  look_at("symmetric");
   const Case c = clamped(uneven(8, 2));
   expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, dx); }, scattered_vector(24, 1),
                    scattered_vector(24, 2), 24 * 1024 * kU * 200,
@@ -366,7 +355,6 @@ TEST(StraightProducts, OfAStraightStrand) {
 }
 
 TEST(StraightProducts, OfABendThatIsRounding) {
-  look_at("rounding");
   Scatter numbers(1);
   for (int which = 0; which < 12; ++which) {
     const Vector3d root = ordinary_direction(numbers), u = ordinary_direction(numbers);
@@ -378,7 +366,6 @@ TEST(StraightProducts, OfABendThatIsRounding) {
 }
 
 TEST(ExactProduct, IsIndefinite) {
-  look_at("indefinite");
   // phi = pi/2, k = 4, |e| = 1: if the ends leave the bend's plane, one to either side, the second derivative
   // is -k phi tan(phi/2) = -2 pi.
   const Strand strand = strand_of(vector({1, 1}));
@@ -407,7 +394,6 @@ TEST(SpdProduct, IsTheFormula) {
 }
 
 TEST(SpdProduct, IsNegativeSemidefinite) {
-  look_at("clamp");
   for (const Case& c : {bent(6, 0.3), bent(6, 2.8), clamped(uneven(7, 2))}) {
     for (int which = 0; which < 20; ++which) {
       const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), which);
@@ -419,7 +405,6 @@ TEST(SpdProduct, IsNegativeSemidefinite) {
 }
 
 TEST(CurrentLengths, IsSymmetricAtUnevenLengths) {
-  look_at("spd");
   const Case c = uneven(8, 2);
   expect_symmetric([&](const VectorXd& dx) { return product_spd(c.strand, c.x, dx); },
                    scattered_vector(24, 1), scattered_vector(24, 2), 24 * 1024 * kU * 200,
@@ -427,7 +412,6 @@ TEST(CurrentLengths, IsSymmetricAtUnevenLengths) {
 }
 
 TEST(ClampedRoot, HasTheJointOfAClampedRoot) {
-  look_at("spd");
   // One segment of 1 m, rest length 1 m, at a right angle to root_tangent: k = 2 EI / l = 8 N m, phi = pi/2,
   // and dphi/dx_1 = -root_tangent = (-0.6, 0, 0.8), for the tip moves against it where the bend grows. The
   // plane of the bend is askew.
@@ -445,7 +429,6 @@ TEST(ClampedRoot, HasTheJointOfAClampedRoot) {
 }
 
 TEST(StraightProducts, IsExactForAStraightStrand) {
-  look_at("axis");
   Case c = bent(6, 0);
   const VectorXd dx = scattered_vector(18, 4);
   for (const Vector3d& direction :
@@ -481,7 +464,6 @@ TEST(Fold, AtTheFoldIsZero) {
 
 // A segment of length 0 has no joints, so the hair in front of it and the hair behind it are two strands.
 TEST(NoDirection, BesideASegmentOfLengthZero) {
-  look_at("beside");
   Case whole = clamped(uneven(7, 5));
   whole.strand.rest_length.setOnes();
   whole.x.segment<3>(12) = Vector3d(whole.x.segment<3>(9));
@@ -505,7 +487,6 @@ TEST(NoDirection, BesideASegmentOfLengthZero) {
 }
 
 TEST(NoDirection, WhereDirectionsAreLostIsZero) {
-  look_at("beside");
   expect_no_force(kLone.strand, kLone.x, "of a clamped strand whose only segment has the length 0");
   for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({0, 0, 0, 0, 1, 0, 0, 1, 0}),
                             vector({1, 1, 1, 1, 1, 1, 1, 1, 1})})
@@ -514,7 +495,6 @@ TEST(NoDirection, WhereDirectionsAreLostIsZero) {
 
 // EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and so are the energies and forces of its joints.
 TEST(Extremes, OfAHairAsOfAWire) {
-  look_at("hair");
   for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
     Strand hair = c.strand;
     hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);

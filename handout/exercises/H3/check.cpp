@@ -37,12 +37,10 @@ TEST(Energy, OfOneSpring) {
 }
 
 TEST(Energy, SumsAllSprings) {
-  look_at("sum");
   for (const int count : {4, 5, 8}) springs().expect_even_energy(springs().metres(count));
 }
 
 TEST(Energy, SeesStretchingAndHardlyBending) {
-  look_at("rest");
   const Strand strand = springs().strand_of(kMetre);
   EXPECT_NUMBER(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -0.505, 0, 0, -1.01})), 12 * 1e-4 / 2,
                 1e-15)
@@ -67,17 +65,14 @@ TEST(Forces, OfOneSpring) {
 }
 
 TEST(Forces, IsMinusTheEnergysGradient) {
-  look_at("neighbours");
   springs().expect_gradient({3, 4, 8});
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
-  look_at("other-end");
   springs().expect_balance();
 }
 
 TEST(Lengths, OfTheForce) {
-  look_at("force");
   springs().expect_force(vector({1.5, 2.5}), {7, 1.75});
   for (const int count : {3, 5, 8}) springs().expect_even_force(Springs::bent(count, count).strand);
 }
@@ -95,7 +90,6 @@ TEST(ExactProduct, IsTheForcesDerivative) {
 }
 
 TEST(ExactProduct, IsSymmetric) {
-  look_at("symmetric");
   springs().expect_symmetry();
 }
 
@@ -104,13 +98,11 @@ TEST(FilteredProduct, LetsThroughWhatItIsToldTo) {
 }
 
 TEST(FilteredProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
-  look_at("each-spring");
   springs().expect_own_directions();
   springs().expect_semidefinite();
 }
 
 TEST(Lengths, InAnyUnit) {
-  look_at("limit");
   springs().expect_any_unit();
 }
 
@@ -125,7 +117,6 @@ TEST(NoDirection, OfParticlesThatMeet) {
 }
 
 TEST(NoDirection, OfFewerThanThreeParticlesIsZero) {
-  look_at("crash");
   EXPECT_NUMBER(bend_spring_energy(springs().strand_of(vector({})), vector({1, 2, 3})), 0, 0)
       << "one particle";
   EXPECT_NUMBER(bend_spring_energy(springs().strand_of(vector({1})), vector({1, 2, 3, 4, 5, 6})), 0, 0)
@@ -133,7 +124,6 @@ TEST(NoDirection, OfFewerThanThreeParticlesIsZero) {
 }
 
 TEST(NoDirection, OfTheSpringsBehindOneWithoutLengthStays) {
-  look_at("goes-on");
   springs().expect_to_go_on();
 }
 

@@ -12,7 +12,6 @@
 #include "check.h"
 #include "derivative.h"
 #include "implicit_systems.h"
-#include "stepping.h"
 
 using namespace checks;
 using Eigen::MatrixXd;
@@ -145,7 +144,6 @@ TEST(Pinned, HasPinnedRowsAndColumnsOfTheIdentity) {
 }
 
 TEST(Matrix, IsSymmetric) {
-  look_at("symmetric");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   for (const Particles& particles : {kFree, kPinned, kOtherPinned}) {
     const MatrixXd A = table(spring, particles, apart(), 0.5, 0.25);
@@ -168,7 +166,6 @@ TEST(Cost, TakesOneProductOfEachKind) {
 }
 
 TEST(Matrix, TakesDerivativesAtTheState) {
-  look_at("state");
   const Air air;
   Scatter scatter(2);
   const VectorXd dx = ordinary_numbers(scatter, 9, -2, 2);
@@ -214,7 +211,6 @@ TEST(RightSide, IsTheForceAndWhatTheMotionChangesOfIt) {
 }
 
 TEST(Cost, TakesOneProductAndOneForce) {
-  look_at("force");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   const State state = apart();
   VectorXd rhs = VectorXd::Zero(6);
@@ -225,7 +221,6 @@ TEST(Cost, TakesOneProductAndOneForce) {
 }
 
 TEST(Pinned, IsZeroWherePinned) {
-  look_at("right-side");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   State state = apart();
   state.v[2] = 0.75;  // no number of the right-hand side is 0 by itself
@@ -245,7 +240,6 @@ TEST(Pinned, IsZeroWherePinned) {
 }
 
 TEST(RightSide, IsTakenAtTheState) {
-  look_at("state");
   const Air air;
   const Eigen::ArrayXd x = air.state.x, v = air.state.v;
   VectorXd rhs = VectorXd::Constant(9, 1e3);
@@ -310,7 +304,6 @@ TEST(Tolerance, KeepsItsToleranceForLightParticles) {
 }
 
 TEST(Report, TakesNoMoreStepsThanItMay) {
-  look_at("limit");
   for (const int most : {1, 5}) {
     Table matrix = counted_table(30, 1);
     VectorXd rhs = scattered_vector(30, 1), dv(30);
@@ -334,7 +327,6 @@ TEST(Nothing, SolvesNothing) {
 }
 
 TEST(Report, SaysWhatItCannotSolve) {
-  look_at("converged");
   Table matrix = counted_table(9, -1);
   VectorXd rhs = scattered_vector(9, 1), dv(9);
   const SolveReport indefinite = solve_plain(matrix, rhs, 1e-2, 180, dv);
@@ -347,7 +339,6 @@ TEST(Report, SaysWhatItCannotSolve) {
 }
 
 TEST(Units, IsTheSameInEveryUnitBySolvePlain) {
-  look_at("epsilon");
   const auto in_unit = [](double unit) {
     Table matrix = counted_table(20, 1);
     VectorXd right = unit * scattered_vector(20, 1), dv = VectorXd::Zero(20);
@@ -376,7 +367,6 @@ TEST(Step, MovesWithTheNewVelocity) {
 }
 
 TEST(Step, TakesTheSameStepHoweverOftenItIsAsked) {
-  look_at("static");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   const auto step = [&] {
     State state = apart();
@@ -393,7 +383,6 @@ TEST(Step, TakesTheSameStepHoweverOftenItIsAsked) {
 }
 
 TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
-  look_at("velocity");
   Chain chain(1e-3, 5);
   const particles::DampedSprings springs(chain.springs, particles::Products::definite);
   chain.particles.pinned[3] = 1;
@@ -411,7 +400,6 @@ TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
 }
 
 TEST(Step, SolvesForTheWholeStep) {
-  look_at("system");
   // With a = b = h your own matrix and right-hand side make the system and its solution.
   const double h = 0.5;
   const Spring spring(1, 1.5, GeometricTerm::dropped, 0.1);
@@ -430,7 +418,6 @@ TEST(Step, SolvesForTheWholeStep) {
 }
 
 TEST(Step, PassesItsToleranceOn) {
-  look_at("system");
   const Chain chain(1e-3, 30);
   const particles::DampedSprings springs(chain.springs, particles::Products::definite);
   const auto steps = [&](double tolerance) {
@@ -443,7 +430,6 @@ TEST(Step, PassesItsToleranceOn) {
 }
 
 TEST(Step, DampsAnOscillatorAsBackwardEulerDoes) {
-  look_at("system");
   // 3 kg on a spring, 10 % too long: the amplitude of x and v/w falls by 1/sqrt(1 + h^2 w^2) in each step.
   for (double hw : {0.1, 1.0, 10.0}) {
     const double h = 0.5, w = hw / h;
@@ -459,7 +445,6 @@ TEST(Step, DampsAnOscillatorAsBackwardEulerDoes) {
 }
 
 TEST(Step, AMassThatTurnsOnAStiffSpring) {
-  look_at("system");
   const auto step = [](const particles::Force& force, const Particles& particles, double h, State& state) {
     MatrixXd scratch(6, particles::kImplicitScratch);
     implicit_euler(force, particles, h, particles::kSolveTolerance, state, scratch);

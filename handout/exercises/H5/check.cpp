@@ -269,7 +269,6 @@ TEST(Report, MeasuresTheErrorByRelaxLengths) {
 }
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByRelaxLengths) {
-  look_at("count");
   leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -0.625}));
 }
 
@@ -278,12 +277,10 @@ TEST(Relaxation, CorrectsOneSegment) {
 }
 
 TEST(Relaxation, SaysThatItConverged) {
-  look_at("repeat");
   says_that_it_converged(relax);
 }
 
 TEST(Relaxation, MakesLengthsRight) {
-  look_at("repeat");
   makes_lengths_right(relax);
 }
 
@@ -296,7 +293,6 @@ TEST(Root, LeavesTheRootAloneByRelaxLengths) {
 }
 
 TEST(Relaxation, MovesByImpulsesAlongTheSegments) {
-  look_at("shares");
   Strand strand = strand_of(10);
   strand.mass.setConstant(0.7);  // how masses count is asked elsewhere
   moves_by_impulses_along_the_segments(relax, strand);
@@ -307,7 +303,6 @@ TEST(LongStrands, EndsForALongStrandByRelaxLengths) {
 }
 
 TEST(Report, ReportsWhatItDidByRelaxLengths) {
-  look_at("count");
   reports_what_it_did(relax, bent(strand_of(10), 0.05), largest_error);
 }
 
@@ -319,7 +314,6 @@ TEST(Iterations, TakesOneSweepForOneSegment) {
 }
 
 TEST(Report, NeverConvergesWithNaNByRelaxLengths) {
-  look_at("nan");
   never_converges_with_nan(relax, bent(strand_of(10), 0));
 }
 
@@ -328,7 +322,6 @@ TEST(Units, WorksInEveryUnitByRelaxLengths) {
 }
 
 TEST(Relaxation, TakesSweepsThatGrowWithTheSquare) {
-  look_at("repeat");
   std::printf(
       "A straight hair that is 1 %% too long, to 1e-10: your sweeps, for the table in the assignment\n");
   for (int segments : {10, 20, 30, 60})
@@ -341,7 +334,6 @@ TEST(Report, MeasuresTheErrorByCorrectLengths) {
 }
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByCorrectLengths) {
-  look_at("count");
   leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -0.625}));
 }
 
@@ -350,12 +342,10 @@ TEST(Lengths, CorrectsOneSegment) {
 }
 
 TEST(Lengths, SaysThatItConverged) {
-  look_at("report");
   says_that_it_converged(correct);
 }
 
 TEST(Iterations, TakesFewIterationsByCorrectLengths) {
-  look_at("newton");
   std::printf("The same by correct_lengths: your iterations\n");
   for (int segments : {10, 20, 30, 60}) {
     const int iterations = iterations_for(correct, segments);
@@ -369,12 +359,10 @@ TEST(Iterations, TakesFewIterationsByCorrectLengths) {
 }
 
 TEST(Lengths, MakesLengthsRight) {
-  look_at("matrix");
   makes_lengths_right(correct);
 }
 
 TEST(Masses, MovesByMassesByCorrectLengths) {
-  look_at("correct");
   moves_by_masses(correct);
 }
 
@@ -391,12 +379,10 @@ TEST(LongStrands, EndsForALongStrandByCorrectLengths) {
 }
 
 TEST(Report, ReportsWhatItDidByCorrectLengths) {
-  look_at("count");
   reports_what_it_did(correct, bent(strand_of(10), 0.05), largest_error);
 }
 
 TEST(Report, NeverConvergesWithNaNByCorrectLengths) {
-  look_at("nan");
   never_converges_with_nan(correct, bent(strand_of(10), 0));
 }
 
@@ -409,7 +395,6 @@ TEST(FarRoot, IsHonestWhereTheRootIsFar) {
 }
 
 TEST(Lengths, GivesTheSameHoweverOftenItIsAsked) {
-  look_at("report");
   const Strand strand = strand_of(5);
   const VectorXd before = bent(strand, 0.05);
   VectorXd first = before;
@@ -453,7 +438,6 @@ TEST(Report, MeasuresTheErrorByCorrectVelocities) {
 }
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByCorrectVelocities) {
-  look_at("count");
   leaves_an_error_that_is_the_tolerance(
       [](const Strand& strand, double tolerance, int most, VectorXd& v) {
         return stop_at(VectorXd::Unit(v.size(), v.size() - 1), strand, tolerance, most, v);
@@ -477,7 +461,6 @@ TEST(Velocities, CorrectsOneSegment) {
 }
 
 TEST(Velocities, SaysThatItConverged) {
-  look_at("both-ends");
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count);
     VectorXd v = scattered_vector(3 * count, 7);
@@ -491,7 +474,6 @@ TEST(Velocities, SaysThatItConverged) {
 }
 
 TEST(Velocities, StopStretching) {
-  look_at("both-ends");
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count);
     const VectorXd before = scattered_vector(3 * count, 7);
@@ -515,12 +497,10 @@ TEST(LongStrands, EndsForALongStrandByCorrectVelocities) {
 }
 
 TEST(Report, ReportsWhatItDidByCorrectVelocities) {
-  look_at("count");
   reports_what_it_did(stop, scattered_vector(30, 7), largest_rate);
 }
 
 TEST(Iterations, TakesFewIterationsByCorrectVelocities) {
-  look_at("rate");
   takes_few_iterations(
       [](const Strand& strand, double tolerance, int most, VectorXd& v) {
         return stop_at(bent(strand, 0, kLittleBent), strand, tolerance, most, v);
@@ -529,12 +509,10 @@ TEST(Iterations, TakesFewIterationsByCorrectVelocities) {
 }
 
 TEST(Report, NeverConvergesWithNaNByCorrectVelocities) {
-  look_at("nan");
   never_converges_with_nan(stop, VectorXd::Zero(30));
 }
 
 TEST(Iterations, OfOneSegmentAtOnce) {
-  look_at("rate");
   const Strand strand = strand_of(2);
   VectorXd v = scattered_vector(6, 7);
   EXPECT_LE(stop(strand, 1e-9, 1000, v).iterations, 2)
@@ -542,7 +520,6 @@ TEST(Iterations, OfOneSegmentAtOnce) {
 }
 
 TEST(Degenerate, OfASegmentOfNoLength) {
-  look_at("velocities");
   Strand strand = strand_of(2);
   strand.root_tangent = Vector3d(0, 1, 0);
   VectorXd v = vector({0, 0, 0, 1, 2, 3});
@@ -554,7 +531,6 @@ TEST(Degenerate, OfASegmentOfNoLength) {
 }
 
 TEST(Velocities, ByImpulsesAlongTheSegments) {
-  look_at("own-direction");
   const Strand strand = strand_of(10);
   const VectorXd before = scattered_vector(30, 7);
   VectorXd v = before;
@@ -564,7 +540,6 @@ TEST(Velocities, ByImpulsesAlongTheSegments) {
 }
 
 TEST(Masses, ByEqualAndOppositeImpulses) {
-  look_at("velocities");
   // Across a right angle the first segment does not feel the second one's impulse, so this is a collision of
   // 2 and 3 kg.
   Strand strand = strand_of(3);

@@ -11,7 +11,6 @@
 #include "check.h"
 #include "derivative.h"
 #include "implicit_systems.h"
-#include "stepping.h"
 
 using namespace checks;
 using Eigen::MatrixXd;
@@ -115,7 +114,6 @@ TEST(Lengths, WithoutForcesGoesToTheRightLength) {
 }
 
 TEST(Prediction, PutsASpringWhereTheFiveStepsDo) {
-  look_at("after");
   expect_entries(after(kStiffness, GeometricTerm::dropped).x, six(Vector3d::Zero(), FiveSteps(true).x), 1e-9,
                  std::string("x with a spring of 9 N/m and 0.65 m ") + kText,
                  "1e-10 of the solves, ten times");
@@ -133,7 +131,6 @@ TEST(SecondSolve, TakesTheFiveStepsOnASpring) {
 }
 
 TEST(Cost, EvaluatesTheForceTwice) {
-  look_at("force");
   const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State state = moving();
   step(spring, kHalf, state);
@@ -157,7 +154,6 @@ TEST(Cost, ReportsEachPart) {
 // With springs that know their band, solve_implicit has a preconditioner, whose memory is another part of
 // `scratch`.
 TEST(SecondSolve, IsTheSameWithAPreconditioner) {
-  look_at("scratch");
   Chain chain(1e-3, 8);
   for (int i = 2; i < 8; ++i) chain.springs.push_back({i - 2, i, 1e-3, 0.02});
   const auto after = [&](const particles::Force& force) {
@@ -188,7 +184,6 @@ TEST(SecondSolve, IsTheSameWithAPreconditioner) {
 }
 
 TEST(Lengths, MovesAStrandOfOneParticleWithItsRoot) {
-  look_at("root");
   Strand strand;
   strand.mass = VectorXd::Ones(1);
   State state{VectorXd::Zero(3), Vector3d(1, 2, 3)};
@@ -221,7 +216,6 @@ TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
 }
 
 TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
-  look_at("unconverged");
   // Without forces a particle's velocity is its way over h, even if the correction does not converge, as with
   // a root that is 1e12 m away. A strand that is flung about takes the correction many iterations.
   for (const double root : {0.0, 1e12}) {
@@ -271,7 +265,6 @@ TEST(Units, IsTheSameInEveryUnit) {
 }
 
 TEST(SecondSolve, TakesTheSameStepHoweverOftenItIsAsked) {
-  look_at("static");
   const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State first = moving();
   step(spring, 0.5, first);
@@ -284,7 +277,6 @@ TEST(SecondSolve, TakesTheSameStepHoweverOftenItIsAsked) {
 }
 
 TEST(Lengths, LeavesTheRootItsVelocity) {
-  look_at("root");
   const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State state = moving();
   const Vector3d root(0.3, -0.7, 0.25);

@@ -239,7 +239,6 @@ TEST(Velocities, AreThoseOfThePlaces) {
 }
 
 TEST(Velocities, BeginAtTheBase) {
-  look_at("base");
   LinkPass base;
   base.v = {Vector3d(0, 0, 2), Vector3d(1, 0, 0)};
   const Passes passes = pass_1(pendulum(1, 0.5, 0), one(3), base);
@@ -308,7 +307,6 @@ TEST(OtherUnits, OfJointsOfAnySpeed) {
 
 // The passes hold other numbers before the call, those of a lighter second link, as from an earlier step.
 TEST(ValuesBefore, OverwriteWhatStoodThereByOutwardVelocities) {
-  look_at("velocities");
   const Links links = chain_of({pendulum(1, 0.5, 0.3)[1], pendulum(1, 0.4, -0.2)[1]});
   const VectorXd rates = vector({3, -1});
   const Passes fresh = pass_1(links, rates);
@@ -351,7 +349,6 @@ TEST(Inertias, GainOfASlider) {
 
 // A rod without mass lets nothing through but what pulls along it, and what moves it along the joint's axis.
 TEST(Inertias, OfAPendulumAreThoseOfItsRod) {
-  look_at("parent");
   const Passes passes = pass_2(pendulum(2, 0.5, 0), one(0), Passes(2));
   expect_matrix(passes[0].inertia.M, Matrix3d(Vector3d(0, 2, 2).asDiagonal()), 1e-14,
                 "M of I^A of the base, to which a pendulum of 2 kg hangs down that turns about y");
@@ -368,7 +365,6 @@ TEST(ValuesBefore, BeginWithTheBasesInertiaToo) {
 
 // Compares all blocks of the base's I^A, and the whole of its Z^A.
 TEST(Inertias, OfAChainAreWhatItsJointsLeave) {
-  look_at("parent");
   expect_base(placed(kQ).links, VectorXd::Zero(4), VectorXd::Zero(4), Part::inertia);
 }
 
@@ -443,7 +439,6 @@ TEST(AddedBySteps, AddWhatStiffensAJoint) {
 
 // Implicit steps add to a link's inertia.
 TEST(AddedBySteps, TakeTheInertiaThatALinkHas) {
-  look_at("inertia");
   Links links = pendulum(2, 0.5, 0);
   links[1].inertia.M(0, 0) = 3;
   links[1].inertia.H(1, 2) = 0.25;
@@ -455,7 +450,6 @@ TEST(AddedBySteps, TakeTheInertiaThatALinkHas) {
 
 // They add no mass that spins, so Z^ does not change.
 TEST(AddedBySteps, LeaveEulersTermAlone) {
-  look_at("tensor");
   Links links = placed(kQ).links;
   const Passes plain = pass_1(links, kRates);
   for (Link& link : links) link.inertia.J += Vector3d(0.3, 0.1, 0.2).asDiagonal();
@@ -503,7 +497,6 @@ TEST(Trees, OfTwoPendulumsOnOneBase) {
 }
 
 TEST(Accelerations, OfABaseThatFalls) {
-  look_at("base");
   // In a lift whose rope is cut nothing has weight.
   const Links links = pendulum(2, 0.5, 0.7, 9.81);
   Passes passes = pass_1(links, one(0));
@@ -533,7 +526,6 @@ TEST(Accelerations, OfADoublePendulum) {
 }
 
 TEST(Accelerations, TakeTheGainOfPass2) {
-  look_at("gain");
   const Links links = pendulum(2, 0.5, 1.5, 9.81);
   Passes passes = pass_2(links, one(0), pass_1(links, one(0)));
   const double found = pass_3(links, one(0), passes)[0];
@@ -542,7 +534,6 @@ TEST(Accelerations, TakeTheGainOfPass2) {
 }
 
 TEST(Accelerations, ObeyNewtonAndEuler) {
-  look_at("base");
   Links links = placed(kQ).links;
   for (Link& link : links) link.external = {Vector3d(1, -2, 3), Vector3d(0.5, 0.1, -0.3)};
   const VectorXd Q = vector({1, -2, 0.5, 3});
@@ -571,7 +562,6 @@ TEST(OtherUnits, OfPendulumsOfAnySize) {
 }
 
 TEST(ValuesBefore, OverwriteWhatStoodThereByOutwardAccelerations) {
-  look_at("accelerations");
   const Links links = pendulum(2, 0.5, 1.5, 9.81);
   Passes passes = pass_2(links, one(0), pass_1(links, one(4)));
   pass_3(links, one(0), passes);
@@ -623,7 +613,6 @@ TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
 
 // The axes of its rates are the world's and do not turn with the parent, so there is no omega x w.
 TEST(SphericalJoints, TurnAboutAxesOfTheWorld) {
-  look_at("axes");
   const Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, 0.8 * kX, 1)});
   LinkPass base;
   base.v.angular = Vector3d(0, 0, 2);
@@ -669,7 +658,6 @@ TEST(SphericalJoints, ObeyNewtonAndEuler) {
 }
 
 TEST(SphericalJoints, AreStiffenedByAMatrix) {
-  look_at("stiffening");
   Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), kX, 1,
                                   Vector3d(1, 2, 3).asDiagonal())});
   links[1].stiffening << 1, 0.5, 0.2, 0.5, 2, -0.3, 0.2, -0.3, 1.5;
@@ -694,7 +682,6 @@ TEST(SphericalJoints, AreStiffenedByAMatrix) {
 }
 
 TEST(SphericalJoints, ObeyNewtonAndEulerWhereTheyAreStiffened) {
-  look_at("stiffening");
   expect_balance(true);
 }
 

@@ -36,6 +36,8 @@ MaterialFrame some_root() {
 }
 
 const Vector3d kCurvature(1.2, -0.7, 0.9);  // 1/m: an element of 1 m winds by 1.66
+const char* const kAxes[] = {"n1", "n2", "t"};
+const char* const kCoordinates[] = {"kappa1", "kappa2", "tau"};
 
 // ---- Strands for sums have straight elements, each in a direction of its own, so that their Jacobians are
 // known. Sums don't need frames that fit together.
@@ -198,7 +200,6 @@ TEST(NearlyStraight, IsOneOverKFactorialAtZero) {
 // The functions belong together: x c_(k+2) = 1/k! - c_k, and the derivative. A jump, or digits that are lost
 // near 0, break it.
 TEST(NearlyStraight, KeepsItsDigitsNearZero) {
-  look_at("digits");
   double factorial[8] = {1};
   for (int k = 1; k < 8; ++k) factorial[k] = k * factorial[k - 1];
   for (double x = 1e-12; x < 2e4; x *= 3) {
@@ -244,7 +245,6 @@ TEST(CentreLine, BendsAboutN1AndN2) {
 }
 
 TEST(CentreLine, GoesOnFromItsStart) {
-  look_at("start");
   const MaterialFrame root = some_root(), alone = hair::frame_at({}, kCurvature, 0.7),
                       end = hair::frame_at(root, kCurvature, 0.7);
   expect_entries(end.position, root.position + root.axes * alone.position, 1e-13,
@@ -273,19 +273,13 @@ void expect_turns_by_omega(std::initializer_list<double> sizes) {
     for (int k = 0; k < 3; ++k)
       expect_entries((ahead.axes.col(k) - behind.axes.col(k)) / (2 * h),
                      omega.cross(Vector3d(here.axes.col(k))), bound,
-                     std::string("d/ds of ") +
-                         (k == 0   ? "n1"
-                          : k == 1 ? "n2"
-                                   : "t") +
-                         " = Omega x it" + of,
-                     source);
+                     std::string("d/ds of ") + kAxes[k] + " = Omega x it" + of, source);
   }
 }
 
 }  // namespace
 
 TEST(CentreLine, TurnsByOmega) {
-  look_at("terms");
   expect_turns_by_omega({0.1, 1, 2});
 }
 
@@ -303,7 +297,6 @@ TEST(NearlyStraight, IsStraightWithoutCurvature) {
 // An arc about n1, however little it winds and however long it is: there is no size below which an element is
 // straight.
 TEST(NearlyStraight, BendsHoweverLittle) {
-  look_at("digits");
   for (const double length : {1.0, 1e-9, 1e9})
     for (const double angle : {1e-9, 1e-7, 1e-5, 1e-3, 0.1}) {
       const MaterialFrame end = hair::frame_at({}, Vector3d(angle / length, 0, 0), length);
@@ -393,7 +386,6 @@ TEST(Elasticity, PullsBackWhereItIsBent) {
 // ---- (4)
 
 TEST(NearlyStraight, OfAStraightElement) {
-  look_at("jacobian");
   const HelixJacobian J = hair::jacobian_at({}, Vector3d::Zero(), 0.5),
                       expected = straight(Matrix3d::Identity(), 0.5);
   expect_matrix(J.turns, expected.turns, 1e-13, "turns at 0.5 m: s n_k");
@@ -418,11 +410,8 @@ void expect_derivative(Column part) {
       const Vector3d change = h * Vector3d::Unit(k);
       const MaterialFrame ahead = hair::frame_at(root, curvature + change, 0.7),
                           behind = hair::frame_at(root, curvature - change, 0.7);
-      const std::string of = std::string(" for ") +
-                             (k == 0   ? "kappa1"
-                              : k == 1 ? "kappa2"
-                                       : "tau") +
-                             ", |curvature| = " + number(curvature.norm());
+      const std::string of =
+          std::string(" for ") + kCoordinates[k] + ", |curvature| = " + number(curvature.norm());
       if (part == Column::moves) {
         expect_entries(J.moves.col(k), (ahead.position - behind.position) / (2 * h), bound,
                        "how the point moves" + of, source);
@@ -442,7 +431,6 @@ TEST(Jacobians, TurnsAsTheFrameDoes) {
 }
 
 TEST(Jacobians, MovesAsThePointDoes) {
-  look_at("moves");
   expect_derivative(Column::moves);
 }
 
@@ -478,7 +466,6 @@ TEST(Forces, OfAForceAtTheTip) {
 
 // Q^T q' = sum of force . velocity.
 TEST(Forces, HasThePowerOfTheForces) {
-  look_at("own");
   for (const std::set<int>& bare : {std::set<int>{}, {0}, {2}, {0, 1, 3}}) {
     Lying lying = crooked_strand();
     std::erase_if(lying.points, [&](const HelixPoint& point) { return bare.contains(point.element); });
@@ -531,7 +518,6 @@ TEST(Masses, OfEachElementOnTheDiagonal) {
 }
 
 TEST(Masses, OfTwoElements) {
-  look_at("pairs");
   const MatrixXd two = mass_of(straight_strand(2, 2, 5));
   EXPECT_NUMBER(two(0, 3), 5 * 5 / 24.0, 1e-12) << "element 0 and element 1, of a straight strand";
   EXPECT_NUMBER(two(3, 0), 5 * 5 / 24.0, 1e-12) << "element 1 and element 0: M is symmetric";
@@ -570,7 +556,6 @@ TEST(StiffSteps, OfOneStraightElement) {
 }
 
 TEST(StiffSteps, LeavesWhatIsAtRest) {
-  look_at("-");
   const Lying lying = straight_strand(3, 2, 5);
   HelixStrand strand = strand_of(lying);
   strand.natural.setZero();
@@ -619,7 +604,6 @@ TEST(Steps, SolvesItsSystem) {
 
 // M of hair is some 1e-17 kg m^4, so nothing may be too small for it.
 TEST(OtherUnits, SolvesItsSystemHoweverLight) {
-  look_at("small-mass");
   expect_solved({1e-7, 1e-20});
 }
 

@@ -135,7 +135,6 @@ TEST_P(Integrator, TakesOneStepAsByHand) {
 }
 
 TEST_P(Integrator, TakesOneStepWhereNothingIsLinear) {
-  if (GetParam().order > 1) look_at("other-method");
   Pendulums pendulums;
   State state{Vector3d(0.7, -1.3, 0.45), Vector3d(1.7, 0.6, -2.2)};
   steps(GetParam(), pendulums, 0.4, 1, state);
@@ -223,7 +222,6 @@ TEST_P(SizesAndUnits, MovesEveryParticle) {
 }
 
 TEST_P(SizesAndUnits, HasNoUnitOfItsOwn) {
-  look_at("limit");
   // a = -4 x - v has no unit of length, and powers of two change no digit.
   Spring1 spring(4, 1);
   State metres{scattered_vector(6, 1), scattered_vector(6, 2)};
@@ -239,7 +237,6 @@ TEST_P(SizesAndUnits, HasNoUnitOfItsOwn) {
 }
 
 TEST_P(Integrator, LeavesPinnedParticlesTheirVelocity) {
-  look_at("pinned");
   // Two particles on a spring under gravity: one is pinned, and pulled along at 3 m/s.
   const Particles pair{Eigen::Vector2d(0.2, 0.5), {1, 0}};
   ForceSum force;
@@ -279,7 +276,6 @@ INSTANTIATE_TEST_SUITE_P(Each, SizesAndUnits, kMethods, kName);
 INSTANTIATE_TEST_SUITE_P(Each, BlowUp, kMethods, kName);
 
 TEST_P(Oscillator, KeepsItsEnergyBounded) {
-  look_at("energy");
   // It keeps v^2 + x^2 - h v x for good, here with omega = 1.
   const double h = 0.5;
   Spring1 spring(1);
@@ -300,7 +296,6 @@ TEST_P(Oscillator, KeepsItsEnergyBounded) {
 INSTANTIATE_TEST_SUITE_P(SymplecticEuler, Oscillator, testing::Values(kSymplecticEuler));
 
 TEST_P(Spiral, GainsEnergyAsTheTextSays) {
-  look_at("new-velocity");
   const double h = 0.1;
   Spring1 spring(1);
   State state{VectorXd::Constant(3, 1), VectorXd::Constant(3, 0)};

@@ -157,7 +157,6 @@ TEST(Units, HaveNoUnitOfTheirOwnByConstraintValues) {
 }
 
 TEST(RodValues, AreTheChangeOfTheValues) {
-  look_at("rates");
   const Example system = tangle();
   const double h = std::ldexp(1.0, -14);
   const VectorXd v = system.state.v;
@@ -169,7 +168,6 @@ TEST(RodValues, AreTheChangeOfTheValues) {
 }
 
 TEST(RodValues, OfASpinAreZero) {
-  look_at("rates");
   // Turning around the pivot, and around the wire's axis.
   expect_numbers(rates(pendulum(), (VectorXd(6) << 0, 0, 0, std::cos(0.5), 0, std::sin(0.5)).finished()),
                  VectorXd::Zero(1), 8 * kUnit, "a pendulum that swings");
@@ -192,14 +190,12 @@ void expect_transpose(const Example& system) {
 }
 
 TEST(RodForces, AreTheTransposeOfTheRates) {
-  look_at("ends");
   Example system = tangle();
   system.constraints.wires.clear();
   expect_transpose(system);
 }
 
 TEST(RodForces, OfRodsAreEqualAndOpposite) {
-  look_at("ends");
   Example system = tangle();
   system.constraints.wires.clear();
   expect_balanced(forces(system, scattered_vector(4, 4)), system.state.x, 50 * kUnit,
@@ -242,7 +238,6 @@ TEST(Matrix, IsTheTableOfItsProducts) {
 }
 
 TEST(Matrix, UsesTheValuesOfNow) {
-  look_at("now");
   Example system = tangle();
   VectorXd y = scattered_vector(8, 7), result(8);
   const auto matrix = constraint_matrix(system.constraints, system.particles, system.state);
@@ -257,7 +252,6 @@ TEST(Matrix, UsesTheValuesOfNow) {
 }
 
 TEST(Matrix, IsSymmetricAndNeverNegative) {
-  look_at("symmetric");
   const Example system = tangle();
   const VectorXd a = scattered_vector(8, 5), b = scattered_vector(8, 6);
   expect_symmetric([&](const VectorXd& y) { return product(system, y); }, a, b, 1e-12, "some 100 roundings");
@@ -283,7 +277,6 @@ TEST(Solve, CarriesAPendulum) {
 }
 
 TEST(Pinned, TakesAPivotsVelocityAsItIs) {
-  look_at("velocity");
   Example resting = pendulum(), flying = pendulum();
   flying.state.v << 3, 1, -2, 3, 1, -2;
   expect_numbers(solve(flying), solve(resting), 1e-8 * solve(resting).norm(),
@@ -292,7 +285,6 @@ TEST(Pinned, TakesAPivotsVelocityAsItIs) {
 }
 
 TEST(Units, HasNoUnitOfItsOwn) {
-  look_at("epsilon");
   Example metres = pendulum(), other = pendulum();
   const double unit = std::ldexp(1.0, -40);
   other.constraints.rods[0].length *= unit;
@@ -304,7 +296,6 @@ TEST(Units, HasNoUnitOfItsOwn) {
 }
 
 TEST(Solve, HoldsABead) {
-  look_at("motion");
   Example system = bead();
   system.state.v = Vector3d(-4, 0, 0);
   const Vector2d expected(-0.25 * 16 / 2 / 2, 9.81 * 0.25);
@@ -314,7 +305,6 @@ TEST(Solve, HoldsABead) {
 }
 
 TEST(Solve, LeavesConstraintsNoAcceleration) {
-  look_at("motion");
   const Example system = tangle();
   // C'' = J a + J' v by differences of J v along the motion x + t v + t^2/2 a.
   const VectorXd a = accelerations(system), v = system.state.v;
@@ -344,7 +334,6 @@ TEST(Feedback, FeedsErrorsBack) {
 }
 
 TEST(Solve, SharesTheForceOfARodThatIsThereTwice) {
-  look_at("-");
   Example once = pendulum(), twice = pendulum();
   twice.constraints.rods.push_back({0, 1, 0.5});
   expect_numbers(forces(twice, solve(twice)).tail<3>(), forces(once, solve(once)).tail<3>(), 1e-8 * 9.81 * 2,
@@ -404,7 +393,6 @@ TEST(Report, ReportsHowFarItCame) {
 }
 
 TEST(Report, ReportsTheStepsOfConjGrad) {
-  look_at("steps");
   // Two equal rods that share no particle: J W J^T is a multiple of the identity, and one step solves that.
   Example pair;
   pair.particles = {VectorXd::Constant(4, 1.7), {0, 0, 0, 0}};
@@ -417,7 +405,6 @@ TEST(Report, ReportsTheStepsOfConjGrad) {
 }
 
 TEST(Report, TakesTheStepsThatALongChainNeeds) {
-  look_at("limit");
   // 150 particles in a chain, the first one pinned: 149 rows, and hundreds of iterations.
   constexpr int kCount = 150;
   Scatter scatter(3);
@@ -437,7 +424,6 @@ TEST(Report, TakesTheStepsThatALongChainNeeds) {
 }
 
 TEST(Report, TakesAllStepsThereMayBeWhereNoneSuffice) {
-  look_at("limit");
   // 40 rods of 1 to 1e8 m that share no particle: their squares are the matrix's entries, and rounding leaves
   // more than the tolerance.
   constexpr int kRods = 40;
@@ -462,7 +448,6 @@ TEST(Report, TakesAllStepsThereMayBeWhereNoneSuffice) {
 }
 
 TEST(Solve, GivesTheSameForcesHoweverOftenItIsAsked) {
-  look_at("again");
   const Example system = tangle();
   const VectorXd first = solve(system);
   for (int i = 1; i <= kManyCalls; ++i)
