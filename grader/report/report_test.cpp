@@ -14,9 +14,9 @@
 #include "grader/course/input.h"
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/facts/sample_results.h"
+#include "hair/io/files/base64.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
-#include "hair/io/files/base64.h"
 #include "solver/test_refusal.h"
 
 namespace grader::inline report {

@@ -9,8 +9,8 @@
 #include "grader/report/facts/student_text.h"
 #include "grader/report/facts/student_view.h"
 #include "grader/report/facts/text.h"
-#include "hair/io/image/read_png.h"
 #include "hair/io/files/base64.h"
+#include "hair/io/image/read_png.h"
 #include "hair/io/plot/html.h"
 #include "hair/io/plot/readable.h"
 

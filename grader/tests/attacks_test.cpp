@@ -22,8 +22,8 @@
 #include "grader/samples/sample.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tests/run_program.h"
-#include "hair/io/files/read_file.h"
 #include "hair/io/files/base64.h"
+#include "hair/io/files/read_file.h"
 #include "solver/test_refusal.h"
 
 namespace grader {

@@ -10,8 +10,8 @@
 #include "grader/report/facts/picture_files.h"
 #include "grader/report/facts/text.h"
 #include "grader/report/pages/pages.h"
-#include "hair/io/image/read_png.h"
 #include "hair/io/files/base64.h"
+#include "hair/io/image/read_png.h"
 #include "hair/io/plot/page.h"
 #include "hair/view/view_page.h"
 
