@@ -14,34 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-}  // namespace
-
-std::string unwritten_course_file() {
-  std::string text = R"(// The course: what students hand in, and when. All keys: "The course file" in )" +
-                     (fs::path(HAIR_SOURCE_DIR) / "grader/docs/reference.md").string() + R"(
-{
-  // assigned; optional: extra credit; given: handed out solved; absent
-  "exercises": {
-)";
-  const Course course = read_course(HAIR_EXERCISES_JSON);
-  for (const Exercise& exercise : course.exercises)
-    text += "    \"" + exercise.id + "\": {\"role\": \"" + to_string(exercise.role) + "\"}" +
-            (&exercise == &course.exercises.back() ? "" : ",") + "  // " + exercise.title + "\n";
-  return text + R"(  },
-  "hand_in": {
-    // "zone": "Europe/Berlin", "grace_minutes": 10, "late_per_cent_a_day": 10
-  }
-  // Several hand-ins need a comma above, and this:
-  // "hand_ins": {
-  //   "week 1": {"exercises": ["S1"], "due": "2027-03-02 23:59"},
-  //   "week 2": {"exercises": ["P1", "H1"], "due": "2027-03-09 23:59"}
-  // }
-}
-)";
-}
-
-namespace {
-
 constexpr const char* kIgnored = R"(# Hand-ins, grades and people stay out of the repository.
 /downloads/
 /grades/
@@ -80,6 +52,30 @@ int new_course(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string unwritten_course_file() {
+  std::string text = R"(// The course: what students hand in, and when. All keys: "The course file" in )" +
+                     (fs::path(HAIR_SOURCE_DIR) / "grader/docs/reference.md").string() + R"(
+{
+  // assigned; optional: extra credit; given: handed out solved; absent
+  "exercises": {
+)";
+  const Course course = read_course(HAIR_EXERCISES_JSON);
+  for (const Exercise& exercise : course.exercises)
+    text += "    \"" + exercise.id + "\": {\"role\": \"" + to_string(exercise.role) + "\"}" +
+            (&exercise == &course.exercises.back() ? "" : ",") + "  // " + exercise.title + "\n";
+  return text + R"(  },
+  "hand_in": {
+    // "zone": "Europe/Berlin", "grace_minutes": 10, "late_per_cent_a_day": 10
+  }
+  // Several hand-ins need a comma above, and this:
+  // "hand_ins": {
+  //   "week 1": {"exercises": ["S1"], "due": "2027-03-02 23:59"},
+  //   "week 2": {"exercises": ["P1", "H1"], "due": "2027-03-09 23:59"}
+  // }
+}
+)";
+}
 
 Command add_new_course(CLI::App& hairgrade) {
   const auto folder = std::make_shared<fs::path>();
