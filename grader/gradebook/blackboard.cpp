@@ -71,6 +71,7 @@ Gradebook fill_blackboard(const Csv& exported, const std::vector<Grade>& grades,
     Cells cells = row.cells;
     cells.resize(std::max(cells.size(), head.cells.size()));
     std::string& cell = cells[column.place];
+    if (composed(cell) == "Needs Grading") cell.clear();
     const std::string state = composed(cell);  // "Needs Grading(7.00)", "In Progress"
     const std::string stays = starts_formula(row.at(login))
                                   ? "a spreadsheet would run the user name as a formula"

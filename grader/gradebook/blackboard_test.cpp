@@ -47,7 +47,7 @@ TEST(BlackboardGradeCenter, IsFilledInInItsOwnForm) {
       return encoded(table(rows, tabs ? '\t' : ',', !tabs), encoding);
     };
     const Gradebook book =
-        fill_blackboard(parse_csv(file(grade_center("", "3.00")), "gc.csv"),
+        fill_blackboard(parse_csv(file(grade_center("Needs Grading", "3.00")), "gc.csv"),
                         {blackboard_grade("so12", 7.5), blackboard_grade("jm07", 3)}, options);
     EXPECT_EQ(book.csv, file(grade_center("7.5", "3", "Points. First"))) << encoding.page;
     EXPECT_EQ(book.written, 2u);

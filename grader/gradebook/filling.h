@@ -116,7 +116,7 @@ Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, con
 Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const FillOptions& options);
 
 // Keeps the download's encoding and separator; rows without a grade keep their bytes. The column is found by
-// its number or title, and has a number. Cells with words, such as "Needs Grading", stay; if there is a
+// its number or title, and has a number. Words stay in cells, but for "Needs Grading"; if there is a
 // column "Feedback to Learner", the first lines of the report go there.
 Gradebook fill_blackboard(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options);
 

@@ -2,8 +2,10 @@
 // commands in it need no options.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "grader/record/changes.h"
 #include "grader/record/record.h"
@@ -32,10 +34,10 @@ class CourseFolder : public testing::Test {
     EXPECT_TRUE(says(run.output, command + "\n  # ")) << run.output;
     EXPECT_TRUE(says(run.output, why)) << run.output;
   }
-  static void put(const std::string& hand_in) {
+  static void put(const std::string& hand_in, const std::string& system = "canvas") {
     fs::create_directories("grades");
     Record record("grades", hand_in);
-    record.put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, "canvas"}});
+    record.put_people({{"alice", {"Alice Ames", "1", "a@x.de"}, system}});
     record.put({{.name = "alice", .exercises = {{.id = "H2", .points = 2, .max_points = 8}}}});
     ran(record, "2999-01-01 00:00:00");
   }
@@ -84,6 +86,19 @@ TEST_F(CourseFolder, NamesTheNextCommand) {
   expect_next("hairgrade grade 'downloads/lab 1.zip' --resume", "newer");
   write("downloads/lab 1, section b.zip");
   expect_next("hairgrade grade downloads --resume", "newer");
+  ran(record, record.now());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // these times are whole seconds
+  write("downloads/lab 1 (1).zip");
+  expect_next("hairgrade grade 'downloads/lab 1 (1).zip' --resume", "newer");
+}
+
+TEST_F(CourseFolder, AsksForTimesAndHasFeedbackForMoodle) {
+  write("course.json", R"({"exercises": {}, "hand_in": {"due": "2027-03-02 23:59"}})");
+  put("", "moodle");
+  expect_next("hairgrade gradebook moodle --fill EXPORTED.csv --out filled.csv",
+              "nobody knows whether these are late: alice (before that grade again, with --resume --times");
+  Record("grades").put_published({{"alice", {.by = "gradebook moodle", .total = 2}}});
+  expect_next("hairgrade feedback moodle EXPORTED.csv --out feedback.zip", "1 hand-in: without feedback");
 }
 
 TEST_F(CourseFolder, KnowsSeveralHandInsByTheirDownloads) {
@@ -92,7 +107,7 @@ TEST_F(CourseFolder, KnowsSeveralHandInsByTheirDownloads) {
     "week 2": {"exercises": ["H1"], "due": "2027-03-09 23:59"}}})");
   write("handout.tar.gz");
   write("downloads/week 2.5.zip");
-  EXPECT_TRUE(says(run_hairgrade({"next"}).output, "Nothing waits")) << "another name";
+  EXPECT_TRUE(says(run_hairgrade({"next"}).output, "downloads/, named after its hand-in"));
   write("downloads/week 2 (1).zip");
   expect_next("hairgrade grade 'downloads/week 2 (1).zip' --hand-in 'week 2'", "not graded");
 }

@@ -79,7 +79,7 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
                given = write("given.json", R"({"exercises": {"S1": {"role": "given"}}})");
   expect_refused(run_hairgrade({}), {"--help"});
   expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
-  expect_refused(run_hairgrade({"degrade"}), {"degrade", "is no command; there are grade, compare, "});
+  expect_refused(run_hairgrade({"degrade"}), {"degrade", "is no command; there are new-course, next, "});
   expect_refused(grade({one}), {"--out"});
   expect_refused(
       grade({sample("stubs"), "--out", "grades"}, {}, "mkdir " + gone + "; cd " + gone + "; rmdir " + gone),

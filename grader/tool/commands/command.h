@@ -56,11 +56,11 @@ Command add_prairielearn(CLI::App& hairgrade);
 Command add_collect(CLI::App& hairgrade);
 
 inline constexpr AddCommand kCommands[] = {
-    add_grade,   add_compare,   add_handout, add_package,    add_gradescope, add_secret,       add_samples,
-    add_similar, add_log,       add_diff,    add_export,     add_forget,     add_set,          add_excuse,
-    add_comment, add_comments,  add_request, add_requests,   add_answer,     add_enter,        add_late_days,
-    add_unset,   add_hold,      add_unhold,  add_whatif,     add_gradebook,  add_feedback,     add_review,
-    add_site,    add_reproduce, add_try,     add_new_course, add_next,       add_prairielearn, add_collect};
+    add_new_course, add_next,      add_grade,   add_compare,   add_handout, add_package,      add_gradescope,
+    add_secret,     add_samples,   add_similar, add_log,       add_diff,    add_export,       add_forget,
+    add_set,        add_excuse,    add_comment, add_comments,  add_request, add_requests,     add_answer,
+    add_enter,      add_late_days, add_unset,   add_hold,      add_unhold,  add_whatif,       add_gradebook,
+    add_feedback,   add_review,    add_site,    add_reproduce, add_try,     add_prairielearn, add_collect};
 
 // After the first call, Ctrl-C, SIGTERM or SIGHUP set this flag (SIGHUP does nothing under nohup).
 const std::atomic<bool>& note_interruptions();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -20,6 +19,7 @@
 #include "grader/result/json_fields.h"
 #include "grader/review/item_list.h"
 #include "grader/text/shell_word.h"
+#include "grader/text/time_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "hair/io/files/read_file.h"
@@ -40,8 +40,8 @@ std::string amount(std::size_t count, const std::string& what) {
 }
 
 struct Download {
-  fs::path path;
-  std::string since;  // it is here, UTC, as the record writes times
+  fs::path newest, all;  // all: the folder, if it has several
+  time_t since;          // the newest is here
 };
 
 bool is_named(const std::string& file, const std::string& hand_in) {
@@ -50,28 +50,25 @@ bool is_named(const std::string& file, const std::string& hand_in) {
   return rest.starts_with(" (") || std::ranges::count(kEndings, rest) > 0;
 }
 
-std::string here_since(const fs::path& file) {
+// A file that is moved here keeps its own time of change, so this is the time of its entry.
+time_t here_since(const fs::path& file) {
   struct stat status = {};
-  if (stat(file.c_str(), &status) != 0) return "";
-  struct tm utc = {};
-  std::array<char, 32> text;
-  gmtime_r(&status.st_ctime, &utc);  // a file that is moved here keeps its own time of change
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &utc)};
+  return stat(file.c_str(), &status) == 0 ? status.st_ctime : 0;
 }
 
-// Returns the newest download of this name; without a name, all that lies in the folder.
-std::optional<Download> download_of(const std::string& hand_in) {
+// Returns the downloads of this name that came after this time; the newest alone counts of a name's copies.
+std::optional<Download> download_of(const std::string& hand_in, time_t after = 0) {
   std::optional<Download> newest;
   if (!fs::is_directory(kDownloads)) return newest;
   int files = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(kDownloads)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(".") || !(hand_in.empty() || is_named(name, hand_in))) continue;
+    const time_t since = here_since(entry.path());
+    if (name.starts_with(".") || since <= after || !(hand_in.empty() || is_named(name, hand_in))) continue;
     ++files;
-    if (const std::string since = here_since(entry.path()); !newest || since > newest->since)
-      newest = {entry.path(), since};
+    if (!newest || since > newest->since) newest = {entry.path(), entry.path(), since};
   }
-  if (files > 1 && hand_in.empty()) newest->path = kDownloads;
+  if (files > 1 && hand_in.empty()) newest->all = kDownloads;
   return newest;
 }
 
@@ -87,22 +84,27 @@ std::size_t not_told(Record& record, const std::string& command) {
   }));
 }
 
-std::optional<Step> give_back(Record& record, const std::string& of_hand_in,
+std::optional<Step> give_back(Record& record, const std::string& due, const std::string& of_hand_in,
                               const std::optional<Download>& download) {
   const std::vector<HandIn> hand_ins = record.hand_ins();
   const std::string system = hand_ins.empty() ? "" : hand_ins.front().system;
   static const std::set<std::string> kFilled{"canvas", "moodle", "brightspace", "blackboard"};
   if (const std::size_t untold = not_told(record, "gradebook"); untold > 0) {
-    const std::string why = amount(untold, "hand-in") + ": graded, and in no gradebook yet";
+    std::string why = amount(untold, "hand-in") + ": graded, and in no gradebook yet";
+    if (const std::string unknown = without_time(record, record.names()); !due.empty() && !unknown.empty())
+      why += "; nobody knows whether these are late: " + unknown +
+             " (before that grade again, with --resume --times TABLE)";
     if (kFilled.contains(system))
       return Step{"hairgrade gradebook " + system + " --fill EXPORTED.csv --out filled.csv" + of_hand_in,
                   why};
     return Step{"hairgrade gradebook gradescope --out grades.csv" + of_hand_in,
                 why + "; each student's page is " + record.pages().string() + "/NAME/report.html"};
   }
-  if (const std::size_t untold = not_told(record, "feedback"); untold > 0 && system == "canvas" && download)
-    return Step{"hairgrade feedback canvas " + shell_word(download->path.string()) + " --out feedback.zip" +
-                    of_hand_in,
+  const std::string of = system == "moodle"               ? "EXPORTED.csv"
+                         : system == "canvas" && download ? shell_word(download->newest.string())
+                                                          : "";
+  if (const std::size_t untold = not_told(record, "feedback"); untold > 0 && !of.empty())
+    return Step{"hairgrade feedback " + system + " " + of + " --out feedback.zip" + of_hand_in,
                 amount(untold, "hand-in") + ": without feedback yet"};
   return {};
 }
@@ -122,8 +124,8 @@ std::string undecided(Record& record) {
 std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
   const std::string of_hand_in = several ? " --hand-in " + shell_word(hand_in.name) : "";
   const std::optional<Download> download = download_of(hand_in.name);
-  const auto grade = [&](const std::string& more, const std::string& why) {
-    return Step{"hairgrade grade " + shell_word(download->path.string()) + of_hand_in + more, why};
+  const auto grade = [&](const Download& which, const std::string& more, const std::string& why) {
+    return Step{"hairgrade grade " + shell_word(which.all.string()) + of_hand_in + more, why};
   };
   bool is_recorded = Record::is_in(kGrades);
   if (is_recorded && several) {
@@ -131,18 +133,22 @@ std::optional<Step> step_of(const CourseHandIn& hand_in, bool several) {
     is_recorded = std::ranges::count(recorded, hand_in.name) > 0;
   }
   if (!is_recorded)
-    return download ? std::optional(grade("", "a download lies here that is not graded")) : std::nullopt;
+    return download ? std::optional(grade(*download, "", "a download lies here that is not graded"))
+                    : std::nullopt;
   Record record(kGrades, hand_in.name);
   const ClassCosts costs = record.costs();
   if (download && costs.last_run && !costs.last_run->is_whole())
-    return grade(" --resume", "the last run ended before all were graded");
-  if (download && (!costs.last_run || download->since > costs.last_run->began))
-    return grade(" --resume", "this download is newer than the grades");
+    return grade(*download, " --resume", "the last run ended before all were graded");
+  const std::optional<TimeText> began = read_time(costs.last_run ? costs.last_run->began : "");
+  if (const auto later = download_of(hand_in.name, began ? began->clock.count() : 0))
+    return grade(*later, " --resume", "this download is newer than the grades");
   if (download && !costs.ended_by_the_clock.empty())
-    return grade(" --resume", amount(costs.ended_by_the_clock.size(), "hand-in") + " ended by the clock");
+    return grade(*download, " --resume",
+                 amount(costs.ended_by_the_clock.size(), "hand-in") + " ended by the clock");
   if (const std::string waiting = undecided(record); !waiting.empty())
     return Step{"hairgrade review" + of_hand_in, "a person must decide: " + waiting};
-  if (const std::optional<Step> step = give_back(record, of_hand_in, download)) return step;
+  if (const std::optional<Step> step = give_back(record, hand_in.rules.due, of_hand_in, download))
+    return step;
   if (const std::size_t changed = published_changes(record).students; changed > 0)
     return Step{
         "hairgrade diff --published changed.csv" + of_hand_in,
@@ -171,6 +177,7 @@ int next() {
   for (const CourseHandIn& hand_in : hand_ins)
     if (const std::optional<Step> step = step_of(hand_in, !hand_in.name.empty())) return say(*step);
   std::cout << "Nothing waits. Put the next download into " << kDownloads << "/"
+            << (hand_ins.front().name.empty() ? "" : ", named after its hand-in")
             << (fs::exists(kRoster) ? "" : ", and a list of people into roster.csv") << ".\n";
   return 0;
 }
