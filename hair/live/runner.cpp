@@ -35,6 +35,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostLivePoints = 60'000;
+constexpr int kCells = 30;  // fewer than in other pages: without a graphics card a triangle takes some 3 us
 constexpr auto kSignOfLife = std::chrono::milliseconds(500);
 
 class Lines {
@@ -90,7 +91,7 @@ class Runner {
         frame_seconds_(1 / as_it_is.frames_per_second),
         whole_(as_it_is.frames * frame_seconds_),
         scene_run_(scene_),
-        drawing_(scene_, scene_run_.strands(), cache_folder(), kCellsOfPage),
+        drawing_(scene_, scene_run_.strands(), cache_folder(), kCells),
         hand_(middle_of_roots(scene_run_)),
         motion_(1, kMostLivePoints),
         lines_(lines) {

@@ -26,8 +26,8 @@ std::string draw_h5() {
                   "A hair after Newton steps and after sweeps; wrong segments have a colour of their own.");
   const hair::Strand strand = hair::uniform_strand({}, kSegments, 0.01 * kSegments);
   Eigen::MatrixXd scratch(3 * kSegments + 3, hair::kCorrectionScratch);
-  double middle = 56;
-  for (const int iterations : {0, 1, 2, 3, 10, 100, 1000}) {
+  double middle = 52;
+  for (const int iterations : {0, 1, 2, 3, 4, 10, 100, 1000}) {
     VectorXd x = stretched();
     const double error = iterations < 10 ? hair::correct_lengths(strand, 1e-12, iterations, x, scratch).error
                                          : hair::relax_lengths(strand, 1e-12, iterations, x).error;
@@ -39,12 +39,12 @@ std::string draw_h5() {
       drawing.dot(view(from), kText, i == 0 ? 5 : 1.6);
     }
     drawing.words({middle, 46}, std::to_string(iterations), {kText, "middle", 16, "bold"});
-    drawing.words({middle, 312}, "error " + hair::to_text(error), {kText, "middle", 13});
-    middle += 100;
+    drawing.words({middle, 312}, error < 1e-12 ? "< 1e-12" : hair::to_text(error));
+    middle += 88;
   }
-  drawing.words({360, 336}, "this colour: longer or shorter by more than 1e-4", {colour(1), "middle", 13});
-  drawing.words({206, 22}, "Newton steps", {colour(0)});
-  drawing.words({556, 22}, "sweeps of relaxation", {colour(0)});
+  drawing.words({360, 340}, "Numbers: the largest error. This colour: an error above 1e-4.", {colour(1)});
+  drawing.words({272, 22}, "Newton steps");
+  drawing.words({580, 22}, "sweeps of relaxation");
   return drawing.svg();
 }
 

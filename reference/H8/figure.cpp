@@ -31,7 +31,7 @@ std::string draw_h8() {
     draw(curvature + more, {colour(7), 3});
     const Vector3d end = hair::frame_at(start, curvature, 1).position;
     drawing.arrow(view(end), view(end + jacobian.moves * more), {colour(1), 3});
-    drawing.words(view.middle + Spot(25, 40), name, {kText, "middle", 17});
+    drawing.words(view.middle + Spot(25, 40), name, {colour(7), "middle", 17});
   }
   drawing.words({470, 30}, "→ as the Jacobian says", {colour(1)});
   return drawing.svg();

@@ -22,7 +22,7 @@ void draw_strength(Drawing& drawing) {
       return plot(stretch, hair::link_strength(link, largest[0])) - Spot(0, aside);
     });
     drawing.line(way, {colour(look), 3});
-    drawing.arrow(way[33], way[36], {colour(look), 3});
+    drawing.arrow(way[38], way[44], {colour(look), 3});
   };
   pull(0, 1, 0, 0);
   pull(1, 0.1, 7, 1);
@@ -41,7 +41,7 @@ void draw_contact(Drawing& drawing) {
   const Vector3d corners[] = {x.head<3>(), x.segment<3>(3), x.segment<3>(6)}, point = x.tail<3>();
   const auto& b = contact.shares;
   const Spot foot = view(b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2]);
-  const Spot beside[] = {{-12, 14}, {16, 14}, {0, -12}}, inside[] = {{18, 5}, {18, 5}, {0, 5}};
+  const Spot beside[] = {{-12, 14}, {16, 14}, {0, -12}}, inside[] = {{10, 15}, {11, 7}, {0, 5}};
   for (int i = 0; i < 3; ++i) {
     const Spot corner = view(corners[i]), next = view(corners[(i + 1) % 3]),
                last = view(corners[(i + 2) % 3]);

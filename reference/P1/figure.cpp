@@ -6,11 +6,11 @@ namespace figures {
 
 std::string draw_p1() {
   using hair::phase::kBegin;
-  Drawing drawing("P1", 250, "Which method keeps a pendulum on its curve?",
+  Drawing drawing("P1", 272, "Which method keeps a pendulum on its curve?",
                   "Phase planes: two methods wind outwards, symplectic Euler leans, Runge-Kutta fits.");
-  double middle = 90;
   int look = 0;
   for (const hair::phase::Motion& motion : hair::phase::phase_plane()) {
+    const double middle = 90 + 180 * look;
     const auto at = [&](double angle, double rate) { return Spot(middle + 110 * angle, 100 - 110 * rate); };
     drawing.line({at(-0.75, 0), at(0.75, 0)}, {kFaint, 1.5});
     drawing.line({at(0, -0.75), at(0, 0.75)}, {kFaint, 1.5});
@@ -29,11 +29,10 @@ std::string draw_p1() {
     }
     drawing.line(way, {hue, 1, "none", 0.6});
     drawing.words({middle, 208}, motion.method, {hue, "middle", 16, "bold"});
-    drawing.words({middle, 230}, "100 steps: energy × " + hair::to_text(motion.states.back().energy()),
-                  {kText, "middle", 13});
-    middle += 180;
+    drawing.words({middle, 230}, "energy × " + hair::to_text(motion.states.back().energy()));
   }
-  drawing.words({176, 94}, "angle", {kQuiet, "end", 13});
+  drawing.words({360, 262}, "after 100 steps", {kQuiet});
+  drawing.words({190, 94}, "angle", {kQuiet, "end", 13});
   drawing.words({96, 26}, "rate", {kQuiet, "start", 13});
   return drawing.svg();
 }

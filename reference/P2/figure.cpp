@@ -63,10 +63,10 @@ std::string draw_p2() {
   drawing.line({rod(centre), rod(hanging)}, {kText, 4});
   drawing.area({rod(centre) - Spot(14, 14), rod(centre) + Spot(14, -14), rod(centre)}, kMiddle, 1);
   draw_forces(drawing, rod, {{{1, 0, 1.0}}, {}}, hanging, 1.6, {-34, 4});
-  drawing.words({150, 284}, "The rod pulls inwards.");
+  drawing.words({150, 298}, "The rod pulls inwards.");
   drawing.ring(wire(centre), wire.unit, {kText, 4});
   draw_forces(drawing, wire, {{}, {{1, centre, Vector3d::UnitZ(), 1.0}}}, sliding, -0.9, {30, 2});
-  drawing.words({520, 284}, "The wire pushes outwards here.");
+  drawing.words({520, 298}, "The wire pushes outwards here.");
   const Plot plot = drawing.plot({70, 352, 630, 130}, {"time, s", false, 0, 10},
                                  {"|*C*|, m^2, of a double pendulum", true, 1e-14, 1e-5}, 5, 4);
   drawing.curve(plot, errors(0), {colour(1), 2.5});

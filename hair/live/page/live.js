@@ -2,7 +2,7 @@
 
 const WORDS_WAIT = 1000; // ms between words that follow the motion
 const PLOTS_WAIT = 250; // ms between plots, which grow
-const HAND_WAIT = 16; // ms between two commands of the hand
+const HAND_WAIT = 33; // ms between two commands of the hand
 const AGAIN_WAIT = 1500; // ms until hair that broke in the hand starts anew
 const KEPT_FRAMES = 1800; // of a motion that the hand leads without an end
 const NAMES_OF_ENDS = { finished: "It is over", blow_up: "It blew up" };
