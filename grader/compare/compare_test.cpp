@@ -200,7 +200,7 @@ TEST(Flip, OfEvenPicturesFollowsFromTheirColours) {
   expect(even({119, 119, 119}), even({118, 118, 118}), 0.95 * step / 0.4);
 }
 
-// FLIP sees even the smallest shift of strands a pixel wide; compare_test.cpp has the measure that does not.
+// FLIP sees even the smallest shift of strands a pixel wide; ComparePictures has the measure that does not.
 TEST(Flip, AShiftIsTheMoreTheLargerItIs) {
   double before = 0;
   for (int shift = 1; shift <= 3; ++shift) {

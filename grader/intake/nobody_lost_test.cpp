@@ -121,21 +121,21 @@ TEST_F(Submissions, WrongTypesAreNamedAndUnreadable) {
                         ArchiveBuilder(Packing::zip, "zip:encryption=aes256").file("conj_grad.cpp").bytes();
   const struct {
     std::string file, bytes, problem;
-  } rows[] = {
-      {"alice.rar", "Rar!\x1a\x07", "alice.rar is a RAR archive. Hand in a .zip"},
-      {"bob.7z", "7z\xbc\xaf\x27\x1c", "bob.7z is a 7z archive"},
-      {"carol.tar.xz",
-       "\xfd"
-       "7zXZ",
-       "carol.tar.xz is packed with xz"},
-      {"dave.pdf", "%PDF-1.4", "dave.pdf is no archive. Hand in a .zip"},
-      {"erin.docx", zip("word/document.xml"), "erin.docx is no archive"},
-      {"frank.zip", "<html>Please log in</html>", "frank.zip is neither a zip nor a tar.gz"},
-      {"grace.zip", fine.substr(0, 60), "grace.zip can't be read"},
-      {"heidi.zip", locked, "is encrypted. Pack it again without a password"},
-      {"ivan.zip", zip("main.cpp"), "None of the exercise files"},
-      {"judy.zip", fine, ""},
-      {"kim.tar.gz", packed.substr(0, packed.size() / 2), "kim.tar.gz can't be read: it is damaged or cut"}};
+  } rows[] = {{"alice.rar", "Rar!\x1a\x07", "alice.rar is a RAR archive. Hand in a .zip"},
+              {"bob.7z", "7z\xbc\xaf\x27\x1c", "bob.7z is a 7z archive"},
+              {"carol.tar.xz",
+               "\xfd"
+               "7zXZ",
+               "carol.tar.xz is packed with xz"},
+              {"dave.pdf", "%PDF-1.4", "dave.pdf is no archive. Hand in a .zip"},
+              {"erin.docx", zip("word/document.xml"), "erin.docx is no archive"},
+              {"frank.zip", "<html>Please log in</html>", "frank.zip is neither a zip nor a tar.gz"},
+              {"grace.zip", fine.substr(0, 60), "grace.zip can't be read"},
+              {"heidi.zip", locked, "is encrypted. Pack it again without a password"},
+              {"ivan.zip", zip("main.cpp"), "None of the exercise files"},
+              {"judy.zip", fine, ""},
+              {"kim.tar.gz", packed.substr(0, packed.size() / 2),
+               "kim.tar.gz can't be read: it is damaged or cut short"}};
   for (const auto& row : rows) write("class/" + row.file, row.bytes);
   const Intake intake = take({dir_ / "class"});
   ASSERT_EQ(intake.submissions.size(), std::size(rows));

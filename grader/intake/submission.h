@@ -66,7 +66,7 @@ struct Intake {
   // Are lines for staff about guessed names, files taken under other names, and students without a hand-in
   // that counts.
   std::vector<std::string> remarks;
-  std::vector<Accounted> accounted;  // each file of the input, except those in ignored.h
+  std::vector<Accounted> accounted;  // each file of the input, except those in names.h
 };
 
 // The files of the input that are in no hand-in that counts, for the record, pages and programs.
@@ -82,7 +82,7 @@ std::vector<Accounted> listed(const Intake& intake);
 // "notices", lines for staff.
 std::string left_over_json(const std::vector<Accounted>& listed);
 
-// Limits the reading of one submission. Names of operating systems (ignored.h) use up nothing. A whole
+// Limits the reading of one submission. Names of operating systems (names.h) use up nothing. A whole
 // argument may have 10 times the entries, and its stream may unpack to 20 times its own size if that is more;
 // honest files compress less than that.
 struct IntakeLimits {

@@ -177,6 +177,7 @@ bool Database::shred() {
 }
 
 std::pair<std::int64_t, std::int64_t> Database::changes() {
+  const std::lock_guard turn(one_at_a_time_);
   return {number("PRAGMA data_version"), sqlite3_total_changes64(connection_.get())};
 }
 

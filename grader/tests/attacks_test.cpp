@@ -36,12 +36,19 @@ using tests::says;
 // Attacks print, throw or claim this text in a worker.
 const std::string kMarker = "hair-attack-says";
 
+std::string set_in(const char* variable, const char* such_as) {
+  const std::string word = environment(variable, "");
+  if (word.empty())
+    throw std::runtime_error(std::string(variable) + " is not set: name one, such as " + such_as);
+  return word;
+}
+
 std::string place() {
-  return environment("HAIR_PLACE", "run");
+  return set_in("HAIR_PLACE", "run");
 }
 
 std::string isolation() {
-  return environment("HAIR_ISOLATION", to_string(Isolation::namespaces));
+  return set_in("HAIR_ISOLATION", to_string(Isolation::namespaces));
 }
 
 fs::path folder() {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "grader/judge/cases/case_asker.h"
+#include "grader/judge/cases/linear_system.h"
 #include "grader/judge/cases/random.h"
 #include "grader/judge/cases/trial.h"
 #include "reference/S2/calls.h"
@@ -13,25 +14,34 @@ namespace grader::s2 {
 namespace {
 
 using Eigen::VectorXd;
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// The product with sums that hardly round.
-VectorXd times(const Matrix& A, const VectorXd& x) {
-  return (A.cast<long double>() * x.cast<long double>()).cast<double>();
-}
+// A matrix with products on the trusted side.
+struct Matrix {
+  int rows, cols;
+  std::vector<double> entries;  // by rows
 
-Matrix table_of(int rows, int cols, const VectorXd& entries) {
-  return Eigen::Map<const Matrix>(entries.data(), rows, cols);
-}
+  std::vector<double> times(const std::vector<double>& x) const {
+    std::vector<double> y(rows);
+    for (int i = 0; i < rows; ++i) {
+      long double sum = 0;
+      for (int j = 0; j < cols; ++j) sum += static_cast<long double>(entries[i * cols + j]) * x[j];
+      y[i] = static_cast<double>(sum);
+    }
+    return y;
+  }
+  Matrix transposed() const {
+    Matrix result{cols, rows, std::vector<double>(entries.size())};
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < cols; ++j) result.entries[j * rows + i] = entries[i * cols + j];
+    return result;
+  }
+  double norm() const { return grader::norm(entries); }  // Frobenius, >= ||A||
+};
 
 Matrix random_table(Random& random, int rows, int cols) {
-  return table_of(rows, cols, random_vector(random, Eigen::Index{rows} * cols));
-}
-
-std::string in_words(const Matrix& A) {
-  return std::to_string(A.rows()) + " x " + std::to_string(A.cols());
+  return {rows, cols, random.normals(rows * cols)};
 }
 
 // Serves A and A', and counts.
@@ -39,72 +49,77 @@ struct Counted {
   Matrix A, A_transposed;
   int products = 0, transposed_products = 0, most = 1 << 20;
 
-  explicit Counted(const Matrix& matrix) : A(matrix), A_transposed(matrix.transpose()) {}
+  explicit Counted(const Matrix& matrix) : A(matrix), A_transposed(matrix.transposed()) {}
 
   Served served() { return serve(A, products); }
   Served served_transposed() { return serve(A_transposed, transposed_products); }
 
  private:
   Served serve(const Matrix& matrix, int& count) {
-    return {static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()),
+    return {matrix.rows, matrix.cols,
             [this, &matrix, &count](int, const std::vector<double>& x, std::vector<double>& y) {
-              if (static_cast<Eigen::Index>(x.size()) != matrix.cols())
+              if (static_cast<int>(x.size()) != matrix.cols)
                 throw MalformedMessage("a product that makes no sense");
-              const VectorXd product = times(matrix, VectorXd::Map(x.data(), matrix.cols()));
-              y.assign(product.begin(), product.end());
+              y = matrix.times(x);
               return ++count <= most;
             }};
   }
 };
 
+std::vector<double> numbers_in(const VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
 // Compares two products with the same x, into buffers with junk. Entries may be off by `rounding`.
-void expect_products(Trial& trial, const std::vector<VectorXd>& products, const VectorXd& expected,
+void expect_products(Trial& trial, const std::vector<VectorXd>& products, const std::vector<double>& expected,
                      double rounding, const std::string& what) {
-  trial.expect_close({products[0], expected, 1}, rounding, "the error of " + what);
+  trial.expect_at_most(distance(numbers_in(products[0]), expected), rounding, "the error of " + what,
+                       {products[0], vector_of(expected), 1});
   // Both products have the same x, so a product that changes x shows here.
   trial.expect(products[0] == products[1], what + " gives another result the second time");
 }
 
-void expect_dense_product(Trial& trial, const std::string& name, const Matrix& matrix, const VectorXd& x) {
-  trial.describe(name + ", " + in_words(matrix));
-  const int rows = static_cast<int>(matrix.rows()), cols = static_cast<int>(matrix.cols());
-  const VectorXd entries = VectorXd::Map(matrix.data(), matrix.size());
+void expect_dense_product(Trial& trial, const std::string& name, const Matrix& matrix,
+                          const std::vector<double>& x) {
+  trial.describe(name + ", " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
+  const VectorXd entries = vector_of(matrix.entries);
   // The table is the caller's, who may change it.
   const VectorXd changed = VectorXd::Constant(entries.size(), kNaN);
   for (double junk : {0.0, 1e3, kNaN}) {
     CaseAsker asker(trial);
-    const auto answer =
-        Client<Calls, dense>::multiply(asker, 2, x, VectorXd::Constant(rows, junk),
-                                       std::tie(rows, cols, entries), std::tie(rows, cols, changed));
+    const auto answer = Client<Calls, dense>::multiply(
+        asker, 2, vector_of(x), VectorXd::Constant(matrix.rows, junk),
+        std::tie(matrix.rows, matrix.cols, entries), std::tie(matrix.rows, matrix.cols, changed));
     // Each entry is a dot product of `cols` terms.
-    expect_products(trial, answer.products, times(matrix, x), kUnit * (cols + 1) * matrix.norm() * x.norm(),
-                    "dense_matrix's product");
+    expect_products(trial, answer.products, matrix.times(x),
+                    kUnit * (matrix.cols + 1) * matrix.norm() * norm(x), "dense_matrix's product");
   }
 }
 
 struct NormalSolution {
   double value;
   int steps;
-  VectorXd x;
+  std::vector<double> x;
   int products, transposed_products;  // as the suite counted them
 };
 
 // Calls the student's solve_normal_equations, `calls` times with the same b.
-NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix, const VectorXd& b,
-                     double epsilon, int steps, int calls = 1) {
-  trial.describe(name + ", " + in_words(matrix));
+NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix,
+                     const std::vector<double>& b, double epsilon, int steps, int calls = 1) {
+  trial.describe(name + ", " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
   Counted counted(matrix);
-  const int limit = steps == 0 ? std::max(100, 2 * static_cast<int>(matrix.cols())) : std::max(0, steps);
+  const int limit = steps == 0 ? std::max(100, 2 * matrix.cols) : std::max(0, steps);
   counted.most = 2 * calls * (limit + limit / 64 + 4);  // products of both kinds together
-  VectorXd right_side = b;                              // it goes from call to call, with any change to it
+  VectorXd x, right_side = vector_of(b);                // b goes from call to call, with any change to it
   NormalSolution solution;
   CaseAsker asker(trial);
   for (int call = 0; call < calls; ++call) {
-    solution.x = VectorXd::Constant(matrix.cols(), kNaN);
+    x = VectorXd::Constant(matrix.cols, kNaN);
     solution.steps = steps;
-    solution.value = ask<Calls, solve_normal>(asker, counted.served(), counted.served_transposed(),
-                                              solution.x, right_side, epsilon, solution.steps);
+    solution.value = ask<Calls, solve_normal>(asker, counted.served(), counted.served_transposed(), x,
+                                              right_side, epsilon, solution.steps);
   }
+  solution.x = numbers_in(x);
   trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
                "the number of steps is negative, or far beyond the limit", std::to_string(solution.steps));
   solution.products = counted.products;
@@ -113,83 +128,79 @@ NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix
 }
 
 // The drift of linear_system.h for the matrix A'A, whose products have the error of two dot products.
-double drift(const Matrix& table, const VectorXd& x, const VectorXd& Atb) {
-  const double error = static_cast<double>(table.rows() + table.cols() + 2);
-  return kUnit *
-         (65 * (10 + 2 * error) * table.squaredNorm() * (2 * x.norm() + Atb.norm()) + 2 * error * Atb.norm());
+double drift(const Matrix& table, const std::vector<double>& x, const std::vector<double>& Atb) {
+  const double error = table.rows + table.cols + 2, squared = table.norm() * table.norm();
+  return kUnit * (65 * (10 + 2 * error) * squared * (2 * norm(x) + norm(Atb)) + 2 * error * norm(Atb));
 }
 
 // ||A'(b - Ax)||, by the suite's own products.
-double normal_residual(const Matrix& table, const VectorXd& x, const VectorXd& b) {
-  return times(table.transpose(), b - times(table, x)).norm();
+double normal_residual(const Matrix& table, const std::vector<double>& x, std::vector<double> b) {
+  const std::vector<double> Ax = table.times(x);
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] -= Ax[i];
+  return norm(table.transposed().times(b));
 }
 
 // x solves A'A x = A'b up to epsilon and rounding, and so is close to `expected`. `smallest` is a lower
 // bound of A's smallest singular value.
-void expect_solves(Trial& trial, const std::string& name, const Matrix& table, VectorXd b, VectorXd expected,
-                   double smallest) {
+void expect_solves(Trial& trial, const std::string& name, const Matrix& table, std::vector<double> b,
+                   std::vector<double> expected, double smallest) {
   // With ||A'b|| = 1 a relative epsilon is the same. The meaning of epsilon is for steps_and_products.
-  const double length = times(table.transpose(), b).norm();
-  b /= length;
-  expected /= length;
-  const VectorXd Atb = times(table.transpose(), b);
+  const double length = norm(table.transposed().times(b));
+  for (std::vector<double>* vector : {&b, &expected})
+    for (double& value : *vector) value /= length;
+  const std::vector<double> Atb = table.transposed().times(b);
   const NormalSolution solution = solve(trial, name, table, b, 1e-18, 0);
   const Bound allowed{1e-9, drift(table, expected, Atb)},
       bound{allowed.promised / (smallest * smallest), allowed.rest / (smallest * smallest)};
-  const Compared numbers{solution.x, expected, 1, Atb, bound.most()};
+  const Compared numbers{vector_of(solution.x), vector_of(expected), 1, vector_of(Atb), bound.most()};
   trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)", numbers);
-  trial.expect_at_most((solution.x - expected).norm(), bound, "the error of x", numbers);
+  trial.expect_at_most(distance(solution.x, expected), bound, "the error of x", numbers);
 }
 
 // A = D + N, where D is diagonal with entries of size `large` or more, and ||N||_F <= 1. So no singular value
 // is below large - 1.
-Matrix dominant(Random& random, const VectorXd& diagonal) {
+Matrix dominant(Random& random, const std::vector<double>& diagonal) {
   const int n = static_cast<int>(diagonal.size());
   Matrix table = random_table(random, n, n);
-  table /= table.norm();
-  table.diagonal() += diagonal;
+  const double scale = 1 / table.norm();
+  for (double& entry : table.entries) entry *= scale;
+  for (int i = 0; i < n; ++i) table.entries[i * n + i] += diagonal[i];
   return table;
 }
 
-VectorXd uniform_vector(Random& random, int n, double low, double high) {
-  VectorXd values(n);
-  for (double& value : values) value = random.uniform(low, high);
-  return values;
-}
-
-Matrix symmetric(const Matrix& A) {
-  return A.selfadjointView<Eigen::Upper>();
+Matrix symmetric(Matrix A) {
+  for (int i = 0; i < A.rows; ++i)
+    for (int j = 0; j < i; ++j) A.entries[i * A.cols + j] = A.entries[j * A.cols + i];
+  return A;
 }
 
 }  // namespace
 
 void table(Trial& trial) {
   Random& random = trial.random;
-  expect_dense_product(trial, "Example 1", table_of(2, 2, Eigen::Vector4d(2, 0, 0, 1)),
-                       Eigen::Vector2d(0.5, 1));
-  expect_dense_product(trial, "Example 2", table_of(2, 2, Eigen::Vector4d(2, 1, 1, 1)),
-                       Eigen::Vector2d(-1, 5));
+  expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
+  expect_dense_product(trial, "Example 2", {2, 2, {2, 1, 1, 1}}, {-1, 5});
   for (auto [rows, cols] : {std::pair{1, 1}, {3, 3}, {7, 4}, {4, 7}, {1, 9}, {9, 1}, {60, 50}}) {
     const Matrix table = random_table(random, rows, cols);
-    expect_dense_product(trial, "random", table, random_vector(random, cols));
+    expect_dense_product(trial, "random", table, random.normals(cols));
   }
-  expect_dense_product(trial, "no columns", Matrix(3, 0), VectorXd(0));
-  expect_dense_product(trial, "no rows", Matrix(0, 3), random_vector(random, 3));
+  expect_dense_product(trial, "no columns", {3, 0, {}}, {});
+  expect_dense_product(trial, "no rows", {0, 3, {}}, random.normals(3));
 }
 
 void normal_operator(Trial& trial) {
   Random& random = trial.random;
   for (auto [rows, cols] : {std::pair{2, 2}, {5, 5}, {9, 4}, {4, 9}, {40, 30}}) {
     const Matrix table = random_table(random, rows, cols);
-    const VectorXd x = random_vector(random, cols);
-    trial.describe("A'A, A " + in_words(table));
+    const std::vector<double> x = random.normals(cols);
+    trial.describe("A'A, A " + std::to_string(rows) + " x " + std::to_string(cols));
     Counted counted(table);
-    const VectorXd junk = random_vector(random, cols, 1e3);
+    const VectorXd junk = vector_of(random.normals(cols, 1e3));
     CaseAsker asker(trial);
     const auto answer = Client<Calls, normal>::multiply(
-        asker, 2, x, junk, std::tuple(counted.served(), counted.served_transposed()));
-    const double rounding = kUnit * (rows + cols + 2) * table.squaredNorm() * x.norm();
-    expect_products(trial, answer.products, times(table.transpose(), times(table, x)), rounding,
+        asker, 2, vector_of(x), junk, std::tuple(counted.served(), counted.served_transposed()));
+    const double rounding = kUnit * (rows + cols + 2) * table.norm() * table.norm() * norm(x);
+    expect_products(trial, answer.products, table.transposed().times(table.times(x)), rounding,
                     "normal_matrix's product");
     trial.expect(counted.products == 2 && counted.transposed_products == 2,
                  "a product with A'A does not take one product with A and one with A'",
@@ -204,15 +215,15 @@ void nested(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 5, 8}) {
     const Matrix table = symmetric(random_table(random, n, n));
-    const VectorXd x = random_vector(random, n);
-    trial.describe("A'A of A'A, A " + in_words(table));
+    const std::vector<double> x = random.normals(n);
+    trial.describe("A'A of A'A, A " + std::to_string(n) + " x " + std::to_string(n));
     Counted counted(table);
     CaseAsker asker(trial);
     const auto answer =
-        Client<Calls, normal_of_normal>::multiply(asker, 2, x, random_vector(random, n, 1e3),
+        Client<Calls, normal_of_normal>::multiply(asker, 2, vector_of(x), vector_of(random.normals(n, 1e3)),
                                                   std::tuple(counted.served(), counted.served_transposed()));
-    expect_products(trial, answer.products, times(table, times(table, times(table, times(table, x)))),
-                    4 * kUnit * (n + 1) * std::pow(table.norm(), 4) * x.norm(),
+    expect_products(trial, answer.products, table.times(table.times(table.times(table.times(x)))),
+                    4 * kUnit * (n + 1) * std::pow(table.norm(), 4) * norm(x),
                     "the product of normal_matrix of a normal_matrix");
   }
 }
@@ -221,18 +232,18 @@ void nested(Trial& trial) {
 void units(Trial& trial) {
   Random& random = trial.random;
   const Matrix table = random_table(random, 4, 4);
-  const VectorXd x = random_vector(random, 4);
+  const std::vector<double> x = random.normals(4);
   const auto products = [&](double unit) {
-    const Matrix scaled = unit * table;
-    const VectorXd entries = VectorXd::Map(scaled.data(), 16), in = unit * x;
-    const int size = 4;
+    Matrix scaled = table;
+    for (double& entry : scaled.entries) entry *= unit;
+    VectorXd entries = vector_of(scaled.entries), in = unit * vector_of(x);
     trial.describe("a matrix and a vector in units of " + std::to_string(std::log2(unit)) + " binary places");
     Counted counted(scaled);
     CaseAsker asker(trial);
-    const VectorXd dense_product =
-        Client<Calls, dense>::multiply(asker, 1, in, VectorXd::Zero(4), std::tie(size, size, entries),
-                                       std::tie(size, size, entries))
-            .products[0];
+    const VectorXd dense_product = Client<Calls, dense>::multiply(asker, 1, in, VectorXd::Zero(4),
+                                                                  std::tie(scaled.rows, scaled.cols, entries),
+                                                                  std::tie(scaled.rows, scaled.cols, entries))
+                                       .products[0];
     const VectorXd normal_product =
         Client<Calls, normal>::multiply(asker, 1, in, VectorXd::Zero(4),
                                         std::tuple(counted.served(), counted.served_transposed()))
@@ -255,31 +266,31 @@ namespace {
 void expect_solves_non_symmetric(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 3, 10, 40}) {
-    const VectorXd diagonal = uniform_vector(random, n, 2, 6);
+    std::vector<double> diagonal(n);
+    for (double& value : diagonal) value = random.uniform(2, 6);
     const Matrix A = dominant(random, diagonal);
-    const VectorXd x = random_vector(random, n);
-    expect_solves(trial, "non-symmetric", A, times(A, x), x, 1);
+    const std::vector<double> x = random.normals(n);
+    expect_solves(trial, "non-symmetric", A, A.times(x), x, 1);
   }
   // A is a rotation: A'A is the identity, so the first guess is the solution.
   const double angle = random.uniform(0.5, 1);
-  const Matrix rotation = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  const VectorXd x = random_vector(random, 2);
-  expect_solves(trial, "rotation", rotation, times(rotation, x), x, 0.99);
+  const Matrix rotation{2, 2, {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}};
+  const std::vector<double> x = random.normals(2);
+  expect_solves(trial, "rotation", rotation, rotation.times(x), x, 0.99);
 }
 
 void expect_solves_indefinite(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 5, 20}) {
-    VectorXd diagonal = uniform_vector(random, n, 2, 6);
-    for (int i = 1; i < n; i += 2) diagonal[i] *= -1;
+    std::vector<double> diagonal(n);
+    for (int i = 0; i < n; ++i) diagonal[i] = (i % 2 == 0 ? 1 : -1) * random.uniform(2, 6);
     const Matrix A = symmetric(dominant(random, diagonal));
     // Made symmetric, the part beside the diagonal is no longer than sqrt(2).
-    const VectorXd x = random_vector(random, n);
-    expect_solves(trial, "symmetric, indefinite", A, times(A, x), x, 2 - std::sqrt(2.0));
+    const std::vector<double> x = random.normals(n);
+    expect_solves(trial, "symmetric, indefinite", A, A.times(x), x, 2 - std::sqrt(2.0));
   }
   // The saddle point [[1, 1], [1, 0]] has the eigenvalues (1 -+ sqrt(5)) / 2.
-  expect_solves(trial, "saddle point", table_of(2, 2, Eigen::Vector4d(1, 1, 1, 0)), Eigen::Vector2d(3, 1),
-                Eigen::Vector2d(1, 2), 0.618);
+  expect_solves(trial, "saddle point", {2, 2, {1, 1, 1, 0}}, {3, 1}, {1, 2}, 0.618);
 }
 
 void expect_least_squares(Trial& trial) {
@@ -287,13 +298,31 @@ void expect_least_squares(Trial& trial) {
   for (auto [rows, cols] : {std::pair{6, 3}, {30, 10}}) {
     // A = Q [B; 0] with an orthogonal Q has B's singular values, at least 1. Q [0; z] is orthogonal to its
     // columns, so b = A x + Q [0; z] has the solution x.
-    const VectorXd diagonal = uniform_vector(random, cols, 2, 5);
+    std::vector<double> diagonal(cols);
+    for (double& value : diagonal) value = random.uniform(2, 5);
     const Matrix B = dominant(random, diagonal);
-    const VectorXd mirror = random_vector(random, rows).normalized();
-    const Matrix Q = Matrix::Identity(rows, rows) - 2 * mirror * mirror.transpose();
-    const Matrix A = Q.leftCols(cols) * B;
-    const VectorXd unreachable = Q.rightCols(rows - cols) * random_vector(random, rows - cols),
-                   x = random_vector(random, cols), b = times(A, x) + unreachable;
+    std::vector<double> mirror = random.normals(rows);
+    const double length = norm(mirror);
+    for (double& value : mirror) value /= length;
+    auto reflect = [&](std::vector<double> v) {
+      double dot = 0;
+      for (std::size_t i = 0; i < mirror.size(); ++i) dot += mirror[i] * v[i];
+      for (std::size_t i = 0; i < mirror.size(); ++i) v[i] -= 2 * dot * mirror[i];
+      return v;
+    };
+    Matrix A{rows, cols, std::vector<double>(rows * cols)};
+    for (int j = 0; j < cols; ++j) {
+      std::vector<double> column(rows, 0.0);
+      for (int i = 0; i < cols; ++i) column[i] = B.entries[i * cols + j];
+      column = reflect(column);
+      for (int i = 0; i < rows; ++i) A.entries[i * cols + j] = column[i];
+    }
+    std::vector<double> unreachable(rows, 0.0);
+    for (int i = cols; i < rows; ++i) unreachable[i] = random.normal();
+    unreachable = reflect(unreachable);
+    const std::vector<double> x = random.normals(cols);
+    std::vector<double> b = A.times(x);
+    for (int i = 0; i < rows; ++i) b[i] += unreachable[i];
     // Rounding leaves A'Q[0; z] at u ||A|| ||z||, within the drift's allowance.
     expect_solves(trial, "least squares", A, b, x, 0.99);
   }
@@ -301,11 +330,12 @@ void expect_least_squares(Trial& trial) {
   // range.
   for (auto [rows, cols] : {std::pair{2, 5}, {3, 40}}) {
     const Matrix A = random_table(random, rows, cols);
-    VectorXd b = random_vector(random, rows);
-    b /= times(A.transpose(), b).norm();
+    std::vector<double> b = random.normals(rows);
+    const double length = norm(A.transposed().times(b));
+    for (double& value : b) value /= length;
     const NormalSolution solution = solve(trial, "fewer rows than columns", A, b, 1e-12, 0);
     trial.expect_at_most(normal_residual(A, solution.x, b),
-                         1e-6 + drift(A, solution.x, times(A.transpose(), b)), "the norm of A'(b - Ax)");
+                         1e-6 + drift(A, solution.x, A.transposed().times(b)), "the norm of A'(b - Ax)");
   }
 }
 
@@ -321,13 +351,15 @@ void systems(Trial& trial) {
 void steps_and_products(Trial& trial) {
   Random& random = trial.random;
   const int n = random.integer(12, 18);
-  const VectorXd diagonal = uniform_vector(random, n, 2, 20);
+  std::vector<double> diagonal(n);
+  for (double& value : diagonal) value = random.uniform(2, 20);
   const Matrix A = symmetric(dominant(random, diagonal));
-  const VectorXd x = random_vector(random, n), b = times(A, x), Atb = times(A.transpose(), b);
+  const std::vector<double> x = random.normals(n), b = A.times(x), Atb = A.transposed().times(b);
   expect_solves(trial, "ordinary", A, b, x, 1);
   // epsilon decides here: it is a little more than the residual after three steps, in a unit in which no
   // length is 1.
-  const VectorXd large = 0x1p20 * b;
+  std::vector<double> large = b;
+  for (double& value : large) value *= 0x1p20;
   const double left = normal_residual(A, solve(trial, "three steps", A, large, 0, 3).x, large);
   const NormalSolution ended =
       solve(trial, "what three steps reach", A, large, std::pow(1.001 * left, 2), 50);

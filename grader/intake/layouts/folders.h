@@ -2,7 +2,7 @@
 // Only the names in it decide, so that the contents of files can't change the owner.
 //
 // Items are the exercise files, also under names that copies get (exercise_names.h), and the archives.
-// Names of operating systems (ignored.h), and everything below them, are ignored. The root is the deepest
+// Names of operating systems (names.h), and everything below them, are ignored. The root is the deepest
 // folder that contains all items, so that enclosing folders make no difference.
 //
 // The first of these rules that holds decides:
