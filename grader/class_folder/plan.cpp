@@ -20,9 +20,8 @@ std::string names_of(const std::vector<Submission>& submissions) {
   return names + (submissions.size() > kMost ? " and more" : "");
 }
 
-// Gives submissions the names that they have in the record (grader/record/same_people.h), and sorts by them;
-// `listed` gets them, too. In blind grading names are codes already. Returns a line each for staff. `only`, a
-// name of one of them, becomes the record's.
+}  // namespace
+
 std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::vector<Accounted>& listed,
                                    Record& record, std::optional<std::string>& only) {
   std::vector<std::string> said;
@@ -40,8 +39,6 @@ std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::ve
   std::ranges::sort(submissions, {}, &Submission::name);
   return said;
 }
-
-}  // namespace
 
 void give_members(Intake& intake, const Roster& roster) {
   std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);

@@ -45,6 +45,12 @@ struct Plan {
 // person must look at notices.
 void give_members(Intake& intake, const Roster& roster);
 
+// Gives submissions the names that they have in the record (grader/record/same_people.h), and sorts by them;
+// `listed` gets them, too. In blind grading names are codes already. Returns a line each for staff. `only`, a
+// name of one of them, becomes the record's.
+std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::vector<Accounted>& listed,
+                                   Record& record, std::optional<std::string>& only);
+
 // Writes nothing into `record`, which is the folder's. `known` are the people of the class: the new roster,
 // or else the record's. Throws BadInput if settings.only names no submission, and Question as settle_origins
 // does.
