@@ -126,7 +126,8 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   EXPECT_EQ(points(recorded_result(out(), "alice").value()), 32);
   const SubmissionResult bob = recorded_result(out(), "bob").value();
   for (const ExerciseResult& exercise : bob.exercises) EXPECT_EQ(exercise.status, Status::unreadable);
-  const json left_over = json::parse(hair::bytes_of(fs::path(out()) / "left-over.json")).at("left_over");
+  const auto left_over =
+      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "left-over.json")).at("left_over");
   ASSERT_EQ(left_over.size(), 1U);
   EXPECT_EQ(left_over[0].at("path"), (everybody / "conj_grad.cpp").string());
   EXPECT_TRUE(says(hair::bytes_of(fs::path(out()) / "index.html"),
