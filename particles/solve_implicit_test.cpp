@@ -1,5 +1,5 @@
 // STAFF ONLY. The promises of particles/solve_implicit.h, with the reference's H4 and S1. Retries of plain
-// solves: reference/H6/unmet_tolerance_test.cpp.
+// solves: reference/H6/predictor_corrector_test.cpp.
 #include "particles/solve_implicit.h"
 
 #include <gtest/gtest.h>

@@ -34,7 +34,7 @@ std::string shown_change(const PointsChange& change);  // "1.5 -> 4"
 std::string class_page_of(Record& record);
 
 // Writes all files of the record's hand-in: of all students except those in `written`, of the class, and of
-// the course (course_files.h). Returns all results, sorted by name.
+// the course. Returns all results, sorted by name.
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written = {});
 

@@ -43,7 +43,7 @@ struct SuiteJob {
   std::string reproduce = {};
   std::filesystem::path exercises = {};  // is exercises.json, for `reproduce`
 
-  // Only hairstudy reads these, see study/submission_study.h.
+  // Only hairstudy reads these, see study/study.h.
   std::set<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
   std::vector<std::filesystem::path> reference_objects = {};
