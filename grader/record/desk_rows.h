@@ -2,10 +2,10 @@
 // looked like, whose it is, and who has it open.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "grader/record/record.h"
 
@@ -15,7 +15,9 @@ struct RowOfItem {
   std::string what;    // is the item's kind and place: "near-threshold H2"
   std::string person;  // is the name of a row; "": the item is of several people
 
-  auto operator<=>(const RowOfItem&) const = default;
+  bool operator<(const RowOfItem& other) const {
+    return std::tie(what, person) < std::tie(other.what, other.person);
+  }
 };
 
 struct DeskRow {

@@ -42,7 +42,7 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   const std::vector<int> dense = DenseStrands(scene, ours.strands()).sizes();
   const std::size_t dense_size =
       scene.dense.empty() ? 0 : 3 * std::reduce(dense.begin(), dense.end(), std::size_t{});
-  const std::vector<std::uint32_t> coordinates = ours.coordinates();
+  const std::vector<std::uint32_t>& coordinates = ours.coordinates();
   const Eigen::Index size = ours.state().x.size();
   Played played;
   played.trouble = reply.get_text();
