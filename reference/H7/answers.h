@@ -71,6 +71,9 @@ struct Sizes {
 };
 Sizes sizes_of(const Tree& tree);
 
+// The sum of sizes of all accelerations of a tree after pass 3, of links and of `joints`.
+double accelerations_size(const Tree& tree, const Sizes& sizes, const VectorXd& joints);
+
 // The greatest force through a joint of a tree after pass 1: the sum of all forces on links, of those that
 // their c^ needs, and of Q over a joint's shortest arm.
 double force_size(const Tree& tree);

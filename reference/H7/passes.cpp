@@ -64,9 +64,7 @@ void accelerations(Trial& trial) {
       reference_passes(tree, 2);
       const Answered answered = ask(trial, 3, tree);
       const VectorXd expected = reference_passes(tree, 3);
-      double size = expected.norm() * std::max(1.0, sizes.length) + sizes.acceleration();
-      for (const LinkPass& pass : tree.passes)
-        size += pass.a.linear.norm() + sizes.length * pass.a.angular.norm();
+      const double size = accelerations_size(tree, sizes, expected);
       trial.expect_close({answered.accelerations, expected, 1}, 1e-8 * size, "an acceleration of a joint");
       expect_motions(trial, answered.passes, tree.passes, &LinkPass::a, 1, 1e-8 * size,
                      "the acceleration of a link");

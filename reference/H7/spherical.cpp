@@ -85,9 +85,7 @@ double pass_3_error(Trial& trial, Tree tree) {
   reference_passes(tree, 2);
   const Answered answered = ask(trial, 3, tree);
   const VectorXd expected = reference_passes(tree, 3);
-  double size = expected.norm() * std::max(1.0, sizes.length) + sizes.acceleration();
-  for (const LinkPass& pass : tree.passes)
-    size += pass.a.linear.norm() + sizes.length * pass.a.angular.norm();
+  const double size = accelerations_size(tree, sizes, expected);
   return ((answered.accelerations - expected).norm() +
           motion_error(answered.passes, tree.passes, &LinkPass::a, 1)) /
          (1e-8 * size);

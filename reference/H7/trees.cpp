@@ -206,4 +206,11 @@ Sizes sizes_of(const Tree& tree) {
   return sizes;
 }
 
+double accelerations_size(const Tree& tree, const Sizes& sizes, const VectorXd& joints) {
+  double size = joints.norm() * std::max(1.0, sizes.length) + sizes.acceleration();
+  for (const LinkPass& pass : tree.passes)
+    size += pass.a.linear.norm() + sizes.length * pass.a.angular.norm();
+  return size;
+}
+
 }  // namespace grader::h7

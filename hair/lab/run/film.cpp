@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kErrors = "film.errors";
+
 std::string digits_of(double number) {
   std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
@@ -48,15 +50,31 @@ std::optional<fs::path> find_ffmpeg() {
 std::optional<std::string> make_film(const fs::path& folder, double frames_per_second) {
   const auto program = find_ffmpeg();
   if (!program) return "ffmpeg is not on PATH (package ffmpeg brings it)";
-  const fs::path film = folder / "film.mp4", errors = folder / "film.errors";
+  const fs::path film = folder / "film.mp4", errors = folder / kErrors;
   // One thread and no dates: the same pictures give the same bytes. Most video runners need an even number of
   // rows and columns, and colours at half their resolution.
-  std::vector<std::string> words = {program->string()};
-  std::istringstream options(
-      "-nostdin -loglevel error -y -framerate " + digits_of(frames_per_second) +
-      " -i frame-%04d.png -vf pad=ceil(iw/2)*2:ceil(ih/2)*2 -pix_fmt yuv420p"
-      " -threads 1 -fflags +bitexact -flags:v +bitexact -movflags +faststart film.mp4");
-  for (std::string word; options >> word;) words.push_back(word);
+  const std::vector<std::string> words = {program->string(),
+                                          "-nostdin",
+                                          "-loglevel",
+                                          "error",
+                                          "-y",
+                                          "-framerate",
+                                          digits_of(frames_per_second),
+                                          "-i",
+                                          "frame-%04d.png",
+                                          "-vf",
+                                          "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                          "-pix_fmt",
+                                          "yuv420p",
+                                          "-threads",
+                                          "1",
+                                          "-fflags",
+                                          "+bitexact",
+                                          "-flags:v",
+                                          "+bitexact",
+                                          "-movflags",
+                                          "+faststart",
+                                          "film.mp4"};
   std::optional<int> code;
   try {
     code = exit_code_of(start_program({.words = words,
