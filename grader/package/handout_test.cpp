@@ -183,7 +183,7 @@ TEST_F(SmallProject, ShipsAPageOfEachTextOrSaysWhyNot) {
   EXPECT_EQ(shipped.at("README.html"), "page of Welcome\n");
   EXPECT_EQ(make_handout(sources_, course_, out_), "");
   with_node("echo katex is missing; exit 77");
-  EXPECT_TRUE(says(make_handout(sources_, course_, out_), "--with pages): katex is missing"));
+  EXPECT_TRUE(says(make_handout(sources_, course_, out_), "have no pages: katex is missing; install"));
   with_node(makes + "echo STAFF ONLY >> README.html");
   EXPECT_TRUE(says(complaint(), "README.html says STAFF ONLY"));
   for (const auto& [script, why] :

@@ -41,7 +41,9 @@ std::string add_pages(Files& handout, const fs::path& script) {
                            .environment = {"NODE_PATH=/usr/share/nodejs"}}));  // Debian's libraries
   std::string line = code == 127 ? "node is missing" : hair::bytes_of(said);
   line.resize(std::min(line.find('\n'), line.size()));
-  if (code == 77 || code == 127) return "The texts have no pages (grader/setup.sh --with pages): " + line;
+  if (code == 77 || code == 127)
+    return "The texts have no pages: " + line +
+           "; install Debian's nodejs, katex, node-marked, fonts-lmodern, fonttools and python3-brotli";
   if (code != 0) throw BadInput(script.string() + ": " + line);
   for (const std::string& path : with_pages(paths))
     if (!handout.contains(path) && (handout[path] = hair::bytes_of(folder.path() / path)).empty())

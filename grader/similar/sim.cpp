@@ -50,8 +50,7 @@ Matches read(const std::string& output, std::size_t texts) {
 
 Sim::Sim(Isolation isolation) {
   if (!fs::exists(kProgram))
-    throw BadInput(std::string(kProgram) +
-                   " is missing; install Debian's package similarity-tester, which grader/setup.sh does");
+    throw BadInput(std::string(kProgram) + " is missing; install Debian's package similarity-tester");
   fs::create_directory(folder_.path() / "in");
   sandbox_.isolation = isolation;
   sandbox_.roots = folder_.path() / "roots";

@@ -39,7 +39,7 @@ struct Panel {
 }  // namespace
 
 std::string draw_h6() {
-  Drawing drawing("H6", 256, "Which of the five steps moves the mass, and which changes its velocity?",
+  Drawing drawing("H6", 284, "Which of the five steps moves the mass, and which changes its velocity?",
                   "A mass on a stiff segment, and the circle on which its length is right, after each step.");
   const hair::Strand strand{Eigen::Vector2d::Ones(), VectorXd::Ones(1), 1e8};
   const particles::Particles particles{strand.mass, {1, 0}};
@@ -73,6 +73,7 @@ std::string draw_h6() {
   last.arrow(state.x, kTime * state.v, 6, "3 3");
   filter();
   last.arrow(state.x, kTime * state.v, 0);
+  drawing.words({576, 268}, "dotted: in 4 the whole way, in 5 the velocity before", {kQuiet, "middle", 14});
   return drawing.svg();
 }
 

@@ -9,7 +9,7 @@ std::string draw_h7() {
                   "A parent and a link, joined by a hinge, with r, d, u, the angular velocities and v.");
   const View view = {{160, 215}, 205, {0, 0, 0}, {0.94, 0, 0.34}, {0.12, 0.94, -0.33}};
   hair::Link base, link;
-  const Vector3d joint(1, 0.12, 0), parent = Vector3d::Zero();
+  const Vector3d joint(1, 0.3, 0), parent = Vector3d::Zero();
   link.u = Vector3d(0.1, 1, 0.15).normalized();
   link.d = Vector3d(0.72, -0.32, 0.62);
   link.d -= link.u.dot(link.d) * link.u;
