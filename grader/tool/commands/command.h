@@ -17,6 +17,7 @@ struct Command {
   CLI::App* options;
   std::function<int()> run;
 };
+inline constexpr int kInterrupted = 130;  // finished results are kept
 using AddCommand = Command (*)(CLI::App& hairgrade);
 
 Command add_grade(CLI::App& hairgrade);

@@ -121,7 +121,7 @@ int compare(const CompareSettings& settings) {
   {
     Progress progress(found.pairs.size());
     for (const PicturePair& pair : found.pairs) {
-      if (interrupted) return 130;
+      if (interrupted) return kInterrupted;
       std::pair<Image, Image> both;
       try {
         both = read_pair(pair);
@@ -175,7 +175,7 @@ Command add_compare(CLI::App& hairgrade) {
   command->add_flag("--json", settings->json, "Print JSON in place of a table");
   return {command, [settings] {
             const int code = compare(*settings);
-            if (code == 130) std::cerr << "hairgrade: interrupted; nothing was written\n";
+            if (code == kInterrupted) std::cerr << "hairgrade: interrupted; nothing was written\n";
             return code;
           }};
 }

@@ -17,7 +17,7 @@ int forget(const OfARecord& options) {
   const std::optional<FolderLock> lock = FolderLock::take(options.folder, note_interruptions(), std::cerr);
   if (!lock) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was removed\n";
-    return 130;
+    return kInterrupted;
   }
   if (!options.name.empty()) {
     if (SharedPlan::in(options.folder))

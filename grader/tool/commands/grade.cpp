@@ -126,7 +126,7 @@ int grade(GradeOptions options) {
       options.batch.out, made_by(settings), interrupted, std::cerr, hand_in, options.batch.regrade);
   if (!folder) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
-    return 130;
+    return kInterrupted;
   }
   if (const std::optional<SharedPlan> there = SharedPlan::in(options.batch.out))
     throw BadInput("its hand-ins are on a cluster; hairgrade collect " +
@@ -210,7 +210,7 @@ int say_graded(Isolation isolation, const GradeOptions& options, const Plan& pla
   std::cerr << "hairgrade: interrupted after " << batch.done << " of "
             << (plan.only ? 1 : plan.submissions.size()) << " submissions; the same command"
             << (batch.staged ? "" : " with --resume") << " goes on\n";
-  return 130;
+  return kInterrupted;
 }
 
 Command add_grade(CLI::App& hairgrade) {

@@ -114,7 +114,7 @@ int change_record(const OfARecord& options,
   if (!lock) {
     std::cerr
         << "hairgrade: interrupted while it waited; the change is kept, and the next run writes the files\n";
-    return 130;
+    return kInterrupted;
   }
   write_class_files(options.folder, *record);
   return 0;

@@ -207,7 +207,7 @@ int collect(GradeOptions options) {
   const std::atomic<bool>& interrupted = note_interruptions();
   const std::optional<FolderOfGrades> folder = FolderOfGrades::open(
       settings.out, made_by.value(), interrupted, std::cerr, settings.hand_in, settings.regrade);
-  if (!folder) return 130;
+  if (!folder) return kInterrupted;
   Record& record = folder->record();
   if (!SharedPlan::in(settings.out)) return 0;  // another process has just collected all
 
@@ -236,7 +236,7 @@ int collect(GradeOptions options) {
                       [](const Submission&, Graded&) {}};
   const Batch batch = grade_batch(grader, plan, settings, record, interrupted);
   const int code = say_graded(made_by->isolation, options, plan, batch, record);
-  if (interrupted) return 130;
+  if (interrupted) return kInterrupted;
   if (missing.empty()) {
     fs::remove_all(shared / "");
     return code;

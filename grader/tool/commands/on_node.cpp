@@ -72,11 +72,11 @@ int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std:
   const std::atomic<bool>& interrupted = note_interruptions();
   std::vector<std::pair<std::size_t, Graded>> ended_by_the_clock;
   for (const std::size_t number : hand_ins) {
-    if (interrupted) return 130;
+    if (interrupted) return kInterrupted;
     const auto submission = plan.get<Submission>(numbered("hand-ins", number));
     std::cerr << "hairgrade: began " << number << ", " << submission.name << "\n";
     Graded graded = node.grading->grade(submission);
-    if (interrupted) return 130;
+    if (interrupted) return kInterrupted;
     if (graded.result.ended_by_the_clock.empty())
       plan.put_result(number, node.grading->fingerprint(submission), graded);
     else
@@ -85,7 +85,7 @@ int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std:
   for (auto& [number, graded] : ended_by_the_clock) {
     const Submission submission = plan.get<Submission>(numbered("hand-ins", number));
     node.grading->grade_again(submission, graded);
-    if (interrupted) return 130;
+    if (interrupted) return kInterrupted;
     plan.put_result(number, node.grading->fingerprint(submission), graded);
   }
   return 0;

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "hair/lab/run/states_file.h"
-#include "hair/lab/tests/read_states.h"
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_read_states.h"
+#include "hair/lab/test_run_hairlab.h"
 
 namespace hair {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "hair/lab/tests/read_states.h"
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_read_states.h"
+#include "hair/lab/test_run_hairlab.h"
 
 namespace hair {
 namespace {

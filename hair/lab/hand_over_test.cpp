@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_run_hairlab.h"
 
 namespace hair {
 namespace {

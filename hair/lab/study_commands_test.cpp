@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "hair/lab/study/tests/studies.h"
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/study/test_studies.h"
+#include "hair/lab/test_run_hairlab.h"
 #include "hair/truth/accurate_motion.h"
 
 namespace hair {

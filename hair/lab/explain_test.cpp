@@ -9,7 +9,7 @@
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/explain.h"
 #include "hair/lab/run/run_record.h"
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_run_hairlab.h"
 #include "solver/test_comma_locale.h"
 
 namespace hair {

@@ -1,4 +1,4 @@
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_run_hairlab.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hair/groom/groom_file.h"
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_run_hairlab.h"
 
 namespace hair {
 namespace {

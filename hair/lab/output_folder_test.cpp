@@ -8,7 +8,7 @@
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/output_folder.h"
 #include "hair/lab/run/run_record.h"
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_run_hairlab.h"
 
 namespace hair {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "hair/lab/tests/run_hairlab.h"
+#include "hair/lab/test_run_hairlab.h"
 #include "hair/truth/accurate_motion.h"
 
 namespace hair {
