@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = ".slurm-";  // no submission's name begins with a dot
+constexpr const char* kEnded = ".ended";
 // Slurm's credentials are no longer valid on a machine whose clock is five minutes off.
 constexpr double kMostClockSeconds = 300;
 
@@ -45,7 +46,7 @@ SharedPlan SharedPlan::make(const fs::path& grades) {
 // Two processes may write the same file: Slurm may start a task again whose node only seems dead.
 void SharedPlan::write(const std::string& name, const std::string& bytes) const {
   const fs::path file = folder_ / name;
-  std::string temporary = (file.parent_path() / "new-XXXXXX").string();
+  std::string temporary = (file.parent_path() / ".new-XXXXXX").string();
   const Descriptor out(mkostemp(temporary.data(), O_CLOEXEC));
   ssize_t written = out ? 0 : -1;
   for (std::size_t at = 0; written >= 0 && at < bytes.size(); at += static_cast<std::size_t>(written))
@@ -65,7 +66,7 @@ std::vector<SentArray> SharedPlan::arrays() const {
 std::string SharedPlan::nodes_that_refused() const {
   std::set<std::string> nodes;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "refused"))
-    nodes.insert(entry.path().filename().string());
+    if (const std::string name = entry.path().filename().string(); !name.starts_with(".")) nodes.insert(name);
   std::string all;
   for (const std::string& node : nodes) all += (all.empty() ? "" : ",") + node;
   return all;
@@ -74,6 +75,23 @@ std::string SharedPlan::nodes_that_refused() const {
 void SharedPlan::forget_refusals() const {
   fs::remove_all(folder_ / "refused");
   fs::create_directory(folder_ / "refused");
+}
+
+void SharedPlan::remove() const {
+  const fs::path place = (folder_ / "").parent_path(),
+                 ended = place.parent_path() / (kEnded + place.filename().string());
+  std::error_code ignored;
+  fs::rename(place, ended);
+  fs::remove_all(ended, ignored);
+}
+
+void SharedPlan::clear(const fs::path& grades) {
+  std::vector<fs::path> left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(grades))
+    if (const std::string name = entry.path().filename().string();
+        name == kCollectLog || name.starts_with(kEnded))
+      left.push_back(entry.path());
+  for (const fs::path& one : left) fs::remove_all(one);
 }
 
 void SharedPlan::put_result(std::size_t number, const std::string& fingerprint, const Graded& graded) const {

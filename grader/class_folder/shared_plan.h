@@ -9,6 +9,7 @@
 //   arrays/A, logs/A-K          are the hand-ins of each task, and the output of task K
 //   refused/NODE                is there once a node has lacked a part
 //   results/N                   has the fingerprint in its first line
+//   collected                   numbers the results that are in the record
 #pragma once
 
 #include <filesystem>
@@ -24,6 +25,8 @@
 #include "hair/io/files/read_file.h"
 
 namespace grader::inline class_folder {
+
+inline constexpr const char* kCollectLog = ".collect.log";  // is in the folder of grades: the last job's
 
 struct PlanFacts {
   std::vector<std::string> words;  // are those of hairgrade's command line
@@ -45,6 +48,10 @@ struct SentArray {
   std::string job = {};                                 // is Slurm's number; "": it was not sent
   std::string without = {};                             // lists nodes that had refused before
   std::vector<std::vector<std::size_t>> hand_ins = {};  // by task
+};
+
+struct Collected {
+  std::vector<std::size_t> hand_ins;
 };
 
 class SharedPlan {
@@ -72,6 +79,10 @@ class SharedPlan {
   std::vector<SentArray> arrays() const;
   std::string nodes_that_refused() const;  // "n1,n2"
   void forget_refusals() const;
+  // Ends it, also where a process still writes there, or a shared folder keeps removed files.
+  void remove() const;
+  // Removes what ended plans and their last jobs have left in a folder of grades: it has people's names.
+  static void clear(const std::filesystem::path& grades);
 
   void put_result(std::size_t number, const std::string& fingerprint, const Graded& graded) const;
   std::string fingerprint(std::size_t number) const;       // "" if there is no result
@@ -126,6 +137,10 @@ inline const Rows<SentArray>& rows_of(As<SentArray>) {
   using T = SentArray;
   static const Rows<T> all = {field("job", &T::job), field("without", &T::without),
                               field("hand_ins", &T::hand_ins)};
+  return all;
+}
+inline const Rows<Collected>& rows_of(As<Collected>) {
+  static const Rows<Collected> all = {field("hand_ins", &Collected::hand_ins)};
   return all;
 }
 inline const Rows<Graded>& rows_of(As<Graded>) {

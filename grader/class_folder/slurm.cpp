@@ -39,6 +39,10 @@ SentJob sbatch(std::vector<std::string> words, const std::string& options, const
   return {job, !well};
 }
 
+void scancel(const std::string& job) {
+  ask("exec scancel \"$1\"", {job});
+}
+
 std::size_t max_array_size() {
   std::size_t most = 0;
   if (std::istringstream(ask("scontrol show config | sed -n 's/^MaxArraySize *= *//p'")) >> most && most > 0)
@@ -47,20 +51,26 @@ std::size_t max_array_size() {
 }
 
 bool TaskState::is_under_way() const {
-  static const std::set<std::string> all{"PENDING", "RUNNING", "CONFIGURING", "SUSPENDED", "REQUEUED"};
+  // A task that is queued again is COMPLETING first.
+  static const std::set<std::string> all{"PENDING",  "RUNNING",    "CONFIGURING",  "SUSPENDED",
+                                         "REQUEUED", "COMPLETING", "REQUEUE_HOLD", "SIGNALING",
+                                         "STOPPED",  "RESIZING"};
   return all.contains(state);
 }
 
 std::map<std::size_t, TaskState> tasks_of(const std::string& job) {
   std::map<std::size_t, TaskState> all;
+  bool well = false;
+  // Asked for a job that it has forgotten, squeue would fail as if no controller answered.
   std::istringstream tasks(ask(
-      "exec squeue --noheader --array --states=all --jobs=\"$1\" --format='%K %T %N' 2>/dev/null", {job}));
+      "exec squeue --user=\"$(id -un)\" --noheader --array --states=all --format='%F %K %T %N'", {}, &well));
+  if (!well) throw BadInput("squeue does not answer; its line is above");
   for (std::string line; std::getline(tasks, line);) {
     std::istringstream words(line);
-    std::string number;
+    std::string of, number;
     TaskState state;
-    words >> number >> state.state >> state.node;
-    all[number == "N/A" ? 0 : std::stoul(number)] = state;
+    words >> of >> number >> state.state >> state.node;
+    if (of == job) all[number == "N/A" ? 0 : std::stoul(number)] = state;
   }
   return all;
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY. Slurm, by its programs sbatch, scontrol and squeue, which PATH finds.
+// STAFF ONLY. Slurm, by its programs sbatch, scancel, scontrol and squeue, which PATH finds.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,7 @@ struct SentJob {
 // last. Throws BadInput if sbatch refuses.
 SentJob sbatch(std::vector<std::string> words, const std::string& options, const std::string& command);
 
+void scancel(const std::string& job);
 std::size_t max_array_size();  // bounds an array's tasks; throws BadInput if scontrol does not say it
 
 struct TaskState {
@@ -24,7 +25,8 @@ struct TaskState {
 
   bool is_under_way() const;
 };
-// Returns states by the number in the array, or 0. Slurm forgets a job some minutes after its end.
+// Returns states by the number in the array, or 0. Slurm forgets a job some minutes after its end. Throws
+// BadInput if squeue does not answer.
 std::map<std::size_t, TaskState> tasks_of(const std::string& job);
 
 }  // namespace grader::class_folder

@@ -60,9 +60,12 @@ install(FILES "${debian}/overrides" DESTINATION share/lintian/overrides RENAME h
 install(FILES ../handout/exercises.json DESTINATION lib/hairlab/handout)
 install(DIRECTORY ../hair/scenes DESTINATION lib/hairlab/hair FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY "${HAIR_GOLDEN_DIR}/motions" DESTINATION lib/hairlab/golden)
-install(PROGRAMS "${debian}/hairlab" DESTINATION bin)
-install(CODE "file(CREATE_LINK ../lib/hairgrade/build/grader/tool/hairgrade
-              \"\$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/bin/hairgrade\" SYMBOLIC)")
+install(PROGRAMS "${debian}/hairgrade" "${debian}/hairlab" DESTINATION bin)
+
+# A later commit is a later version, which apt installs in place of this one.
+execute_process(COMMAND git -C "${PROJECT_SOURCE_DIR}" show -s --date=format:+git%Y%m%d%H%M%S --format=%cd
+                OUTPUT_VARIABLE of_commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+set(version "${PROJECT_VERSION}${of_commit}")
 
 # Manuals are the programs' own help.
 find_program(HELP2MAN help2man REQUIRED)
@@ -70,10 +73,10 @@ set(manuals)
 foreach(program hairgrade hairlab)
   set(manual "${CMAKE_CURRENT_BINARY_DIR}/${program}.1.gz")
   add_custom_command(OUTPUT "${manual}" DEPENDS ${program}
-    COMMAND sh "${debian}/manual.sh" $<TARGET_FILE:${program}> "${PROJECT_VERSION}" "${manual}" VERBATIM)
+    COMMAND sh "${debian}/manual.sh" $<TARGET_FILE:${program}> "${version}" "${manual}" VERBATIM)
   list(APPEND manuals "${manual}")
 endforeach()
-file(CONFIGURE OUTPUT changelog CONTENT "hairgrade (${PROJECT_VERSION}) unstable; urgency=low
+file(CONFIGURE OUTPUT changelog CONTENT "hairgrade (${version}) unstable; urgency=low
 
   * The first package.
 
@@ -97,7 +100,7 @@ add_custom_target(packaged ALL DEPENDS ${manuals} changelog.gz hairgrade_parts h
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hairgrade)
-set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_VERSION ${version})
 set(CPACK_PACKAGE_CONTACT "Course staff <staff@hairgrade.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "course assignment on hair simulation, and its autograder")

@@ -14,7 +14,7 @@ namespace grader::inline package {
 struct PrairieLearnCourse {
   std::filesystem::path out;
   std::optional<std::filesystem::path> course, secret;
-  std::string image = "hairgrade";  // the container's image that has the package (debian/Dockerfile)
+  std::string image;  // has the package (debian/Dockerfile), and so the reference
 };
 
 // Throws BadInput if `out` is there, or can't be written.

@@ -101,6 +101,15 @@ TEST_F(CourseFolder, AsksForTimesAndHasFeedbackForMoodle) {
   expect_next("hairgrade feedback moodle EXPORTED.csv --out feedback.zip", "1 hand-in: without feedback");
 }
 
+TEST_F(CourseFolder, AsksNobodyAboutPointsThatAPersonHasSet) {
+  put("");
+  Record("grades").put(
+      {.name = "alice", .exercises = {{.id = "H2", .status = Status::broke_rules, .max_points = 8}}});
+  expect_next("hairgrade review", "broke the rules: 1");
+  EXPECT_EQ(run_hairgrade({"set", "alice", "H2", "2", "--why", "by hand"}).code, 0);
+  expect_next("hairgrade gradebook canvas", "1 hand-in: graded, and in no gradebook yet");
+}
+
 TEST_F(CourseFolder, KnowsSeveralHandInsByTheirDownloads) {
   write("course.json", R"({"exercises": {}, "hand_ins": {
     "week 1": {"exercises": ["S1"], "due": "2027-03-02 23:59"},  // comments may stand here

@@ -1,5 +1,6 @@
 // STAFF ONLY. Tests grading on a cluster from outside. Programs with the names of Slurm's run each task at
 // once, but for the last job; grader/tests/slurm/test has a real cluster.
+#include "grader/record/record.h"
 #include "grader/tests/in_a_folder.h"
 
 namespace grader {
@@ -49,9 +50,20 @@ class OnACluster : public InAFolder {
   ProgramRun hairgrade(const std::vector<string>& words) const {
     return run_hairgrade(words, {}, "PATH=" + path("bin") + ":$PATH");
   }
-  ProgramRun send() const {
-    return hairgrade({"grade", path("class"), "--class", "--out", path("grades"), "--secret", path("secret"),
-                      "--course", path("course.json"), "--no-images", "--slurm", "--per-task", "2"});
+  ProgramRun send(const std::vector<string>& more = {}) const {
+    std::vector<string> words = {
+        "grade",    path("class"),       "--class",     "--out",   path("grades"), "--secret", path("secret"),
+        "--course", path("course.json"), "--no-images", "--slurm", "--per-task",   "2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return hairgrade(words);
+  }
+  // All results but the first are lost.
+  void lose_results() const {
+    std::vector<fs::path> lost;
+    for (const auto& entry : fs::recursive_directory_iterator(path("grades")))
+      if (entry.path().parent_path().filename() == "results" && entry.path().filename() != "0")
+        lost.push_back(entry.path());
+    for (const fs::path& one : lost) fs::remove(one);
   }
   std::map<string, string> timeless() const {
     std::map<string, string> files = files_in(path("grades"));
@@ -74,9 +86,10 @@ TEST_F(OnACluster, IsGradedAsOnOneMachineAndSentAgainIfTasksAreLost) {
   expect_refused(sent, "none of its hand-ins are on a cluster");
   ASSERT_EQ(send().code, 0);
   EXPECT_TRUE(says(send().errors, "are on a cluster; hairgrade collect"));
-  for (const auto& entry : fs::recursive_directory_iterator(path("grades")))
-    if (entry.path().parent_path().filename() == "results" && entry.path().filename() != "0")
-      fs::remove(entry.path());
+  lose_results();
+  program("squeue", "#!/bin/sh\nexit 1\n");
+  expect_refused(hairgrade({"collect", path("grades")}), "squeue does not answer");
+  program("squeue", "#!/bin/sh\n");
   write("bin/broken", "");
   const ProgramRun lost = hairgrade({"collect", path("grades")});
   EXPECT_EQ(lost.code, 3) << lost.errors;
@@ -89,6 +102,33 @@ TEST_F(OnACluster, IsGradedAsOnOneMachineAndSentAgainIfTasksAreLost) {
   const ProgramRun all = hairgrade({"collect", path("grades")});
   EXPECT_EQ(all.code, 0) << all.errors;
   EXPECT_EQ(timeless(), here);
+
+  const ProgramRun same = send({"--resume"});
+  EXPECT_EQ(same.code, 0) << same.errors;
+  EXPECT_TRUE(says(same.output, "0 graded, 3 kept from before"));
+}
+
+TEST_F(OnACluster, SaysAtOnceWhatTheTablesDontMatch) {
+  write("people.csv", "name,login\nAda,ada\nBen,ben\nEve,eve\n");
+  write("times.csv", "login,time\nzoe,2027-03-01 10:00\n");
+  const ProgramRun sent = send({"--roster", path("people.csv"), "--times", path("times.csv")});
+  EXPECT_TRUE(says(sent.errors, "zoe")) << sent.errors;
+}
+
+TEST_F(OnACluster, LogsAResultOnceThoughItIsCollectedTwice) {
+  ASSERT_EQ(send({"--exercise", "S1"}).code, 0);
+  lose_results();
+  write("bin/broken", "");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(hairgrade({"collect", path("grades")}).code, 3);
+  EXPECT_EQ(std::ranges::count(Record(path("grades")).log("ada"), "graded", &LogEntry::did), 1);
+}
+
+TEST_F(OnACluster, NamesCollectWhereSlurmTakesNoMore) {
+  program("sbatch", string(kSbatch).insert(string(kSbatch).find("for word"),
+                                           "[[ $* != *--dependency=* ]] || exit 1\n"));
+  expect_refused(send(), "hairgrade collect");
+  program("sbatch", kSbatch);
+  EXPECT_EQ(hairgrade({"collect", path("grades")}).code, 0);
 }
 
 }  // namespace

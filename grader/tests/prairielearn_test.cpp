@@ -14,8 +14,9 @@ using tests::says;
 class PrairieLearn : public InAFolder {
  protected:
   PrairieLearn() : InAFolder(course_of({"S1"})) {
-    const ProgramRun packed = run_hairgrade({"package", "prairielearn", "--out", questions_, "--course",
-                                             path("course.json"), "--secret", path("secret")});
+    const ProgramRun packed =
+        run_hairgrade({"package", "prairielearn", "--out", questions_, "--course", path("course.json"),
+                       "--secret", path("secret"), "--image", "one"});
     EXPECT_EQ(packed.code, 0) << packed.errors;
   }
 

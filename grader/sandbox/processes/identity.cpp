@@ -102,7 +102,7 @@ void share_with_sandbox(const std::filesystem::path& folder, bool writable) {
         folder.string() + ": can't be given to the user " + std::to_string(identity.user) +
         ", who runs student code (" + std::generic_category().message(errno) +
         "); give root the right to change owners (CAP_CHOWN), or run hairgrade as an ordinary user");
-  if (chmod(folder.c_str(), 0750) != 0)
+  if (chmod(folder.c_str(), identity.changes ? 0750 : 0700) != 0)
     throw std::system_error(errno, std::generic_category(), "chmod " + folder.string());
 }
 

@@ -26,6 +26,7 @@ int forget(const OfARecord& options) {
     hand_ins.front()->forget(options.name);
     for (const std::unique_ptr<Record>& one : hand_ins) remove_reports(one->pages(), options.name);
   }
+  SharedPlan::clear(options.folder);
   for (const std::unique_ptr<Record>& one : hand_ins) write_class_files(options.folder, *one);
   hand_ins.front()->shred();
   std::cout

@@ -59,8 +59,28 @@ void check_zone(const HandInRules& rules, const std::vector<Submission>& submiss
                      "\"Europe/Berlin\"");
 }
 
+// Reports what the tables of people and times don't match, and what others can read.
+void say_given(const GradeOptions& options, const Plan& plan, Record& record,
+               const std::optional<Times>& times, const std::string& open_to_others) {
+  const NamesForPeople people = record.names_for_people();
+  const std::optional<HiddenNames> hidden = record.hidden_names();
+  const auto say = [&](const std::string& line) {
+    std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
+  };
+  if (options.batch.roster)
+    for (const std::string& line : options.batch.roster->said()) say(line);
+  if (times) {
+    for (const std::string& line : times->said()) say(line);
+    for (const Submission& one : plan.submissions)
+      if (const std::string kept = record.handed_in(one.name); one.handed_in.empty() && read_time(kept))
+        std::cerr << "hairgrade: " << called(one.name, people) << ": has no time in "
+                  << printable(options.times->string(), 4096) << ", and keeps " << kept << "\n";
+  }
+  if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
+}
+
 // Lists missing people, people on no roster, and unusual matches. False if a person must look.
-bool say_people(Record& record, const std::optional<Roster>& roster) {
+bool say_people(Record& record) {
   const std::optional<ClassList> list = record.class_list();
   if (!list) return true;
   const std::optional<HiddenNames> hidden = record.hidden_names();
@@ -69,8 +89,6 @@ bool say_people(Record& record, const std::optional<Roster>& roster) {
   };
   const std::size_t absent = list->absent().size();
   std::cout << "roster: " << list->rows.size() - absent << " of " << list->rows.size() << " handed in\n";
-  if (roster)
-    for (const std::string& line : roster->said()) say(line);
   for (const std::string& line : list->said) say(line);
   for (const ClassList::Stranger& stranger : list->strangers)
     say(stranger.hand_in + ": is on no roster (" + stranger.why + "), and graded all the same");
@@ -141,23 +159,23 @@ int grade(GradeOptions options) {
   batch_settings.rules = rules;
   batch_settings.merge = options.settings.exercise.has_value();
   enter_plan(plan, batch_settings, record);
-  if (options.slurm.asked) {
-    hand_over(options, plan, settings, record);
-    for (const auto* lines : {&plan.remarks, &plan.notices})
-      for (const std::string& line : *lines) std::cerr << "hairgrade: " << line << "\n";
-    return plan.notices.empty() ? 0 : 3;
-  }
+  say_given(options, plan, record, times, open_to_others);
+  if (options.slurm.asked)
+    if (const std::optional<int> code = hand_over(options, plan, settings, record, interrupted)) {
+      for (const auto* lines : {&plan.remarks, &plan.notices})
+        for (const std::string& line : *lines) std::cerr << "hairgrade: " << line << "\n";
+      return *code == 0 && !plan.notices.empty() ? 3 : *code;
+    }
   const Grading grading(std::move(settings));
   const Batch batch = grade_batch(grader_here(grading), plan, batch_settings, record, interrupted);
-  return say_graded(grading.isolation(), options, plan, batch, record, times, open_to_others);
+  return say_graded(grading.isolation(), options, plan, batch, record);
 }
 
 }  // namespace
 
 int say_graded(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
-               Record& record, const std::optional<Times>& times, const std::string& open_to_others) {
+               Record& record) {
   const NamesForPeople people = record.names_for_people();
-  const std::optional<HiddenNames> hidden = record.hidden_names();
   if (options.junit && !batch.staged) write_file(record.pages() / "junit.xml", junit_xml(batch.results));
   if (!batch.staged) print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
@@ -169,15 +187,7 @@ int say_graded(Isolation isolation, const GradeOptions& options, const Plan& pla
   if (options.batch.regrade && !batch.staged) say_changes(record);
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-  const bool people_are_clear = say_people(record, options.batch.roster);
-  if (times) {
-    for (const std::string& line : times->said())
-      std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
-    for (const Submission& one : plan.submissions)
-      if (const std::string kept = record.handed_in(one.name); one.handed_in.empty() && read_time(kept))
-        std::cerr << "hairgrade: " << called(one.name, people) << ": has no time in "
-                  << printable(options.times->string(), 4096) << ", and keeps " << kept << "\n";
-  }
+  const bool people_are_clear = say_people(record);
   for (const std::string& remark : batch.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& remark : plan.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : plan.notices) std::cerr << "hairgrade: " << notice << "\n";
@@ -199,7 +209,6 @@ int say_graded(Isolation isolation, const GradeOptions& options, const Plan& pla
     std::cerr << "hairgrade: the results before stay, for not all are graded anew"
               << (batch.ungraded.empty() ? "" : ": " + some_of(batch.ungraded))
               << "; grade these, too, with --regrade\n";
-  if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
     if (!batch.problems.empty()) return 1;
     return not_final.empty() && !batch.staged && plan.notices.empty() && batch.conflicts.empty() &&

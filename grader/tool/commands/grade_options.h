@@ -32,13 +32,12 @@ struct GradeOptions {
 
 // Prints results and all that a person must look at. Returns hairgrade's exit code.
 int say_graded(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
-               Record& record, const std::optional<Times>& times = {},
-               const std::string& open_to_others = {});
-
-// Writes the plan for a cluster, tries one node, and sends tasks. Throws BadInput, and leaves nothing, if the
-// node lacks a part.
-void hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings,
                Record& record);
+
+// Writes the plan for a cluster, tries one node, and sends tasks. Returns hairgrade's exit code; nothing if
+// all results stay. Throws BadInput, and leaves nothing, if the node lacks a part.
+std::optional<int> hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings,
+                             Record& record, const std::atomic<bool>& interrupted);
 
 // Does a step: "first" and "share" on a node, "collect" and "last" where the record is.
 int do_step(GradeOptions options);

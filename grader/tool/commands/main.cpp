@@ -95,7 +95,7 @@ int main(int argc, char* argv[]) {
   // Other commands start no student code, and keep the limits of their starter. With --slurm, Slurm's
   // programs need its environment.
   if (const std::string_view command = argc > 1 ? argv[1] : "";
-      command == "gradescope" ||
+      command == "gradescope" || command == "prairielearn" ||
       (command == "grade" && std::count(argv, argv + argc, std::string_view("--slurm")) == 0))
     set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));

@@ -109,12 +109,22 @@ std::optional<Step> give_back(Record& record, const std::string& due, const std:
   return {};
 }
 
+// Is true if a person has set the points that the item is about, at a shell.
+bool has_points(Record& record, const Item& item) {
+  return item.kind < ItemKind::conflict && std::ranges::all_of(item.people, [&](const std::string& name) {
+           return std::ranges::any_of(record.decisions(name), [&](const Decision& one) {
+             return one.kind == DecisionKind::points && (one.place.empty() || one.place == item.exercise);
+           });
+         });
+}
+
 // Counts what the desk has for a person to decide before points are told: from what could not be taken to
 // requests.
 std::string undecided(Record& record) {
   std::map<ItemKind, std::size_t> waiting;
   for (const Item& item : ItemList(record, "next").items())
-    if (item.kind <= ItemKind::request && !item.is_decided()) ++waiting[item.kind];
+    if (item.kind <= ItemKind::request && !item.is_decided() && !has_points(record, item))
+      ++waiting[item.kind];
   std::string all;
   for (const auto& [kind, count] : waiting)
     all += (all.empty() ? "" : ", ") + heading_of(kind) + ": " + std::to_string(count);

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr double kSecondsOfATask = 600;
 constexpr double kSpare = 3;  // a hand-in takes this many times a right one's time, on average
-constexpr const char* kLog = ".collect.log";
+constexpr std::size_t kFewestMinutes = 30, kMergedInAMinute = 50;  // give the last job ten times its time
 
 double now() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -45,14 +45,19 @@ class Sender {
   Sender(const SharedPlan& plan, const GradeOptions& options)
       : plan_(plan), facts_(plan.get<PlanFacts>("plan")), options_(options) {}
 
-  // Throws BadInput with the node and the part that it lacks.
-  void try_a_node() const {
+  // Throws BadInput with the node and the part that it lacks. False: interrupted.
+  bool try_a_node(const std::atomic<bool>& interrupted) const {
     std::cout << "a first task asks a node for all that grading needs, and times the reference\n"
               << std::flush;
     const fs::path log = plan_ / "logs/first";
-    const SentJob job = sbatch({"--wait", "--output=" + log.string(), "--chdir=" + facts_.folder.string()},
-                               options_.slurm.sbatch, command(true, "first"));
-    if (!job.failed && plan_.has("first")) return;
+    const SentJob job =
+        sbatch({"--wait", "--time=30", "--output=" + log.string(), "--chdir=" + facts_.folder.string()},
+               options_.slurm.sbatch, command(true, "first"));
+    if (interrupted) {
+      scancel(job.number);
+      return false;
+    }
+    if (!job.failed && plan_.has("first")) return true;
     const TaskState state = tasks_of(job.number)[0];
     const std::string why = last_line(log);
     throw BadInput("the first task ended on " + (state.node.empty() ? "a node" : state.node) + " (" +
@@ -70,7 +75,7 @@ class Sender {
     // A task that is sent again has its first hand-in's whole budget, so that each round gets on.
     const double most = kSpare * static_cast<double>(per_task) * seconds + budget.worker_cpu_seconds +
                         budget.compiler_cpu_seconds + budget.suite_cpu_seconds + budget.idle_seconds;
-    const std::string time = "--time=" + std::to_string(std::lround(std::ceil(most / 60))),
+    const std::string minutes = std::to_string(std::lround(std::ceil(most / 60))), time = "--time=" + minutes,
                       folder = "--chdir=" + facts_.folder.string();
     const std::size_t most_tasks = max_array_size();
     std::string jobs;
@@ -86,22 +91,32 @@ class Sender {
       std::vector<std::string> words = {"--array=0-" + std::to_string(array.hand_ins.size() - 1), time,
                                         folder, "--output=" + log + "-%a"};
       if (!array.without.empty()) words.push_back("--exclude=" + array.without);
-      array.job = sbatch(words, options_.slurm.sbatch,
-                         command(true, "share", std::to_string(number) + " \"$SLURM_ARRAY_TASK_ID\""))
-                      .number;
+      array.job = sent(words, command(true, "share", std::to_string(number) + " \"$SLURM_ARRAY_TASK_ID\""));
       plan_.put(numbered("arrays", number), array);
       jobs += ":" + array.job;
       tasks += array.hand_ins.size();
     }
-    const SentJob last = sbatch({"--dependency=afterany" + jobs, "--time=120", folder,
-                                 "--output=" + (fs::absolute(options_.batch.out) / kLog).string()},
-                                options_.slurm.sbatch, command(false, "last"));
-    std::cout << hand_ins.size() << " hand-ins in " << tasks << " tasks of " << per_task << ", jobs "
-              << jobs.substr(1) << "; " << last.number << " collects them, and writes "
-              << (options_.batch.out / kLog).string() << "\n";
+    const std::string last =
+        sent({"--dependency=afterany" + jobs,
+              "--time=" + std::to_string(kFewestMinutes + facts_.hand_ins / kMergedInAMinute), folder,
+              "--output=" + (fs::absolute(options_.batch.out) / kCollectLog).string()},
+             command(false, "last"));
+    std::cout << hand_ins.size() << " hand-ins in " << tasks << " tasks of " << per_task << ", each at most "
+              << minutes << " minutes, jobs " << jobs.substr(1) << "; " << last
+              << " collects them, and writes " << (options_.batch.out / kCollectLog).string() << "\n";
   }
 
  private:
+  // Jobs that were sent before go on.
+  std::string sent(const std::vector<std::string>& words, const std::string& line) const {
+    try {
+      return sbatch(words, options_.slurm.sbatch, line).number;
+    } catch (const BadInput& refused) {
+      throw BadInput(std::string(refused.what()) + "; once it does, hairgrade collect " +
+                     shell_word(options_.batch.out.string()) + " takes what is graded, and sends the rest");
+    }
+  }
+
   // Returns the line of a shell that does a step. The machine that collects may send again, and needs the
   // environment that Slurm's programs have.
   std::string command(bool on_node, const std::string& step, const std::string& numbers = "") const {
@@ -154,9 +169,8 @@ std::vector<std::size_t> say_missing(const SharedPlan& plan, const std::vector<s
 
 }  // namespace
 
-void hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings,
-               Record& record) {
-  const SharedPlan shared = SharedPlan::make(options.batch.out);
+std::optional<int> hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings,
+                             Record& record, const std::atomic<bool>& interrupted) {
   PlanFacts facts{.words = own_words(),
                   .folder = fs::current_path(),
                   .made_by = to_json(made_by(settings)),
@@ -177,6 +191,8 @@ void hand_over(const GradeOptions& options, const Plan& plan, const GradingSetti
         (options.settings.study && !earlier->result.studied))
       facts.asked.push_back(i);
   }
+  if (facts.asked.empty()) return {};
+  const SharedPlan shared = SharedPlan::make(options.batch.out);
   try {
     if (options.settings.course) fs::copy_file(*options.settings.course, shared / "course.json");
     keep_secret(settings.secret, shared / "secret");
@@ -184,13 +200,17 @@ void hand_over(const GradeOptions& options, const Plan& plan, const GradingSetti
       shared.put(numbered("hand-ins", i), plan.submissions[i]);
     shared.put("plan", facts);
     record.set_listed(plan.listed);
-    Sender(shared, options).try_a_node();
+    if (!Sender(shared, options).try_a_node(interrupted)) {
+      std::cerr << "hairgrade: interrupted; nothing was sent\n";
+      shared.remove();
+      return kInterrupted;
+    }
   } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(shared / "", ignored);
+    shared.remove();
     throw;
   }
   Sender(shared, options).send(facts.asked);
+  return 0;
 }
 
 int collect(GradeOptions options) {
@@ -213,19 +233,23 @@ int collect(GradeOptions options) {
 
   Plan plan{.submissions = {}, .only = facts.only, .listed = record.listed()};
   std::map<std::string, std::size_t> numbers;
+  Collected collected;
   for (std::size_t i = 0; i < facts.hand_ins; ++i)
     plan.submissions.push_back(shared.get<Submission>(numbered("hand-ins", i)));
   std::vector<std::size_t> missing;
   for (const std::size_t i : facts.asked) {
     numbers[plan.submissions[i].name] = i;
-    if (!shared.has(numbered("results", i))) missing.push_back(i);
+    (shared.has(numbered("results", i)) ? collected.hand_ins : missing).push_back(i);
   }
+  const std::vector<std::size_t> before =
+      shared.has("collected") ? shared.get<Collected>("collected").hand_ins : std::vector<std::size_t>();
   TimingByExercise reference;
   if (shared.has("first")) reference = shared.get<FirstTask>("first").reference;
   const auto fingerprint = [&](const Submission& one) {
     const auto number = numbers.find(one.name);
-    return number == numbers.end() ? record.find(one.name).value().result.fingerprint
-                                   : shared.fingerprint(number->second);
+    return number == numbers.end() || std::ranges::count(before, number->second) > 0
+               ? record.find(one.name).value().result.fingerprint
+               : shared.fingerprint(number->second);
   };
   const Grader grader{course,
                       reference,
@@ -238,9 +262,10 @@ int collect(GradeOptions options) {
   const int code = say_graded(made_by->isolation, options, plan, batch, record);
   if (interrupted) return kInterrupted;
   if (missing.empty()) {
-    fs::remove_all(shared / "");
+    shared.remove();
     return code;
   }
+  shared.put("collected", collected);
   const std::vector<std::size_t> nobody = say_missing(shared, missing);
   if (nobody.empty()) return 3;
   // A person may have mended nodes. The last job sends again only if it leaves out one more node: it can't go
@@ -254,7 +279,7 @@ int collect(GradeOptions options) {
     return 3;
   }
   const Sender sender(shared, options);
-  if (!shared.has("first")) sender.try_a_node();
+  if (!shared.has("first") && !sender.try_a_node(interrupted)) return kInterrupted;
   sender.send(nobody);
   return 3;
 }

@@ -1,7 +1,9 @@
 // STAFF ONLY. A task of `hairgrade grade --slurm`: asks its node for all that grading needs, and grades its
 // share of the plan. It opens no record.
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
@@ -18,10 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct NodeLacks : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct Node {
   std::unique_ptr<Grading> grading;
   std::string common;  // FirstTask's
   double seconds = 0;
+  std::function<void()> try_again;  // throws NodeLacks
 };
 
 // Grades the reference's files as a hand-in: it needs compiler, sandbox, suite and pictures.
@@ -65,9 +72,17 @@ Node ready(GradeSettings options, const SharedPlan& plan, const std::string& nod
   const timing::Stopwatch grading;
   grade_reference_files(*made_ready.grading, settings, !first, node);
   made_ready.seconds = grading.seconds();
+  made_ready.try_again = [settings, node, &there = *made_ready.grading] {
+    try {
+      grade_reference_files(there, settings, false, node + " again");
+    } catch (const std::exception& lacks) {
+      throw NodeLacks(lacks.what());
+    }
+  };
   return made_ready;
 }
 
+// Throws NodeLacks if the node could not grade, and leaves that hand-in to others.
 int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std::size_t>& hand_ins) {
   const std::atomic<bool>& interrupted = note_interruptions();
   std::vector<std::pair<std::size_t, Graded>> ended_by_the_clock;
@@ -77,6 +92,7 @@ int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std:
     std::cerr << "hairgrade: began " << number << ", " << submission.name << "\n";
     Graded graded = node.grading->grade(submission);
     if (interrupted) return kInterrupted;
+    if (!graded.problems.empty()) node.try_again();
     if (graded.result.ended_by_the_clock.empty())
       plan.put_result(number, node.grading->fingerprint(submission), graded);
     else
@@ -86,6 +102,7 @@ int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std:
     const Submission submission = plan.get<Submission>(numbered("hand-ins", number));
     node.grading->grade_again(submission, graded);
     if (interrupted) return kInterrupted;
+    if (!graded.problems.empty()) node.try_again();
     plan.put_result(number, node.grading->fingerprint(submission), graded);
   }
   return 0;
@@ -111,6 +128,11 @@ int do_step(GradeOptions options) {
   const StagingFolder own;
   const fs::path cache = is_first ? plan / "cache" : own.path() / "cache";
   Node made_ready;
+  const auto refuse = [&](const std::exception& lacks) {
+    std::cerr << "hairgrade: " << node << ": " << lacks.what() << "\n";
+    if (!is_first) plan.write("refused/" + node, "");
+    return 3;
+  };
   try {
     if (!is_first) {
       fs::create_directory(cache);
@@ -123,13 +145,17 @@ int do_step(GradeOptions options) {
     settings.of_hand_in = read_hand_in(course, settings.course, options.batch.hand_in).rules.exercises;
     made_ready = ready(settings, plan, node, cache);
   } catch (const std::exception& lacks) {
-    std::cerr << "hairgrade: " << node << ": " << lacks.what() << "\n";
-    if (!is_first) plan.write("refused/" + node, "");
-    return 3;
+    return refuse(lacks);
   }
-  if (!is_first) return grade_share(made_ready, plan, hand_ins);
-  plan.put("first", FirstTask{made_ready.grading->reference(), made_ready.common, made_ready.seconds});
-  return 0;
+  if (is_first) {
+    plan.put("first", FirstTask{made_ready.grading->reference(), made_ready.common, made_ready.seconds});
+    return 0;
+  }
+  try {
+    return grade_share(made_ready, plan, hand_ins);
+  } catch (const NodeLacks& lacks) {
+    return refuse(lacks);
+  }
 }
 
 }  // namespace grader::tool

@@ -98,7 +98,8 @@ Command add_package(CLI::App& hairgrade) {
   prairielearn->add_option("--course", questions->course, "The course file: roles of the exercises");
   prairielearn->add_option("--secret", questions->secret,
                            "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
-  prairielearn->add_option("--image", questions->image, "The container's image (default: hairgrade)");
+  prairielearn->add_option("--image", questions->image, "The container's image in your private registry")
+      ->required();
   return {command, [options, questions, prairielearn] {
             return prairielearn->parsed() ? package_for_prairielearn(*questions)
                                           : package_for_gradescope(*options);
