@@ -49,7 +49,7 @@ std::string draw_h1() {
   draw(GeometricTerm::filtered, {colour(0), 2.5});
   drawing.words(plot(0.66, -0.75), "full: 1 − *l*_0/*l*", {colour(1), "start"});
   drawing.words(plot(1.3, 0.42), "filtered: never below 0", {colour(0), "end"});
-  drawing.words(plot(1.98, -0.14), "dropped: 0", {colour(7), "end"});
+  drawing.words(plot(1.98, -0.14), "dropped: 0 everywhere", {colour(7), "end"});
   drawing.words(plot(0.98, -1.2), "below 0 a step's matrix", {kText, "end", 13});
   drawing.words(plot(0.98, -1.36), "may be indefinite", {kText, "end", 13});
   draw_spring(drawing, plot(0.55, 0)[0], 0.55, "pushes on: it buckles");

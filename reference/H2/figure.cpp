@@ -83,8 +83,9 @@ std::string draw_h2() {
   Drawing drawing("H2", 400, "Which forces unbend a joint, and when is an implicit step in danger?",
                   "A joint with three forces; its stiffness out of the plane, below 0, against the angle.");
   draw_joint(drawing);
-  const Plot plot = drawing.plot({420, 60, 270, 280}, {"angle *φ* of each joint, degrees", false, 0, 90},
-                                 {"stiffness out of the plane, × *l*^3/*EI*", false, -1.6, 0.2}, 5, 5);
+  const Plot plot =
+      drawing.plot({420, 60, 270, 280}, {"angle *φ* of each joint, degrees", false, 0, 90},
+                   {"out of the plane: −*φ* tan(*φ*/2), in *EI*/*l*^3", false, -1.6, 0.2}, 5, 5);
   constexpr double kDegree = M_PI / 180;
   drawing.line(
       sampled(1, 90, 60, [&](double angle) { return plot(angle, stiffness_out_of_plane(angle * kDegree)); }),

@@ -58,8 +58,10 @@ std::string draw_h6() {
   };
 
   const VectorXd start = state.x;
+  Panel first(drawing, 1, "filter", "*v^{n+½}*", start);
+  first.arrow(start, kTime * state.v, 6, "3 3");
   filter();
-  Panel(drawing, 1, "filter", "*v^{n+½}*", start).arrow(start, kTime * state.v, 0);
+  first.arrow(start, kTime * state.v, 0);
   const VectorXd predicted = state.x += kTime * state.v;
   Panel(drawing, 2, "advance", "*x* + *h v^{n+½}*", predicted, start).arrow(start, kTime * state.v, 0);
   hair::correct_lengths(strand, hair::kLengthTolerance, hair::kMostCorrections, state.x, scratch);
@@ -73,7 +75,8 @@ std::string draw_h6() {
   last.arrow(state.x, kTime * state.v, 6, "3 3");
   filter();
   last.arrow(state.x, kTime * state.v, 0);
-  drawing.words({576, 268}, "dotted: in 4 the whole way, in 5 the velocity before", {kQuiet, "middle", 14});
+  drawing.words({360, 268}, "dotted: in 1 and 5 the velocity before, in 4 the way of the step",
+                {kQuiet, "middle", 14});
   return drawing.svg();
 }
 

@@ -16,7 +16,7 @@ std::string draw_h7() {
   link.r = joint + link.d;
   std::vector<hair::LinkPass> passes(2);
   passes[0].v = {Vector3d(0.55, 0.45, 0), Vector3d(0, 0, -0.15)};
-  hair::outward_velocities({base, link}, VectorXd::Constant(1, -0.75), passes);
+  hair::outward_velocities({base, link}, VectorXd::Constant(1, 0.6), passes);
   const hair::SpatialMotion& v = passes[1].v;
   const Vector3d centre = link.r, carried = centre + passes[0].v.angular, turning = centre + v.angular;
 

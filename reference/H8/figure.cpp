@@ -5,9 +5,9 @@
 namespace figures {
 
 std::string draw_h8() {
-  Drawing drawing("H8", 350, "How does an element move when one of its three numbers grows by a tenth?",
+  Drawing drawing("H8", 350, "How does an element move when one of its three numbers grows by 30 %?",
                   "An element with three frames; the same with each number grown, and the Jacobian's arrow.");
-  const Vector3d curvature(4, 1.5, 5);  // 1/m, of an element of 1 m
+  const Vector3d curvature(4, 2.5, 5);  // 1/m, of an element of 1 m
   const hair::MaterialFrame start = {{0, 0, 0}, Eigen::AngleAxisd(-M_PI / 2, Vector3d::UnitX()).matrix()};
   View view = {{70, 320}, 310, {0, 0, 0}, {0.9, 0, 0.43}, {0.1, 0.97, -0.2}};
   const auto draw = [&](const Vector3d& its, const Pen& pen) {
@@ -24,16 +24,16 @@ std::string draw_h8() {
   }
   const hair::HelixJacobian jacobian = hair::jacobian_at(start, curvature, 1);
   view.unit = 290;
-  for (const auto& [k, name] : {std::pair(0, "*κ*_1 + 10 %"), {1, "*κ*_2 + 10 %"}, {2, "*τ* + 10 %"}}) {
+  for (const auto& [k, name] : {std::pair(0, "*κ*_1 + 30 %"), {1, "*κ*_2 + 30 %"}, {2, "*τ* + 30 %"}}) {
     view.middle = {290 + 142.0 * k, 290};
-    const Vector3d more = 0.1 * curvature[k] * Vector3d::Unit(k);
+    const Vector3d more = 0.3 * curvature[k] * Vector3d::Unit(k);
     draw(curvature, {kMiddle, 5, "none", 0.5});
     draw(curvature + more, {colour(7), 3});
     const Vector3d end = hair::frame_at(start, curvature, 1).position;
-    drawing.arrow(view(end), view(end + jacobian.moves * more), {colour(1), 3});
+    drawing.arrow(view(end), view(end + jacobian.moves * more), {kText, 2});
     drawing.words(view.middle + Spot(25, 40), name, {colour(7), "middle", 17});
   }
-  drawing.words({470, 30}, "→ as the Jacobian says", {colour(1)});
+  drawing.words({470, 30}, "→ as the Jacobian says", {kText});
   return drawing.svg();
 }
 

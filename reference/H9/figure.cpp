@@ -25,7 +25,7 @@ void draw_strength(Drawing& drawing) {
     drawing.arrow(way[38], way[44], {colour(look), 3});
   };
   pull(0, 1, 0, 0);
-  pull(1, 0.1, 7, 1);
+  pull(1, 0.1, 3, 1);
   pull(0.1, 1.9, 0, 2);
   drawing.words(plot(0.25, 1.07), "1 pull", {colour(0)});
   drawing.words(plot(0.5, 0.6), "2 let go", {colour(1)});

@@ -31,7 +31,7 @@ std::string draw_p1() {
     drawing.words({middle, 208}, motion.method, {hue, "middle", 16, "bold"});
     drawing.words({middle, 230}, "energy × " + hair::to_text(motion.states.back().energy()));
   }
-  drawing.words({360, 262}, "after 100 steps", {kQuiet});
+  drawing.words({360, 262}, "after 100 steps of 0.3 s; forward Euler goes on outside", {kQuiet});
   drawing.words({190, 94}, "angle", {kQuiet, "end", 13});
   drawing.words({96, 26}, "rate", {kQuiet, "start", 13});
   return drawing.svg();

@@ -72,7 +72,7 @@ std::string draw_p2() {
   drawing.curve(plot, errors(0), {colour(1), 2.5});
   drawing.curve(plot, errors(400), {colour(0), 2.5});
   drawing.words(plot(5, 1e-6), "without feedback: errors add up", {colour(1)});
-  drawing.words(plot(5, 1e-13), "with feedback: they die away", {colour(0)});
+  drawing.words(plot(5, 1e-13), "with feedback: they stay small", {colour(0)});
   return drawing.svg();
 }
 
