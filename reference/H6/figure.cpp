@@ -48,7 +48,7 @@ std::string draw_h6() {
   force.emplace<particles::Gravity>(strand.mass, Vector3d(0, -particles::kEarthGravity, 0));
   particles::State state{VectorXd::Zero(6), VectorXd::Zero(6)};
   state.x.tail<3>() << std::sin(-0.48), -std::cos(0.48), 0;
-  state.v.tail<3>() = Vector3d(0, 0, 5.2).cross(Vector3d(state.x.tail<3>()));
+  state.v.tail<3>() = Vector3d(0, 0, 5.2).cross(Vector3d(state.x.tail<3>())) + 1.5 * state.x.tail<3>();
   Eigen::MatrixXd scratch(6, particles::kImplicitScratch + hair::kCorrectionScratch);
   const auto filter = [&] {
     VectorXd dv(6);
