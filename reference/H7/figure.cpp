@@ -30,7 +30,7 @@ std::string draw_h7() {
   drawing.arrow(view(joint - 0.35 * link.u), view(joint + 0.62 * link.u), {kText, 3}, "*u*", {-16, 0});
   drawing.arrow(view(parent), view(passes[0].v.angular), {colour(7), 3}, "*ω* of the parent", {0, -12});
   drawing.arrow(view(centre), view(carried), {colour(7), 2, "5 4"});
-  drawing.arrow(view(carried), view(turning), {kText, 2, "5 4"}, "*q̇ u*, *q̇* < 0", {64, -94});
+  drawing.arrow(view(carried), view(turning), {kText, 2, "5 4"}, "*q̇ u*, *q̇* < 0", {0, -152});
   drawing.arrow(view(centre), view(turning), {colour(7), 3.5}, "*ω*", {18, 8});
   drawing.arrow(view(centre), view(centre + 1.7 * v.linear), {colour(1), 3.5}, "*v*", {-14, 4});
   drawing.ring(view(joint), 11, {kText, 3});

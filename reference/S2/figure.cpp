@@ -16,7 +16,7 @@ std::string draw_s2() {
     const solver::study::DigitsLost lost =
         solver::study::digits_lost(solve_normal_equations, condition, 9, 40000);
     errors[0].emplace_back(condition, lost.qr);
-    if (condition < 1e8) errors[1].emplace_back(condition, lost.cholesky);
+    if (std::isfinite(lost.cholesky)) errors[1].emplace_back(condition, lost.cholesky);
     if (!lost.stopped) errors[2].emplace_back(condition, lost.conj_grad);
   }
   drawing.words(plot(3e7, 1.5e-8), "slope 1", {kQuiet, "end"});
