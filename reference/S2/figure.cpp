@@ -35,7 +35,7 @@ std::string draw_s2() {
   }
   drawing.words(plot(4e7, 4e-12), "QR of *A*", {colour(2), "start"});
   drawing.words(plot(8e6, 2e-6), "Cholesky of *A*^T*A*;", {colour(1), "start"});
-  drawing.words(plot(8e6, 2e-6) + Spot(0, 20), "no factor beyond 10^8", {colour(1), "start"});
+  drawing.words(plot(8e6, 2e-6) + Spot(0, 20), "no factor at 10^9", {colour(1), "start"});
   drawing.words(plot(2e3, 1e-8), "ConjGrad on *A*^T*A*;", {colour(0), "end"});
   drawing.words(plot(2e3, 1e-8) + Spot(0, 20), "no end beyond 10^6", {colour(0), "end"});
   return drawing.svg();
