@@ -17,7 +17,7 @@
 #include "hair/truth/cvode.h"
 #include "hair/truth/space_error.h"
 #include "hair/truth/strand_ode.h"
-#include "problems.h"
+#include "hair/truth/test_problems.h"
 
 namespace reference_tests {
 namespace {

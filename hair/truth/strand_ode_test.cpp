@@ -9,7 +9,7 @@
 #include "hair/strand/variation.h"
 #include "hair/truth/rigid_strand_ode.h"
 #include "hair/truth/strand_ode.h"
-#include "problems.h"
+#include "hair/truth/test_problems.h"
 
 namespace reference_tests {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "hair/lab/study/observed_order.h"
 #include "hair/lab/study/study_record.h"
+#include "hair/lab/study/test_studies.h"
 #include "hair/lab/study/written_down.h"
-#include "studies.h"
 
 namespace reference_tests {
 namespace {

@@ -1,5 +1,5 @@
 // STAFF ONLY. Makes soft problems and their studies.
-#include "studies.h"
+#include "hair/lab/study/test_studies.h"
 
 #include <algorithm>
 #include <sstream>

@@ -6,8 +6,8 @@
 
 #include "hair/lab/study/observed_order.h"
 #include "hair/lab/study/study_record.h"
+#include "hair/lab/study/test_studies.h"
 #include "particles/explicit_integrators.h"
-#include "studies.h"
 
 namespace particles {
 
