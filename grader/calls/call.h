@@ -33,7 +33,7 @@ struct Contract {
   bool may_share = false;        // its Output may be one of its Inputs
 };
 
-// Is a matrix of the client's, for a contract with plain pointers.
+// This is a matrix of the client's, for a contract with plain pointers.
 struct Operator {
   int rows, cols;
   implicitMatrix* matrix;
@@ -109,7 +109,7 @@ struct Call {
   using Signature = grader::Signature<decltype(function_)>;
 };
 
-// Is a type for each function: UBSan's compilers do not compare functions before they are linked.
+// This is a type for each function: UBSan's compilers do not compare functions before they are linked.
 template <auto function>
 struct Named;
 

@@ -27,7 +27,7 @@ struct Served {
   Products products;
 };
 
-// Is scratch with the contract's columns and some more, all filled with one number.
+// This is scratch with the contract's columns and some more, all filled with one number.
 struct Filling {
   int more_columns = 0;
   double number = std::numeric_limits<double>::quiet_NaN();
@@ -165,7 +165,7 @@ class Sender {
   Eigen::Index size_;
 };
 
-// Is the returned value of a parameter of type P; void if there is none.
+// This is the returned value of a parameter of type P; void if there is none.
 template <class P>
 inline constexpr bool kIsAsked =
     std::is_same_v<P, particles::Dynamics&> || std::is_same_v<P, implicitMatrix&>;
@@ -272,9 +272,9 @@ class Client {
   }
 };
 
-// Is the matrix that a function returns: each product is a request of its own. It refers to the arguments, as
-// contracts allow. AskedMatrix keeps its own view of a vector: the caller's is gone when the function
-// returns.
+// This is the matrix that a function returns: each product is a request of its own. It refers to the
+// arguments, as contracts allow. AskedMatrix keeps its own view of a vector: the caller's is gone when the
+// function returns.
 template <class P>
 using Kept = std::conditional_t<std::is_same_v<P, particles::Input>, Eigen::Ref<const Eigen::VectorXd>, P>;
 template <class Calls, auto function, class Asker, class Parameters>

@@ -119,7 +119,7 @@ std::vector<std::byte> request(Source& source) {
   return message.bytes();
 }
 
-// Is a host whose functions return anything and change nothing.
+// This is a host whose functions return anything and change nothing.
 class Idle {
  public:
   using Vector = UnguardedVector;

@@ -18,11 +18,11 @@ class ForceServer {
   // Serves n particles; it answers `most` questions and then stops the request.
   ForceServer(const particles::Force& force, int n, int most) : force_(force), size_(3 * n), most_(most) {}
 
-  // Is a handler of Products.
+  // This is a handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
   int energies = 0, forces = 0, dfdx = 0, dfdv = 0, bands = 0;  // count questions so far
-  // Are the states of the first evaluations, and the number of products with df/dv before each.
+  // These are the states of the first evaluations, and the number of products with df/dv before each.
   std::vector<particles::State> forces_at;
   std::vector<int> products_before;
 
@@ -37,7 +37,7 @@ class DynamicsServer {
   DynamicsServer(particles::Dynamics& dynamics, int n, int most)
       : dynamics_(dynamics), size_(3 * n), most_(most) {}
 
-  // Is a handler of Products.
+  // This is a handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
     if (which != 0 || static_cast<int>(question.size()) != 2 * size_)
       throw MalformedMessage("a question that makes no sense");

@@ -31,7 +31,7 @@ class UnguardedVector {
   Eigen::Map<Eigen::VectorXd> view_;
 };
 
-// Has the members of parameters that need no others.
+// This has the members of parameters that need no others.
 struct StoredParameter {
   void prepare(Eigen::Index) {}             // runs last; gets the size of the call's vectors
   Eigen::Index size() const { return -1; }  // is the length of a vector, see size_of
@@ -39,8 +39,8 @@ struct StoredParameter {
   bool changed() const { return false; }    // true: the function wrote to an input
 };
 
-// Is a parameter P of a call: it reads the value from the request, keeps it, and has view(), the function's
-// argument. If it reads once more, the same object holds other numbers.
+// This is a parameter P of a call: it reads the value from the request, keeps it, and has view(), the
+// function's argument. If it reads once more, the same object holds other numbers.
 template <class P, class Host, Contract contract>
 class Stored : public StoredParameter {
   using T = std::remove_cvref_t<P>;
@@ -129,7 +129,7 @@ class Stored<particles::Output, Host, contract> : public StoredVector<Host> {
   Eigen::Map<Eigen::VectorXd>* input_ = nullptr;
 };
 
-// Is a matrix: scratch, or an output.
+// This is a matrix: scratch, or an output.
 template <class Host, Contract contract>
 class Stored<particles::Scratch, Host, contract> : public StoredParameter {
  public:
@@ -233,7 +233,7 @@ class Stored<Operator, Host, contract> : public StoredParameter {
   Operator operator_{};
 };
 
-// Is a request of one call.
+// This is a request of one call.
 template <class Call, class Host, class Parameters = typename Call::Signature::Parameters>
 class Request;
 template <class Call, class Host, class... P>

@@ -22,7 +22,7 @@ void write_student_files(const std::filesystem::path& folder, const Recorded& on
 std::optional<Recorded> find_shown(Record& record, const std::string& name,
                                    const std::optional<HiddenNames>& hidden);
 
-// Is the page beside the class's of what each student's last grading changed.
+// This page, beside the class's, has what each student's last grading changed.
 inline constexpr const char* kChangesPage = "changes.html";
 
 // Lists students with changes, by name.

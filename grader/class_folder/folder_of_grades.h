@@ -15,8 +15,8 @@
 
 namespace grader::inline class_folder {
 
-// Is the right to write to a folder of grades: one process at a time has it, until this object's destructor
-// or the end of the process, however it ends.
+// This is the right to write to a folder of grades: one process at a time has it, until this object's
+// destructor or the end of the process, however it ends.
 class FolderLock {
  public:
   // Waits while another process has it, and says so once on `says`. Returns nothing if `interrupted` was set

@@ -19,9 +19,9 @@ inline constexpr double kBlur = 4;  // px, sigma of the Gaussian
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
 struct PictureDistance {
-  // Is the root mean square, over pixels and channels, of the difference of the pictures blurred by kBlur:
-  // from 0 to 1, which is black against white. It uses the encoded values, 0 to 1: equal steps of them look
-  // about equally large, so that hair in the shadow counts as much as hair in the light.
+  // This is the root mean square, over pixels and channels, of the difference of the pictures blurred by
+  // kBlur: from 0 to 1, which is black against white. It uses the encoded values, 0 to 1: equal steps of them
+  // look about equally large, so that hair in the shadow counts as much as hair in the light.
   double blurred_rmse = 0;
   double flip_mean = 0, flip_max = 0;
   bool identical = false;  // byte for byte
@@ -55,8 +55,8 @@ bool is_worse(const ComparedPair& a, const ComparedPair& b);
 std::size_t count_identical(const Comparison& comparison);
 std::size_t count_compared(const Comparison& comparison);
 
-// Is for a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are counted,
-// not listed.
+// This is for a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are
+// counted, not listed.
 std::string comparison_table(const Comparison& comparison);
 
 // {"pairs": [{"name", "width", "height", "identical", "blurred_rmse", "flip_mean", "flip_max"}], worst first,

@@ -85,8 +85,8 @@ Plane color_differences(const Channels& reference, const Channels& test, double 
   return differences;
 }
 
-// Is the first or second derivative of a Gaussian, its positive weights scaled to the sum 1, its negative
-// ones to -1.
+// This is the first or second derivative of a Gaussian, its positive weights scaled to the sum 1, its
+// negative ones to -1.
 enum class Feature { edge, point };
 
 Kernel detector(Feature feature, double sigma, int radius) {
@@ -232,7 +232,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Is a exp(-b f^2): in degrees a Gaussian, a sqrt(pi / b) exp(-pi^2 x^2 / b).
+// This is a exp(-b f^2): in degrees a Gaussian, a sqrt(pi / b) exp(-pi^2 x^2 / b).
 struct Term {
   double a, b;
 };

@@ -25,7 +25,8 @@ hair::Image shrunk(const hair::Image& image, int width);
 
 using HeatColor = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// Is Matplotlib's magma, as FLIP's authors show errors: evenly from 0 to 1, interpolated in encoded values.
+// This is Matplotlib's magma, as FLIP's authors show errors: evenly from 0 to 1, interpolated in encoded
+// values.
 inline constexpr std::array<HeatColor, 9> kHeatColors{{{0, 0, 4},
                                                        {28, 16, 68},
                                                        {79, 18, 123},

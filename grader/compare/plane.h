@@ -19,7 +19,7 @@ struct Plane {
   }
 };
 
-// Has an odd number of weights, from -r to r.
+// This has an odd number of weights, from -r to r.
 using Kernel = std::vector<float>;
 
 // Returns exp(-i^2 / (2 sigma^2)) for i from -radius to radius, scaled to the sum 1. sigma in pixels, > 0.

@@ -18,8 +18,8 @@ struct Budget {
   double restarts = 75;                // counts workers that crashed or broke the rules
   double messages = 3e7;               // come from workers
   double megabytes = 11000;            // are in these messages
-  // Is wall time while workers answer: ten times the longest of an honest submission's exercises, in each
-  // share. A busy machine can use it up: then a person looks, and the submission is graded again.
+  // This is wall time while workers answer: ten times the longest of an honest submission's exercises, in
+  // each share. A busy machine can use it up: then a person looks, and the submission is graded again.
   double wall_seconds = 600;
 
   bool operator==(const Budget&) const = default;

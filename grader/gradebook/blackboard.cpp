@@ -10,7 +10,7 @@
 namespace grader::inline gradebook {
 namespace {
 
-// Is "Lab 3 [Total Pts: 10 Score] |664617". Older versions don't say how the column is shown.
+// This is "Lab 3 [Total Pts: 10 Score] |664617". Older versions don't say how the column is shown.
 struct GradeColumn {
   std::size_t place = 0;
   std::string title, number, points, shown_as;

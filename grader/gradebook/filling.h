@@ -16,7 +16,7 @@
 
 namespace grader::inline gradebook {
 
-// Is a grade for a learning system.
+// This is a grade for a learning system.
 struct Grade {
   std::string hand_in;  // is the submission's name, and its folder among the reports
   Owner owner;
@@ -28,7 +28,7 @@ struct Grade {
   std::vector<std::string> entered{};  // are cells that gradebooks got so far
 };
 
-// Is a file for a learning system.
+// This is a file for a learning system.
 struct Gradebook {
   std::string csv;
   std::vector<std::string>
@@ -40,7 +40,7 @@ struct Gradebook {
 };
 
 struct FillOptions {
-  // Is the column's title, or its number in Canvas and Blackboard; "": the only column.
+  // This is the column's title, or its number in Canvas and Blackboard; "": the only column.
   std::string column = {};
   // Scales points to the column's maximum. Without it a maximum that differs is an error.
   bool scale = false;

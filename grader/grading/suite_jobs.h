@@ -27,10 +27,10 @@ struct GradingSettings {
   bool study = false;  // error against time, compared with the reference: shown, but not scored
 };
 
-// Is the study's name in the timing, next to those of the exercises.
+// This is the study's name in the timing, next to those of the exercises.
 inline constexpr const char* kStudy = "study";
 
-// Is the file in a job's folder with its workers' output.
+// This is the file in a job's folder with its workers' output.
 inline constexpr const char* kLog = "output";
 
 class SuiteJobs {

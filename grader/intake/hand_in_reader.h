@@ -36,7 +36,7 @@ class HandInReader {
             const std::string& prefix = "", std::size_t depth = 0);
 
  private:
-  // Is a file or an archive that must be read.
+  // This is a file or an archive that must be read.
   struct Wanted {
     Draft* draft;
     std::string file;  // is the exercise file, or kAboutFile; "": an archive

@@ -17,7 +17,7 @@ namespace grader::inline intake {
 
 inline constexpr std::size_t kLongestPathShown = 4096;
 
-// Is a file or folder of the command line.
+// This is a file or folder of the command line.
 struct Argument {
   std::filesystem::path file;
   std::string origin;    // as it was given

@@ -59,12 +59,12 @@ struct Intake {
   std::vector<Submission> submissions;  // sorted by name; each has a name of its own
   // Describe each argument to staff in a line: a hand-in or a class. Of several arguments only classes.
   std::vector<std::string> taken_for;
-  // Are lines for staff that a person must look at: files that belong to nobody, archives that could not be
-  // opened, names that clash.
+  // These are lines for staff that a person must look at: files that belong to nobody, archives that could
+  // not be opened, names that clash.
   std::vector<std::string> notices;
   std::map<std::string, std::string> whose_notice = {};  // maps a notice to its submission, if it has one
-  // Are lines for staff about guessed names, files taken under other names, and students without a hand-in
-  // that counts.
+  // These are lines for staff about guessed names, files taken under other names, and students without a
+  // hand-in that counts.
   std::vector<std::string> remarks;
   std::vector<Accounted> accounted;  // each file of the input, except those in names.h
 };
@@ -93,7 +93,7 @@ struct IntakeLimits {
   std::size_t entries = 200000;                     // bounds files and folders, also those in nested archives
 };
 
-// Is thrown for input that only a person can judge: an option confirms it.
+// This is thrown for input that only a person can judge: an option confirms it.
 struct Question : BadInput {
   Question(const std::string& line, const std::string& option_that_settles_it)
       : BadInput(line + " " + option_that_settles_it), option(option_that_settles_it) {}

@@ -29,7 +29,7 @@ void for_each_returned(MessageReader reply, const Visit& visit) {
   }(std::type_identity<typename Call::Signature::Parameters>());
 }
 
-// Is a host without objects and bounds.
+// This is a host without objects and bounds.
 struct Writing {
   using Vector = UnguardedVector;
   void ask(const Question&) {}

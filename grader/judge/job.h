@@ -38,8 +38,8 @@ struct SuiteJob {
 
   std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
-  // Is the title of a category that is asked alone, to write its first failing case (reproduction.h); "": all
-  // are asked.
+  // This is the title of a category that is asked alone, to write its first failing case (reproduction.h);
+  // "": all are asked.
   std::string reproduce = {};
   std::filesystem::path exercises = {};  // is exercises.json, for `reproduce`
 

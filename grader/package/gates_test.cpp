@@ -169,7 +169,7 @@ std::string complaint(const std::string& text) {
 
 using Destinations = std::set<std::string>;
 
-// Are the files of S1.
+// These are the files of S1.
 const Destinations kExercise = {"exercises/S1/text.md", "exercises/S1/check.cpp", "solver/s.h",
                                 "stubs/s.cpp.stub"};
 

@@ -148,7 +148,7 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
 }
 
 std::string advice_for_gradescope(const Course& course, int minutes) {
-  // Are a right hand-in's CPU seconds for an exercise, and for the work before and after all of them:
+  // These are a right hand-in's CPU seconds for an exercise, and for the work before and after all of them:
   // grader/MEASURED.md, "On Gradescope".
   constexpr double kForAnExercise = 7, kBesides = 20, kProcessor = 0.5, kSlower = 1.5;
   // A hand-in that uses up each limit takes this many times the time of a right one, whatever its budget.

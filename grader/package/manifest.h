@@ -9,7 +9,7 @@
 
 namespace grader::inline package {
 
-// Is a file that ships.
+// This is a file that ships.
 struct ManifestLine {
   std::string source;       // relative to the project's root; "golden/..." comes from the build
   std::string destination;  // relative to the handout's top

@@ -36,7 +36,7 @@ struct Blob {
 };
 using Value = std::variant<std::nullptr_t, std::int64_t, double, std::string_view, Blob>;
 
-// Is a row of an answer, valid until the next one.
+// This is a row of an answer, valid until the next one.
 class DatabaseRow {
  public:
   explicit DatabaseRow(sqlite3_stmt* statement) : statement_(statement) {}

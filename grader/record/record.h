@@ -77,7 +77,7 @@ class Record {
   std::filesystem::path pages() const;        // is the folder of its pages: the record's, or one below
   std::vector<std::string> named_hand_ins();  // lists the record's, in the order of their due dates
 
-  // Is JSON of grading/made_by.h; "": nothing was graded.
+  // This is JSON of grading/made_by.h; "": nothing was graded.
   std::string made_by();
   void set_made_by(const std::string& json);
 

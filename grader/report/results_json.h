@@ -16,7 +16,7 @@ struct ResultsOptions {
   bool pictures = false;  // inside, small; the texts are complete without them
   // Marks results of the public checks, which hide nothing: students see the whole output.
   bool public_checks = false;
-  // Come from the platform; "": unknown.
+  // These come from the platform; "": unknown.
   std::string student = "", handed_in = "";
 };
 

@@ -10,7 +10,7 @@
 
 namespace grader::inline result {
 
-// Is the cost of an exercise; the only part of a result that differs from run to run. timing.json
+// This is the cost of an exercise; the only part of a result that differs from run to run. timing.json
 // needs only a row in result_fields.cpp for a new member.
 struct ExerciseTiming {
   double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache

@@ -24,7 +24,7 @@ namespace grader::inline result {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// Is a picture's text in JSON: base64, or the name of a file. `read` throws BadInput or
+// This is a picture's text in JSON: base64, or the name of a file. `read` throws BadInput or
 // std::invalid_argument.
 struct PictureText {
   std::function<std::string(const std::string& png)> write;
@@ -64,7 +64,7 @@ concept Declared = requires {
   Fields<T>::rows();
 };
 
-// Is the last value of an enum. Its values count from 0, and to_string names them.
+// This is the last value of an enum. Its values count from 0, and to_string names them.
 template <class Enum>
 inline constexpr Enum kLast = Enum{};
 

@@ -30,7 +30,7 @@ enum class Status {
   excused,     // by a person: it does not count
 };
 
-// Is the title of the category that judges the whole run and its pictures.
+// This is the title of the category that judges the whole run and its pictures.
 inline constexpr const char* kRunTitle = "The whole run";
 
 std::string to_string(Status status);     // "does not compile"
@@ -40,7 +40,7 @@ std::string sentence_for(Status status);  // helps the student without revealing
 // the end.
 inline constexpr std::size_t kRunPictures = 3;
 
-// Is one category of an exercise's hidden cases.
+// This is one category of an exercise's hidden cases.
 // Stands for an error that is no number, or whose limit is 0.
 inline constexpr double kNoNumber = std::numeric_limits<double>::max();
 
@@ -61,8 +61,8 @@ struct CaseResult {
   bool operator==(const CaseResult&) const = default;
 };
 
-// Is a moment of a run. We draw it from the states of the submission's code and of the reference. It contains
-// no text and no name from a student.
+// This is a moment of a run. We draw it from the states of the submission's code and of the reference. It
+// contains no text and no name from a student.
 struct PictureResult {
   std::string name = {};                 // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
@@ -70,7 +70,7 @@ struct PictureResult {
   // True if its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
   bool breaks_off = false;  // the run has no later moment that can be drawn
-  // Is the largest distance of a point from the reference's, in per cent of the longest strand; of the
+  // This is the largest distance of a point from the reference's, in per cent of the longest strand; of the
   // scene's size if it has no strands.
   double apart = 0;
 
@@ -85,7 +85,7 @@ struct RunMotions {
   bool operator==(const RunMotions&) const = default;
 };
 
-// Is said by the staff at a place of an exercise, or asked there.
+// This is said by the staff at a place of an exercise, or asked there.
 struct Said {
   std::string place;  // "H2", "H2.3", or "H2:17", a line of its file
   std::string code;   // is that line, when it was said
@@ -112,7 +112,7 @@ struct ExerciseResult {
   bool operator==(const ExerciseResult&) const = default;
 };
 
-// Is a change of the total that no exercise makes, such as lateness: a line of its own.
+// This is a change of the total that no exercise makes, such as lateness: a line of its own.
 struct Adjustment {
   std::string reason;  // is for the student: "Late by 2 days: 10 per cent of the points a day"
   double points = 0;   // below 0: taken off
@@ -120,7 +120,7 @@ struct Adjustment {
   bool operator==(const Adjustment&) const = default;
 };
 
-// Is the lateness of a hand-in, and the points that the course's rules took for it.
+// This is the lateness of a hand-in, and the points that the course's rules took for it.
 struct Lateness {
   std::string handed_in;  // as in the download; "": it has no time
   int days = 0;           // begun days of the calendar; 0: not late, or unknown
@@ -131,7 +131,7 @@ struct Lateness {
   bool operator==(const Lateness&) const = default;
 };
 
-// Is a decision of a person, for staff (grader/record/points/decisions.h).
+// This is a decision of a person, for staff (grader/record/points/decisions.h).
 struct Decided {
   std::string place, kind;  // "H2.3", "points"; place "": the whole
   std::string text;         // is the decision in a line

@@ -18,7 +18,7 @@ enum class StudyEnd {
 
 std::string to_string(StudyEnd end);  // "ran away"
 
-// Is a motion with a given number of steps.
+// This is a motion with a given number of steps.
 struct StudyPoint {
   int steps = 0;  // from the start to the end
   StudyEnd end = StudyEnd::broke;
@@ -38,23 +38,23 @@ struct StudyPoint {
 struct StudyCurve {
   std::vector<StudyPoint> points;  // by their steps, coarsest first
 
-  // Is the smallest number of steps from which on all measured motions are stable; 0: there is none. Points
-  // that broke don't count.
+  // This is the smallest number of steps from which on all measured motions are stable; 0: there is none.
+  // Points that broke don't count.
   int stable_steps = 0;
   bool stable_everywhere = false;  // stable with the smallest number that was run
 
   bool operator==(const StudyCurve&) const = default;
 };
 
-// Is the student's time over the reference's for the same error: the median, and the smallest and largest of
-// all rounds.
+// This is the student's time over the reference's for the same error: the median, and the smallest and
+// largest of all rounds.
 struct TimeRatio {
   double median = 1, least = 1, most = 1;
 
   bool operator==(const TimeRatio&) const = default;
 };
 
-// Is the subject of a pair of curves: a scene, or one toy of it.
+// This is the subject of a pair of curves: a scene, or one toy of it.
 struct PartStudy {
   std::string name;        // "pendulums, forward Euler"
   double duration = 0;     // s

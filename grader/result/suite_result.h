@@ -14,7 +14,7 @@
 
 namespace grader::inline result {
 
-// Is a key of SuiteResult::reproduced, with a sentence in place of files: why a case can't be written.
+// This is a key of SuiteResult::reproduced, with a sentence in place of files: why a case can't be written.
 inline constexpr const char* kNotReproduced = "not reproduced";
 
 struct SuiteResult {

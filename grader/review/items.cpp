@@ -64,7 +64,7 @@ bool is_about(const Decision& decision, const Item& item) {
          decision.place.starts_with(item.exercise + ".") || decision.place.starts_with(item.exercise + ":");
 }
 
-// Is true for an error near its limit, and if all but one of the cases hold.
+// This is true for an error near its limit, and if all but one of the cases hold.
 bool is_near(const LostCategory& lost) {
   return size_of(*lost.one) == ErrorSize::near ||
          (lost.one->cases >= kFewestCases && lost.one->held == lost.one->cases - 1);

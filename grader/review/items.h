@@ -13,7 +13,7 @@
 
 namespace grader::inline review {
 
-// Are in the order of the list.
+// These are in the order of the list.
 enum class ItemKind {
   not_taken,  // could not be taken, or a part of it
   broke_rules,

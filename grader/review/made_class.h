@@ -8,19 +8,19 @@
 
 namespace grader::inline review {
 
-// Is a category that is lost, counted from 1, by so many times its limit; 0: without a number.
+// This is a category that is lost, counted from 1, by so many times its limit; 0: without a number.
 struct Loss {
   std::size_t category = 1;
   double times = 0;
   Status status = Status::wrong;
 };
 
-// Has eight categories of two points, the last one a whole run.
+// This has eight categories of two points, the last one a whole run.
 ExerciseResult made_exercise(const std::string& id, const std::vector<Loss>& losses = {});
 ExerciseResult with_picture(ExerciseResult exercise, double flip, bool far_off);  // without its bytes
 SubmissionResult made_result(const std::string& name, std::vector<ExerciseResult> exercises);
 
-// Is a case that a TA should find: its item's key, and what is right.
+// This is a case that a TA should find: its item's key, and what is right.
 struct Planted {
   std::string key, right;
 };

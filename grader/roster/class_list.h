@@ -36,7 +36,7 @@ struct ClassList {
   std::vector<const Person*> absent() const;
 };
 
-// Is a line of the class for tables: each member has one of a group's hand-in.
+// This is a line of the class for tables: each member has one of a group's hand-in.
 struct ClassLine {
   std::string hand_in;  // "": nothing handed in
   std::string name, id, email, section;

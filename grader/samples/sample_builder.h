@@ -27,7 +27,7 @@ SampleCategories read_categories(const std::filesystem::path& project, const Cou
 // Returns the points of an exercise if the categories with these titles fail.
 double points_without(const std::vector<SampleCategory>& categories, const std::vector<std::string>& failed);
 
-// Is one sample, line by line.
+// This is one sample, line by line.
 struct SampleBuilder {
   const GroupFile& group;
   const Course& course;

@@ -17,7 +17,7 @@ namespace grader::inline samples {
 // edit's lines are missing.
 std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project);
 
-// Is a sample's file of one exercise.
+// This is a sample's file of one exercise.
 struct SampleProgram {
   std::string name, source;  // belong to the first sample with this source
   bool right = false;

@@ -38,7 +38,7 @@ struct SharedPair {
   std::vector<Match> blocks;
 };
 
-// Is a piece that many have: its place in the file of its first owner, and all owners.
+// This is a piece that many have: its place in the file of its first owner, and all owners.
 struct CommonPiece {
   Lines lines;
   std::vector<std::size_t> owners;

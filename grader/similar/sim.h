@@ -17,7 +17,8 @@ struct Lines {
   int first = 0, last = 0;  // from 1 on, both included
 };
 
-// Is a run of tokens of one text that another one has, too. A text's runs in one other text don't overlap.
+// This is a run of tokens of one text that another one has, too. A text's runs in one other text don't
+// overlap.
 struct Match {
   std::size_t text = 0, other = 0;
   Lines lines, other_lines;

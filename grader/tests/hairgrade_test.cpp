@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using std::string;
 using tests::says;
 
-// Is a course of S1 and S2 alone. All tests share its secret and its cache, so that only the first one
+// This is a course of S1 and S2 alone. All tests share its secret and its cache, so that only the first one
 // compiles and draws.
 class Hairgrade : public InAFolder {
  protected:

@@ -56,7 +56,7 @@ class HomeAndGrading : public testing::Test {
     return hair::bytes_of(kProject / solution_of(exercise(id)));
   }
 
-  // Is a folder of the build, without the handout's path.
+  // This is a folder of the build, without the handout's path.
   static fs::path handout() { return both_->handout; }
 
   // Links the library of `target`, "student" or "checked", which has sanitizers.

@@ -15,7 +15,7 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// Is a running hairgrade: its process id, which is also that of its process group.
+// This is a running hairgrade: its process id, which is also that of its process group.
 struct RunningProgram {
   int process;
 

@@ -19,7 +19,7 @@ std::string told_of_stray_byte(std::string_view bytes, const std::string& file);
 // no letter there, or if the system has no such table.
 std::optional<std::string> from_code_page(std::string_view bytes, const char* page);
 
-// Is UTF-8 by default. `page` is the system's name of it.
+// This is UTF-8 by default. `page` is the system's name of it.
 struct Encoding {
   const char* page = "UTF-8";
   std::string_view mark = {};  // is the byte order mark in front

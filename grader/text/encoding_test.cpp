@@ -13,7 +13,7 @@ namespace {
 using std::string;
 using tests::says;
 
-// Is a file as people write it, with a comment in another script.
+// This is a file as people write it, with a comment in another script.
 const std::u32string kSource =
     U"// Löst A x = b. 解く。\n#include \"solver/linearSolver.h\"\nint f() { return 1; }\n";
 

@@ -22,7 +22,7 @@ struct ArchiveLimits {
 
 inline constexpr std::size_t kLongestPath = 4096;  // bytes of a path in an archive
 
-// Is a file on disk, or an archive's bytes.
+// This is a file on disk, or an archive's bytes.
 using ArchiveSource = std::variant<std::filesystem::path, std::string>;
 
 // Opens a file; bytes become a file in memory. Throws Unreadable for a path that can't be opened.

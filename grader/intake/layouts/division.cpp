@@ -12,7 +12,7 @@
 namespace grader::inline intake {
 namespace {
 
-// Is a name directly in the download's folder.
+// This is a name directly in the download's folder.
 struct Child {
   bool is_folder = false;
   std::vector<std::size_t> files = {};

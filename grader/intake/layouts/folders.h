@@ -40,7 +40,7 @@ struct Member {
 
   std::string path;  // is below the container; "" if the container is the submission
   Kind kind = Kind::whole;
-  // Are the indices of all counted entries in it; an archive or a document has only itself.
+  // These are the indices of all counted entries in it; an archive or a document has only itself.
   std::vector<std::size_t> entries = {};
 };
 

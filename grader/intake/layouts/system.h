@@ -13,7 +13,7 @@
 
 namespace grader::inline intake {
 
-// Is a name directly in a download.
+// This is a name directly in a download.
 struct NamedPath {
   enum class Kind {
     hand_in,
@@ -60,7 +60,7 @@ std::vector<std::string> layout_names();
 // Returns null if no system has this name.
 const System* system_called(std::string_view name);
 
-// Is the answer of the first system that knows the name of one file or folder.
+// This is the answer of the first system that knows the name of one file or folder.
 struct Told {
   const System* system;
   NamedPath named;

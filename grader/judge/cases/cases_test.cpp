@@ -166,7 +166,7 @@ TEST(Drift, BoundsTheReferenceOnEverySystemAtEveryLength) {
   EXPECT_GT(most, 1e-5);
 }
 
-// Is E = x . x / 2. The strand's rigidities are the factors by which the student's answers are off.
+// This is E = x . x / 2. The strand's rigidities are the factors by which the student's answers are off.
 const StrandForce kForce{
     .energy = [](Trial&,
                  const Posed& posed) { return posed.strand.stretch_rigidity * posed.x.squaredNorm() / 2; },

@@ -22,7 +22,7 @@
 
 namespace grader::inline judge {
 
-// Has products with the full, the filtered and the dropped term.
+// This has products with the full, the filtered and the dropped term.
 struct Springs : StrandForce {
   int apart;  // 1: each particle is joined with the next one. 2: with the one after it
 

@@ -123,7 +123,7 @@ class Trial {
   bool case_failed_ = false, aside_ = false;
 };
 
-// Is a category as categories.json declares it.
+// This is a category as categories.json declares it.
 struct Category {
   std::string name;   // its id: "Examples"
   std::string title;  // for students: "The lecture's examples"

@@ -33,7 +33,7 @@
 namespace grader::inline record {
 
 inline constexpr double kExtraCreditShare = 0.1;
-// Is the share in a record that began before shares did.
+// This is the share in a record that began before shares did.
 inline constexpr double kAllExtraCredit = std::numeric_limits<double>::infinity();
 
 enum class LateOf { reached, reachable };
@@ -97,7 +97,7 @@ SubmissionResult with_counted_extra_credit(const HandInRules& rules, SubmissionR
 // without both times.
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in);
 
-// Are days for one student beyond the hand-in's own free ones.
+// These days are for one student, beyond the hand-in's own free ones.
 struct MoreDays {
   double given = 0;     // by a person
   int left_of_all = 0;  // are the course's free days that earlier hand-ins left

@@ -8,8 +8,8 @@
 
 namespace grader::inline report {
 
-// Is the size of an error in bands that a hidden input or another compiler hardly changes; near: below 10
-// times.
+// This is the size of an error in bands that a hidden input or another compiler hardly changes; near: below
+// 10 times.
 enum class ErrorSize { unknown, near, up_to_a_thousand, up_to_a_million, more, not_finite };
 ErrorSize size_of(const CaseResult& one);
 std::string in_words(ErrorSize size);  // "10 to 1000 times the limit"; "" for unknown

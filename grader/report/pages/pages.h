@@ -66,7 +66,7 @@ Html sections_part(const std::vector<SubmissionResult>& results,
 // Lists answers of about.txt (about.h), without names; empty if nobody answered.
 Html about_section(const std::vector<SubmissionResult>& results);
 
-// Is a script: it lets readers sort tables by columns with data-sort, "text" or "number".
+// This is a script: it lets readers sort tables by columns with data-sort, "text" or "number".
 std::string sort_script();
 
 const char* look_of(Status status);  // returns the status as a class of the style sheet

@@ -17,7 +17,7 @@ struct Dot {
   std::string title;
 };
 
-// Is the study of a submission, with its name for people.
+// This is the study of a submission, with its name for people.
 struct Studied {
   std::string name;
   SubmissionStudy study;

@@ -15,7 +15,7 @@ struct EnterOptions : OfARecord {
   std::filesystem::path table;
 };
 
-// Is a column of numbers; `place` is that of points by hand.
+// This is a column of numbers; `place` is that of points by hand.
 struct NumberColumn {
   std::size_t column;
   DecisionKind kind;

@@ -109,7 +109,7 @@ std::optional<Step> give_back(Record& record, const std::string& due, const std:
   return {};
 }
 
-// Is true if a person has set the points that the item is about, at a shell.
+// This is true if a person has set the points that the item is about, at a shell.
 bool has_points(Record& record, const Item& item) {
   return item.kind < ItemKind::conflict && std::ranges::all_of(item.people, [&](const std::string& name) {
            return std::ranges::any_of(record.decisions(name), [&](const Decision& one) {
