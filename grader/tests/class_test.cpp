@@ -128,6 +128,20 @@ TEST(SampleClass, PagesForStudentsHoldNothingOfTheStaffs) {
   }
 }
 
+// Asked of the first twelve samples alone (CMakeLists.txt).
+TEST(SampleClass, CanBePublishedBelowAnyAddress) {
+  const fs::path site = graded().string() + "-site";
+  fs::remove_all(site);
+  const ProgramRun run = run_hairgrade({"site", graded().string(), "--out", site.string()});
+  ASSERT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(broken_links(site), std::vector<std::string>());
+  EXPECT_FALSE(fs::exists(site / "class/staff"));
+  for (const auto& entry : fs::recursive_directory_iterator(site))
+    if (entry.path().extension() == ".html")
+      for (const char* far : {"src=\"http", "src=\"/", "href=\"/", "url(http"})
+        EXPECT_FALSE(says(hair::bytes_of(entry.path()), far)) << entry.path() << " asks for " << far;
+}
+
 // The second time its objects came from the cache.
 TEST(SampleClass, GradedAgainGivesTheSameBytes) {
   const fs::path again = graded().string() + "-again";

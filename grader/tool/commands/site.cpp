@@ -34,6 +34,7 @@ struct SiteOptions {
 };
 
 constexpr std::size_t kBugs = 5, kMostLost = 3;  // categories
+constexpr std::size_t kMostBytes = 6'000'000;
 
 // Shows a bug a picture: runs that are far from the reference's, each of another exercise, farthest first.
 Html bugs(const std::vector<SubmissionResult>& results) {
@@ -117,11 +118,14 @@ int site(const SiteOptions& options) {
   pages["index.html"] =
       start_page(results, options.motions, options.bugs.empty() ? Html() : bugs(results_in(options.bugs)));
   check_pages(pages, {HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, read_course(HAIR_EXERCISES_JSON, {}));
-  std::uintmax_t bytes = 0;
+  std::size_t bytes = 0;
+  for (const auto& [path, text] : pages) bytes += text.size();
+  if (bytes > kMostBytes)
+    throw BadInput("the pages have " + std::to_string(bytes / 1'000'000) + " MB of at most " +
+                   std::to_string(kMostBytes / 1'000'000) + "; name fewer motions, or a smaller class");
   for (const auto& [path, text] : pages) {
     fs::create_directories((options.out / path).parent_path());
     write_file(options.out / path, text);
-    bytes += text.size();
   }
   std::cout << (options.out / "index.html").string() << ": " << pages.size() << " pages, "
             << bytes / 1'000'000 << " MB\n";
