@@ -108,7 +108,8 @@ TEST_F(CourseFolder, AsksNobodyAboutPointsThatAPersonHasSet) {
                   .exercises = {{.id = "H2", .status = Status::broke_rules, .max_points = 8}}}});
   expect_next("hairgrade review", "broke the rules: 1");
   EXPECT_EQ(run_hairgrade({"set", "alice", "H2", "2", "--why", "by hand"}).code, 0);
-  expect_next("hairgrade gradebook canvas", "1 hand-in: graded, and in no gradebook yet");
+  expect_next("hairgrade gradebook canvas --fill EXPORTED.csv --out filled.csv",
+              "1 hand-in: graded, and in no gradebook yet");
 }
 
 TEST_F(CourseFolder, KnowsSeveralHandInsByTheirDownloads) {

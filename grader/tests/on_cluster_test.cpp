@@ -108,27 +108,23 @@ TEST_F(OnACluster, IsGradedAsOnOneMachineAndSentAgainIfTasksAreLost) {
   EXPECT_TRUE(says(same.output, "0 graded, 3 kept from before"));
 }
 
-TEST_F(OnACluster, SaysAtOnceWhatTheTablesDontMatch) {
+TEST_F(OnACluster, LogsAResultOnceThoughSlurmTakesNoMoreAndItIsCollectedTwice) {
   write("people.csv", "name,login\nAda,ada\nBen,ben\nEve,eve\n");
   write("times.csv", "login,time\nzoe,2027-03-01 10:00\n");
-  const ProgramRun sent = send({"--roster", path("people.csv"), "--times", path("times.csv")});
-  EXPECT_TRUE(says(sent.errors, "zoe")) << sent.errors;
-}
-
-TEST_F(OnACluster, LogsAResultOnceThoughItIsCollectedTwice) {
-  ASSERT_EQ(send({"--exercise", "S1"}).code, 0);
+  const string no_last =
+      string(kSbatch).insert(string(kSbatch).find("for word"), "[[ $* != *--dependency=* ]] || exit 1\n");
+  program("sbatch", no_last);
+  const ProgramRun sent =
+      send({"--exercise", "S1", "--roster", path("people.csv"), "--times", path("times.csv")});
+  EXPECT_EQ(sent.code, 2);
+  EXPECT_TRUE(says(sent.errors, "sbatch does not take the job")) << sent.errors;
+  EXPECT_TRUE(says(sent.errors, "hairgrade collect " + path("grades") + " takes what is graded"));
+  EXPECT_TRUE(says(sent.errors, "zoe"));
   lose_results();
+  program("sbatch", kSbatch);
   write("bin/broken", "");
   for (int i = 0; i < 2; ++i) EXPECT_EQ(hairgrade({"collect", path("grades")}).code, 3);
   EXPECT_EQ(std::ranges::count(Record(path("grades")).log("ada"), "graded", &LogEntry::did), 1);
-}
-
-TEST_F(OnACluster, NamesCollectWhereSlurmTakesNoMore) {
-  program("sbatch", string(kSbatch).insert(string(kSbatch).find("for word"),
-                                           "[[ $* != *--dependency=* ]] || exit 1\n"));
-  expect_refused(send(), "hairgrade collect");
-  program("sbatch", kSbatch);
-  EXPECT_EQ(hairgrade({"collect", path("grades")}).code, 0);
 }
 
 }  // namespace
