@@ -35,7 +35,7 @@ exit "${code:-0}"
 
 class OnACluster : public InAFolder {
  protected:
-  OnACluster() : InAFolder(course_of({"S1"})) {
+  OnACluster() : InAFolder(course_of({"S1", "S2"})) {
     program("sbatch", kSbatch);
     program("scontrol", "#!/bin/sh\necho MaxArraySize = 1\n");
     program("squeue", "#!/bin/sh\n");
