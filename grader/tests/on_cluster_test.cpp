@@ -108,6 +108,16 @@ TEST_F(OnACluster, IsGradedAsOnOneMachineAndSentAgainIfTasksAreLost) {
   EXPECT_TRUE(says(same.output, "0 graded, 3 kept from before"));
 }
 
+TEST_F(OnACluster, CancelsTheFirstTaskWhenItIsInterrupted) {
+  program("sbatch", "#!/bin/sh\necho 7\nkill -INT $PPID\nexit 1\n");
+  program("scancel", "#!/bin/sh\necho $* >" + path("cancelled") + "\n");
+  const ProgramRun stopped = send();
+  EXPECT_EQ(stopped.code, 130) << stopped.errors;
+  EXPECT_TRUE(says(stopped.errors, "nothing was sent"));
+  EXPECT_EQ(read("cancelled"), "7\n");
+  EXPECT_FALSE(says(send().errors, "are on a cluster"));
+}
+
 TEST_F(OnACluster, LogsAResultOnceThoughSlurmTakesNoMoreAndItIsCollectedTwice) {
   ASSERT_EQ(grade({path("class"), "--class"}).code, 0);
   write("people.csv", "name,login\nAda,ada\nBen,ben\nEve,eve\n");
