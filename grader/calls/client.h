@@ -165,10 +165,10 @@ class Sender {
   Eigen::Index size_;
 };
 
-// This is the returned value of a parameter of type P; void if there is none.
 template <class P>
 inline constexpr bool kIsAsked =
     std::is_same_v<P, particles::Dynamics&> || std::is_same_v<P, implicitMatrix&>;
+// This is the returned value of a parameter of type P; void if there is none.
 template <class P, bool with_scratch>
 using Returned = std::conditional_t<
     std::is_same_v<P, particles::Output>, Eigen::VectorXd,

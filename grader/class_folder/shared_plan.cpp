@@ -35,6 +35,10 @@ std::optional<SharedPlan> SharedPlan::in(const fs::path& grades) {
 }
 
 SharedPlan SharedPlan::make(const fs::path& grades) {
+  try {
+    clear(grades);
+  } catch (const fs::filesystem_error&) {  // a shared folder may keep them for a while
+  }
   std::string folder = (fs::absolute(grades).lexically_normal() / kPrefix).string() + "XXXXXX";
   if (mkdtemp(folder.data()) == nullptr)
     throw BadInput(folder + ": can't be made: " + std::generic_category().message(errno));

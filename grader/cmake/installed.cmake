@@ -63,8 +63,16 @@ install(DIRECTORY "${HAIR_GOLDEN_DIR}/motions" DESTINATION lib/hairlab/golden)
 install(PROGRAMS "${debian}/hairgrade" "${debian}/hairlab" DESTINATION bin)
 
 # A later commit is a later version, which apt installs in place of this one.
-execute_process(COMMAND git -C "${PROJECT_SOURCE_DIR}" show -s --date=format:+git%Y%m%d%H%M%S --format=%cd
-                OUTPUT_VARIABLE of_commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+set(of_commit)
+if(EXISTS "${PROJECT_SOURCE_DIR}/.git/logs/HEAD")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/.git/logs/HEAD")
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env TZ=UTC git -C "${PROJECT_SOURCE_DIR}" show -s
+                          --date=format-local:+git%Y%m%d%H%M%S --format=%cd
+                  OUTPUT_VARIABLE of_commit OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+if(NOT of_commit)
+  message(WARNING "No commit is known here: the package's version is ${PROJECT_VERSION}, the oldest")
+endif()
 set(version "${PROJECT_VERSION}${of_commit}")
 
 # Manuals are the programs' own help.
@@ -107,7 +115,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "course assignment on hair simulation, and
 set(CPACK_PACKAGE_DESCRIPTION "hairlab runs scenes of hair. hairgrade packs the handout, grades hand-ins\n\
  in a sandbox and keeps a class's record; the group hairgrade runs it.")
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_FILE_NAME hairgrade_${CMAKE_SYSTEM_PROCESSOR}.deb)  # replaces an earlier version's
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_PREDEPENDS adduser)

@@ -40,10 +40,10 @@ std::string sentence_for(Status status);  // helps the student without revealing
 // the end.
 inline constexpr std::size_t kRunPictures = 3;
 
-// This is one category of an exercise's hidden cases.
 // Stands for an error that is no number, or whose limit is 0.
 inline constexpr double kNoNumber = std::numeric_limits<double>::max();
 
+// This is one category of an exercise's hidden cases.
 struct CaseResult {
   std::string name = {};  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;

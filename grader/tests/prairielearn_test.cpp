@@ -25,6 +25,7 @@ class PrairieLearn : public InAFolder {
     fs::remove_all(root_ / "grade");
     write("grade/student/" + name, text);
     const Json info = Json::parse(hair::bytes_of(questions_ / "questions/hair-S1/info.json"));
+    EXPECT_EQ(info["externalGradingOptions"]["image"], "one");
     std::vector<string> words = info["externalGradingOptions"]["entrypoint"];
     words.erase(words.begin());
     for (string& word : words)

@@ -21,8 +21,8 @@ namespace {
 
 using tests::says;
 
-// This has markup, quotes, a NUL, invalid UTF-8, a terminal's colours, the end of a CDATA section, a formula.
 using namespace std::string_literals;
+// This has markup, quotes, a NUL, invalid UTF-8, a terminal's colours, the end of a CDATA section, a formula.
 const std::string hostile =
     "=1+1 <script>alert(1)</script> \"quoted' &amp; ]]>\0\x01\xff\xc3\x28 \x1b[31mred\n--><img src=x "
     "onerror=y>"s;

@@ -26,9 +26,9 @@ int forget(const OfARecord& options) {
     hand_ins.front()->forget(options.name);
     for (const std::unique_ptr<Record>& one : hand_ins) remove_reports(one->pages(), options.name);
   }
-  SharedPlan::clear(options.folder);
   for (const std::unique_ptr<Record>& one : hand_ins) write_class_files(options.folder, *one);
   hand_ins.front()->shred();
+  if (!SharedPlan::in(options.folder)) SharedPlan::clear(options.folder);
   std::cout
       << "record, pages and pictures hold nothing of "
       << (options.name.empty() ? "those who were forgotten" : options.name)

@@ -71,8 +71,14 @@ void say_given(const GradeOptions& options, const Plan& plan, Record& record,
     for (const std::string& line : options.batch.roster->said()) say(line);
   if (times) {
     for (const std::string& line : times->said()) say(line);
+    const std::map<std::string, Record::Row> rows = record.rows();
+    const auto is_known = [&](const Submission& one) {
+      const auto row = rows.find(one.name);
+      return row != rows.end() && row->second.files == hash_of_files(one);
+    };
     for (const Submission& one : plan.submissions)
-      if (const std::string kept = record.handed_in(one.name); one.handed_in.empty() && read_time(kept))
+      if (const std::string kept = record.handed_in(one.name);
+          one.handed_in.empty() && read_time(kept) && is_known(one))
         std::cerr << "hairgrade: " << called(one.name, people) << ": has no time in "
                   << printable(options.times->string(), 4096) << ", and keeps " << kept << "\n";
   }
@@ -160,12 +166,7 @@ int grade(GradeOptions options) {
   batch_settings.merge = options.settings.exercise.has_value();
   enter_plan(plan, batch_settings, record);
   say_given(options, plan, record, times, open_to_others);
-  if (options.slurm.asked)
-    if (const std::optional<int> code = hand_over(options, plan, settings, record, interrupted)) {
-      for (const auto* lines : {&plan.remarks, &plan.notices})
-        for (const std::string& line : *lines) std::cerr << "hairgrade: " << line << "\n";
-      return *code == 0 && !plan.notices.empty() ? 3 : *code;
-    }
+  if (options.slurm.asked) return hand_over(options, plan, settings, record, interrupted);
   const Grading grading(std::move(settings));
   const Batch batch = grade_batch(grader_here(grading), plan, batch_settings, record, interrupted);
   return say_graded(grading.isolation(), options, plan, batch, record);

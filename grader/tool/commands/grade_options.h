@@ -34,10 +34,10 @@ struct GradeOptions {
 int say_graded(Isolation isolation, const GradeOptions& options, const Plan& plan, const Batch& batch,
                Record& record);
 
-// Writes the plan for a cluster, tries one node, and sends tasks. Returns hairgrade's exit code; nothing if
-// all results stay. Throws BadInput, and leaves nothing, if the node lacks a part.
-std::optional<int> hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings,
-                             Record& record, const std::atomic<bool>& interrupted);
+// Writes the plan for a cluster, tries one node, and sends tasks, unless all results stay. Returns
+// hairgrade's exit code. Throws BadInput, and leaves nothing, if the node lacks a part.
+int hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings, Record& record,
+              const std::atomic<bool>& interrupted);
 
 // Does a step: "first" and "share" on a node, "collect" and "last" where the record is.
 int do_step(GradeOptions options);

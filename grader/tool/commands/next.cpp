@@ -109,11 +109,15 @@ std::optional<Step> give_back(Record& record, const std::string& due, const std:
   return {};
 }
 
-// This is true if a person has set the points that the item is about, at a shell.
+// This is true if a person has set the points that the item is about, at a shell, since it was graded.
 bool has_points(Record& record, const Item& item) {
   return item.kind < ItemKind::conflict && std::ranges::all_of(item.people, [&](const std::string& name) {
+           std::string graded;
+           for (const LogEntry& entry : record.log(name))
+             if (entry.did == "graded") graded = std::max(graded, entry.at);
            return std::ranges::any_of(record.decisions(name), [&](const Decision& one) {
-             return one.kind == DecisionKind::points && (one.place.empty() || one.place == item.exercise);
+             return one.kind == DecisionKind::points && (one.place.empty() || one.place == item.exercise) &&
+                    one.at >= graded;
            });
          });
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 #include <set>
 
 #include "grader/class_folder/folder_of_grades.h"
@@ -169,8 +170,8 @@ std::vector<std::size_t> say_missing(const SharedPlan& plan, const std::vector<s
 
 }  // namespace
 
-std::optional<int> hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings,
-                             Record& record, const std::atomic<bool>& interrupted) {
+int hand_over(const GradeOptions& options, const Plan& plan, const GradingSettings& settings, Record& record,
+              const std::atomic<bool>& interrupted) {
   PlanFacts facts{.words = own_words(),
                   .folder = fs::current_path(),
                   .made_by = to_json(made_by(settings)),
@@ -191,7 +192,20 @@ std::optional<int> hand_over(const GradeOptions& options, const Plan& plan, cons
         (options.settings.study && !earlier->result.studied))
       facts.asked.push_back(i);
   }
-  if (facts.asked.empty()) return {};
+  if (facts.asked.empty()) {
+    const auto fingerprint = [&](const Submission& one) {
+      return record.find(one.name).value().result.fingerprint;
+    };
+    const Grader keeps{settings.course,
+                       record.costs().reference,
+                       facts.made_by,
+                       false,
+                       fingerprint,
+                       [](const Submission&) -> std::optional<Graded> { return {}; },
+                       {}};
+    return say_graded(settings.isolation, options, plan,
+                      grade_batch(keeps, plan, options.batch, record, interrupted), record);
+  }
   const SharedPlan shared = SharedPlan::make(options.batch.out);
   try {
     if (options.settings.course) fs::copy_file(*options.settings.course, shared / "course.json");
@@ -210,7 +224,9 @@ std::optional<int> hand_over(const GradeOptions& options, const Plan& plan, cons
     throw;
   }
   Sender(shared, options).send(facts.asked);
-  return 0;
+  for (const auto* lines : {&plan.remarks, &plan.notices})
+    for (const std::string& line : *lines) std::cerr << "hairgrade: " << line << "\n";
+  return plan.notices.empty() ? 0 : 3;
 }
 
 int collect(GradeOptions options) {
@@ -225,52 +241,70 @@ int collect(GradeOptions options) {
   settings.resume = true;  // an earlier collect may have put them into the record
   settings.seconds_before = now() - facts.began;
   const std::atomic<bool>& interrupted = note_interruptions();
-  const std::optional<FolderOfGrades> folder = FolderOfGrades::open(
-      settings.out, made_by.value(), interrupted, std::cerr, settings.hand_in, settings.regrade);
+  std::optional<FolderOfGrades> folder = FolderOfGrades::open(settings.out, made_by.value(), interrupted,
+                                                              std::cerr, settings.hand_in, settings.regrade);
   if (!folder) return kInterrupted;
   Record& record = folder->record();
   if (!SharedPlan::in(settings.out)) return 0;  // another process has just collected all
 
   Plan plan{.submissions = {}, .only = facts.only, .listed = record.listed()};
   std::map<std::string, std::size_t> numbers;
-  Collected collected;
   for (std::size_t i = 0; i < facts.hand_ins; ++i)
     plan.submissions.push_back(shared.get<Submission>(numbered("hand-ins", i)));
-  std::vector<std::size_t> missing;
-  for (const std::size_t i : facts.asked) {
-    numbers[plan.submissions[i].name] = i;
-    (shared.has(numbered("results", i)) ? collected.hand_ins : missing).push_back(i);
-  }
-  const std::vector<std::size_t> before =
-      shared.has("collected") ? shared.get<Collected>("collected").hand_ins : std::vector<std::size_t>();
+  for (const std::size_t i : facts.asked) numbers[plan.submissions[i].name] = i;
+  const auto has_result = [&](std::size_t i) { return shared.has(numbered("results", i)); };
+  std::set<std::size_t> there;  // more may come while these are merged
+  std::ranges::copy_if(facts.asked, std::inserter(there, there.end()), has_result);
+  Collected collected;
+  if (shared.has("collected") && !settings.regrade) collected = shared.get<Collected>("collected");
+  const std::set<std::size_t> before(collected.hand_ins.begin(), collected.hand_ins.end());
   TimingByExercise reference;
   if (shared.has("first")) reference = shared.get<FirstTask>("first").reference;
   const auto fingerprint = [&](const Submission& one) {
     const auto number = numbers.find(one.name);
-    return number == numbers.end() || std::ranges::count(before, number->second) > 0
+    return number == numbers.end() || before.contains(number->second)
                ? record.find(one.name).value().result.fingerprint
                : shared.fingerprint(number->second);
+  };
+  std::mutex taking;
+  const auto take = [&](const Submission& one) -> std::optional<Graded> {
+    const std::size_t number = numbers.at(one.name);
+    if (!there.contains(number)) return {};
+    std::optional<Graded> graded = shared.graded(number);
+    const std::lock_guard lock(taking);
+    if (graded->problems.empty()) collected.hand_ins.push_back(number);
+    return graded;
   };
   const Grader grader{course,
                       reference,
                       facts.made_by,
                       options.settings.study && !options.settings.exercise,
                       fingerprint,
-                      [&](const Submission& one) { return shared.graded(numbers.at(one.name)); },
+                      take,
                       [](const Submission&, Graded&) {}};
   const Batch batch = grade_batch(grader, plan, settings, record, interrupted);
   const int code = say_graded(made_by->isolation, options, plan, batch, record);
   if (interrupted) return kInterrupted;
-  if (missing.empty()) {
+  if (there.size() == facts.asked.size()) {
     shared.remove();
     return code;
   }
   shared.put("collected", collected);
-  const std::vector<std::size_t> nobody = say_missing(shared, missing);
+  std::vector<std::size_t> missing;
+  std::ranges::remove_copy_if(facts.asked, std::back_inserter(missing), has_result);
+  std::vector<std::size_t> nobody = say_missing(shared, missing);
+  std::erase_if(nobody, has_result);
+  const bool is_last = options.slurm.step.front() == "last";
+  if (const auto came = std::ranges::count_if(facts.asked, has_result) - std::ssize(there); came > 0) {
+    std::cerr << "hairgrade: " << came << " results have come meanwhile\n";
+    if (is_last) {
+      folder.reset();
+      return collect(std::move(options));
+    }
+  }
   if (nobody.empty()) return 3;
   // A person may have mended nodes. The last job sends again only if it leaves out one more node: it can't go
   // on for ever.
-  const bool is_last = options.slurm.step.front() == "last";
   if (!is_last) shared.forget_refusals();
   const std::vector<SentArray> arrays = shared.arrays();
   if (is_last && (arrays.empty() || arrays.back().without == shared.nodes_that_refused())) {

@@ -72,9 +72,9 @@ Node ready(GradeSettings options, const SharedPlan& plan, const std::string& nod
   const timing::Stopwatch grading;
   grade_reference_files(*made_ready.grading, settings, !first, node);
   made_ready.seconds = grading.seconds();
-  made_ready.try_again = [settings, node, &there = *made_ready.grading] {
+  made_ready.try_again = [settings, node, &there = *made_ready.grading, times = 0]() mutable {
     try {
-      grade_reference_files(there, settings, false, node + " again");
+      grade_reference_files(there, settings, false, node + ", " + std::to_string(++times));
     } catch (const std::exception& lacks) {
       throw NodeLacks(lacks.what());
     }
@@ -85,6 +85,13 @@ Node ready(GradeSettings options, const SharedPlan& plan, const std::string& nod
 // Throws NodeLacks if the node could not grade, and leaves that hand-in to others.
 int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std::size_t>& hand_ins) {
   const std::atomic<bool>& interrupted = note_interruptions();
+  const auto try_after = [&](const Graded& graded) {
+    try {
+      if (!graded.problems.empty()) node.try_again();
+    } catch (const NodeLacks&) {
+      if (!interrupted) throw;
+    }
+  };
   std::vector<std::pair<std::size_t, Graded>> ended_by_the_clock;
   for (const std::size_t number : hand_ins) {
     if (interrupted) return kInterrupted;
@@ -92,7 +99,8 @@ int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std:
     std::cerr << "hairgrade: began " << number << ", " << submission.name << "\n";
     Graded graded = node.grading->grade(submission);
     if (interrupted) return kInterrupted;
-    if (!graded.problems.empty()) node.try_again();
+    try_after(graded);
+    if (interrupted) return kInterrupted;
     if (graded.result.ended_by_the_clock.empty())
       plan.put_result(number, node.grading->fingerprint(submission), graded);
     else
@@ -102,7 +110,8 @@ int grade_share(const Node& node, const SharedPlan& plan, const std::vector<std:
     const Submission submission = plan.get<Submission>(numbered("hand-ins", number));
     node.grading->grade_again(submission, graded);
     if (interrupted) return kInterrupted;
-    if (!graded.problems.empty()) node.try_again();
+    try_after(graded);
+    if (interrupted) return kInterrupted;
     plan.put_result(number, node.grading->fingerprint(submission), graded);
   }
   return 0;
