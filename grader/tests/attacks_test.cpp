@@ -164,7 +164,7 @@ bool has_control_characters(const std::string& text) {
 
 // No attack makes the grader itself fail.
 TEST_F(AttackCorpus, IsGradedToItsEnd) {
-  EXPECT_EQ(run_.code, 0);
+  EXPECT_TRUE(run_.code == 0 || run_.code == 3) << run_.code << "; 3: a person must look at some";
   const std::string terminal = hair::bytes_of(folder() / "terminal");
   const std::size_t trouble = terminal.find("could not grade");
   if (trouble != std::string::npos) {

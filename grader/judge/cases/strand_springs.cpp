@@ -308,6 +308,7 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
   // One of two springs loses its length, since its outer end moves, and the other one must behave as before.
   const auto outer = [&](int spring) { return 3 * spring * (1 + springs.apart); };
   const auto inner = [&](int spring) { return 3 * (spring == 0 ? springs.apart : 1); };
+  bool acts = false;
   for (int which : {0, 1}) {
     const Posed before = in_state(random, springs.metres(random, 2 + springs.apart), kMixed);
     Posed posed = before;
@@ -332,6 +333,7 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
       expected.segment<3>(other_end) = -with_both.segment<3>(end);
       Vector3d sum = with_both.segment<3>(end) + with_both.segment<3>(other_end);
       if (springs.apart == 1) sum += with_both.segment<3>(outer(which));
+      acts |= largest(expected) > 0;
       if (largest(expected) == 0 || largest(sum) > 4 * rounding) return;
       expect_vector(trial, answer(posed), expected, 2 * rounding,
                     what + " two springs, one without a length,");
@@ -342,6 +344,7 @@ void springs_without_direction(Trial& trial, const Springs& springs) {
       expect("the product of", springs.product_rounding(before, dx),
              [&](const Posed& at) { return product.ask_from_zero(trial, at, dx); });
   }
+  trial.expect(acts, "of two springs, one without a length, none has a force or a product");
 }
 
 }  // namespace grader::judge
