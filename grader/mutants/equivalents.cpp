@@ -16,7 +16,8 @@ std::vector<Equivalent> equivalents_of(const std::string& exercise, const std::f
   std::ifstream file(project / "reference" / exercise / "equivalents.json");
   if (!file) return all;
   for (const nlohmann::json& entry : nlohmann::json::parse(file))
-    all.push_back({entry.at("line"), entry.at("change"), entry.at("why"), entry.value("occurrence", 1)});
+    all.push_back({entry.at("line"), entry.at("change"), entry.at("why"), entry.value("occurrence", 1),
+                   entry.value("undefined", false)});
   return all;
 }
 

@@ -1,6 +1,7 @@
 // STAFF ONLY. Mutants that are right programs nevertheless, in reference/<ID>/equivalents.json: the line, its
 // change, as in mutation.h, and why it does not matter. If a line has the changed words more than once,
-// `occurrence` counts them from 1, the default.
+// `occurrence` counts them from 1, the default. A program that goes beyond an array is `undefined`: it may be
+// found or not.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +15,7 @@ namespace grader::inline mutants {
 struct Equivalent {
   std::string line, change, why;
   int occurrence = 1;
+  bool undefined = false;
 
   bool is(const std::string& source, const Mutation& mutation) const;
 };
