@@ -85,7 +85,7 @@ void SharedPlan::remove() const {
   const fs::path place = (folder_ / "").parent_path(),
                  ended = place.parent_path() / (kEnded + place.filename().string());
   std::error_code ignored;
-  fs::rename(place, ended);
+  fs::rename(place, ended, ignored);
   fs::remove_all(ended, ignored);
 }
 

@@ -59,14 +59,18 @@ void check_zone(const HandInRules& rules, const std::vector<Submission>& submiss
                      "\"Europe/Berlin\"");
 }
 
+// Prints lines for staff, without hidden names.
+auto speaker(Record& record) {
+  return [hidden = record.hidden_names()](const std::string& line) {
+    std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
+  };
+}
+
 // Reports what the tables of people and times don't match, and what others can read.
 void say_given(const GradeOptions& options, const Plan& plan, Record& record,
                const std::optional<Times>& times, const std::string& open_to_others) {
   const NamesForPeople people = record.names_for_people();
-  const std::optional<HiddenNames> hidden = record.hidden_names();
-  const auto say = [&](const std::string& line) {
-    std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
-  };
+  const auto say = speaker(record);
   if (options.batch.roster)
     for (const std::string& line : options.batch.roster->said()) say(line);
   if (times) {
@@ -89,10 +93,7 @@ void say_given(const GradeOptions& options, const Plan& plan, Record& record,
 bool say_people(Record& record) {
   const std::optional<ClassList> list = record.class_list();
   if (!list) return true;
-  const std::optional<HiddenNames> hidden = record.hidden_names();
-  const auto say = [&](const std::string& line) {
-    std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
-  };
+  const auto say = speaker(record);
   const std::size_t absent = list->absent().size();
   std::cout << "roster: " << list->rows.size() - absent << " of " << list->rows.size() << " handed in\n";
   for (const std::string& line : list->said) say(line);
