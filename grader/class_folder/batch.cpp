@@ -47,6 +47,191 @@ std::string in_a_line(const SubmissionResult& result, const NamesForPeople& peop
          short_points(points(result));
 }
 
+// A batch at work: its threads share it.
+class RunningBatch {
+ public:
+  RunningBatch(const Grader& grader, Plan plan, const BatchSettings& settings, Record& current,
+               const std::atomic<bool>& interrupted);
+  void grade_all();
+  Batch finish();
+
+ private:
+  Record& begin_record();
+  HandedIn handed_in_of(const Submission& submission) const {
+    return {submission.handed_in, hash_of_files(submission), submission.marked_late};
+  }
+  std::optional<Recorded> earlier_of(const Submission& submission) {
+    return resume_ || settings_.merge ? record_.find(submission.name) : std::nullopt;
+  }
+  void compare_times(const std::string& name, const std::string& was, const std::string& now);
+  bool is_done(const Submission& submission);
+  void keep(const Submission& submission, Graded graded);
+  void grade_one(std::size_t place);
+  template <class Work>
+  void unless_it_fails(const Work& work);
+
+  const Grader& grader_;
+  Plan plan_;
+  const BatchSettings& settings_;
+  Record& current_;
+  const std::atomic<bool>& interrupted_;
+  std::optional<Record> stage_;
+  Record& record_ = begin_record();
+  const bool resume_ = settings_.resume || stage_;
+  const NamesForPeople people_ = record_.names_for_people();
+  const std::optional<HiddenNames> hidden_ = record_.hidden_names();
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  TimingByExercise reference_ = grader_.reference;
+  const std::size_t asked_ = plan_.only ? 1 : plan_.submissions.size();
+  LastRun run_{.jobs = settings_.jobs, .began = record_.now(), .asked = static_cast<int>(asked_)};
+  bool is_part_ = false;  // a single new hand-in leaves an interrupted run as it is
+  Batch batch_;
+  std::string failure_;
+  std::set<std::string> written_;
+  Progress progress_{asked_};
+  std::map<std::size_t, Graded> ended_by_the_clock_;  // by the submission's place
+  std::mutex shared_;                                 // guards the variables above; the record guards itself
+  std::atomic<std::size_t> next_ = 0;
+};
+
+RunningBatch::RunningBatch(const Grader& grader, Plan plan, const BatchSettings& settings, Record& current,
+                           const std::atomic<bool>& interrupted)
+    : grader_(grader),
+      plan_(std::move(plan)),
+      settings_(settings),
+      current_(current),
+      interrupted_(interrupted) {
+  if (settings_.merge) reference_.merge(record_.costs().reference);
+  const std::optional<LastRun> before = record_.costs().last_run;
+  is_part_ = plan_.only && before && !before->is_whole();
+  if (is_part_) run_ = *before;
+  record_.set_run(reference_, run_);
+  record_.set_listed(plan_.listed);
+  record_.set_rules(settings_.rules);
+  if (const std::vector<std::string> there = record_.names();
+      !there.empty() && !stage_)  // pages of an earlier run say that this process works
+    write_class_files(settings_.out, record_, {there.begin(), there.end()});
+}
+
+// A regrade goes into a record of its own, until all are there.
+Record& RunningBatch::begin_record() {
+  if (!settings_.regrade || current_.names().empty()) return current_;
+  stage_.emplace(settings_.out, current_.hand_in() + kStage);
+  stage_->begin_stage(grader_.made_by);
+  return *stage_;
+}
+
+// Reports the times of files that a corrected table changes.
+void RunningBatch::compare_times(const std::string& name, const std::string& was, const std::string& now) {
+  if (was.empty() || now.empty() || was == now) return;
+  const auto shown = [](const std::string& time) { return time == "-" ? "unknown" : time; };
+  const std::lock_guard lock(shared_);
+  batch_.remarks.push_back(called(name, people_) + ": its time of hand-in was " + shown(was) + " and is " +
+                           shown(now) + " now");
+}
+
+void RunningBatch::keep(const Submission& submission, Graded graded) {
+  const HandedIn handed_in = handed_in_of(submission);
+  Recorded one{std::move(graded.result), {}, std::move(graded.timing)};
+  if (const std::optional<Recorded> earlier = earlier_of(submission); settings_.merge && earlier)
+    keep_other_exercises(one, *earlier, grader_.course);
+  one.result.studied = graded.study.has_value();
+  one.study = std::move(graded.study);
+  compare_times(submission.name, record_.put(one, handed_in), handed_in.time);
+  if (std::optional<Recorded> now = record_.find_decided(submission.name)) one = std::move(*now);
+  if (hidden_) hide(*hidden_, one.result);
+  if (!stage_) write_student_files(record_.pages(), one, people_);
+  const std::lock_guard lock(shared_);
+  progress_.step(in_a_line(one.result, people_));
+  written_.insert(submission.name);
+  batch_.problems.insert(batch_.problems.end(), graded.problems.begin(), graded.problems.end());
+  ++batch_.graded;
+  ++batch_.done;
+  if (is_part_) return;
+  run_.done = static_cast<int>(batch_.done);
+  record_.set_run(reference_, run_);  // shows others that a killed process was at work
+}
+
+// True if the record has its result of the same files and the same suite. A corrected time is entered.
+bool RunningBatch::is_done(const Submission& submission) {
+  const std::optional<Recorded> earlier = resume_ ? record_.find(submission.name) : std::nullopt;
+  if (!earlier || (grader_.studies && !earlier->result.studied) ||
+      earlier->result.origin != submission.origin ||
+      earlier->result.fingerprint != grader_.fingerprint(submission))
+    return false;
+  const HandedIn handed_in = handed_in_of(submission);
+  compare_times(submission.name, record_.set_handed_in(submission.name, handed_in), handed_in.time);
+  const Recorded now = record_.find_decided(submission.name).value_or(*earlier);
+  const std::lock_guard lock(shared_);
+  ++batch_.done;
+  progress_.step(in_a_line(now.result, people_), false);
+  return true;
+}
+
+void RunningBatch::grade_one(std::size_t place) {
+  Submission& submission = plan_.submissions[place];
+  if ((plan_.only && *plan_.only != submission.name) || is_done(submission)) return;
+  std::optional<Graded> graded = grader_.grade(submission);
+  // Ctrl-C also ends the suite: its output is no result.
+  if (interrupted_ || !graded) return;
+  if (graded->result.ended_by_the_clock.empty()) return keep(submission, std::move(*graded));
+  const std::lock_guard lock(shared_);
+  ended_by_the_clock_.emplace(place, std::move(*graded));
+}
+
+template <class Work>
+void RunningBatch::unless_it_fails(const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& problem) {  // the record or reports can't be written: stop
+    const std::lock_guard lock(shared_);
+    failure_ = problem.what();
+    next_ = plan_.submissions.size();
+  }
+}
+
+void RunningBatch::grade_all() {
+  const auto work = [&] {
+    for (std::size_t i = next_++; i < plan_.submissions.size() && !interrupted_; i = next_++)
+      unless_it_fails([&] { grade_one(i); });
+  };
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < settings_.jobs; ++i) threads.emplace_back(work);
+  for (std::jthread& thread : threads) thread.join();
+  // Grades one at a time: the machine has nothing else to do for us.
+  for (auto& [place, graded] : ended_by_the_clock_) {
+    if (interrupted_ || !failure_.empty()) break;
+    const Submission& submission = plan_.submissions[place];
+    unless_it_fails([&, &graded = graded] {
+      grader_.grade_again(submission, graded);
+      if (!interrupted_) keep(submission, std::move(graded));
+    });
+  }
+  if (!failure_.empty()) throw BadInput(failure_);
+}
+
+Batch RunningBatch::finish() {
+  batch_.interrupted = interrupted_;
+  run_.wall_seconds = settings_.seconds_before +
+                      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  run_.graded = batch_.graded;
+  if (!is_part_) {
+    run_.done = static_cast<int>(batch_.done);
+    run_.ended = record_.now();
+  }
+  record_.set_run(reference_, run_);
+  if (stage_) {
+    if (!batch_.interrupted && batch_.problems.empty()) batch_.ungraded = current_.take_stage();
+    batch_.staged = batch_.interrupted || !batch_.problems.empty() || !batch_.ungraded.empty();
+    written_.clear();
+  }
+  batch_.results = write_class_files(settings_.out, current_, written_);
+  for (const std::string& name : current_.names())
+    std::ranges::move(current_.conflicts(name), std::back_inserter(batch_.conflicts));
+  batch_.kept = static_cast<int>(batch_.results.size()) - batch_.graded;
+  return std::move(batch_);
+}
+
 }  // namespace
 
 Grader grader_here(const Grading& grading) {
@@ -69,145 +254,9 @@ void enter_plan(Plan& plan, const BatchSettings& settings, Record& record) {
 
 Batch grade_batch(const Grader& grader, Plan plan, const BatchSettings& settings, Record& current,
                   const std::atomic<bool>& interrupted) {
-  Batch batch;
-  std::vector<Submission>& submissions = plan.submissions;
-  const std::optional<std::string>& only = plan.only;
-  std::optional<Record> stage;
-  if (settings.regrade && !current.names().empty()) {
-    stage.emplace(settings.out, current.hand_in() + kStage);
-    stage->begin_stage(grader.made_by);
-  }
-  Record& record = stage ? *stage : current;
-  const bool resume = settings.resume || stage;
-  const NamesForPeople people = record.names_for_people();
-  const std::optional<HiddenNames> hidden = record.hidden_names();
-  const auto start = std::chrono::steady_clock::now();
-  TimingByExercise reference = grader.reference;
-  if (settings.merge) reference.merge(record.costs().reference);
-  const std::size_t asked = only ? 1 : submissions.size();
-  LastRun run{.jobs = settings.jobs, .began = record.now(), .asked = static_cast<int>(asked)};
-  // A single new hand-in leaves an interrupted run as it is.
-  const std::optional<LastRun> before = record.costs().last_run;
-  const bool is_part = only && before && !before->is_whole();
-  if (is_part) run = *before;
-  record.set_run(reference, run);
-  record.set_listed(plan.listed);
-  record.set_rules(settings.rules);
-  if (const std::vector<std::string> there = record.names();
-      !there.empty() && !stage)  // pages of an earlier run say that this process works
-    write_class_files(settings.out, record, {there.begin(), there.end()});
-  std::string failure;
-  std::set<std::string> written;
-  Progress progress(asked);
-  std::map<std::size_t, Graded> ended_by_the_clock;  // by the submission's place
-  std::mutex shared;                                 // guards the variables above; the record guards itself
-  std::atomic<std::size_t> next = 0;
-
-  const auto handed_in_of = [](const Submission& submission) {
-    return HandedIn{submission.handed_in, hash_of_files(submission), submission.marked_late};
-  };
-  const auto earlier_of = [&](const Submission& submission) {
-    return resume || settings.merge ? record.find(submission.name) : std::nullopt;
-  };
-  // Reports the times of files that a corrected table changes.
-  const auto compare_times = [&](const std::string& name, const std::string& was, const std::string& now) {
-    if (was.empty() || now.empty() || was == now) return;
-    const auto shown = [](const std::string& time) { return time == "-" ? "unknown" : time; };
-    const std::lock_guard lock(shared);
-    batch.remarks.push_back(called(name, people) + ": its time of hand-in was " + shown(was) + " and is " +
-                            shown(now) + " now");
-  };
-  const auto keep = [&](const Submission& submission, Graded graded) {
-    const HandedIn handed_in = handed_in_of(submission);
-    Recorded one{std::move(graded.result), {}, std::move(graded.timing)};
-    if (const std::optional<Recorded> earlier = earlier_of(submission); settings.merge && earlier)
-      keep_other_exercises(one, *earlier, grader.course);
-    one.result.studied = graded.study.has_value();
-    one.study = std::move(graded.study);
-    compare_times(submission.name, record.put(one, handed_in), handed_in.time);
-    if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
-    if (hidden) hide(*hidden, one.result);
-    if (!stage) write_student_files(record.pages(), one, people);
-    const std::lock_guard lock(shared);
-    progress.step(in_a_line(one.result, people));
-    written.insert(submission.name);
-    batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
-    ++batch.graded;
-    ++batch.done;
-    if (is_part) return;
-    run.done = static_cast<int>(batch.done);
-    record.set_run(reference, run);  // shows others that a killed process was at work
-  };
-
-  const auto grade_one = [&](std::size_t place) {
-    Submission& submission = submissions[place];
-    if (only && *only != submission.name) return;
-    const std::optional<Recorded> earlier = earlier_of(submission);
-    if (resume && earlier) {
-      const bool complete = earlier->result.studied || !grader.studies;
-      if (complete && earlier->result.origin == submission.origin &&
-          earlier->result.fingerprint == grader.fingerprint(submission)) {
-        const HandedIn handed_in = handed_in_of(submission);
-        compare_times(submission.name, record.set_handed_in(submission.name, handed_in), handed_in.time);
-        const Recorded now = record.find_decided(submission.name).value_or(*earlier);
-        const std::lock_guard lock(shared);
-        ++batch.done;
-        progress.step(in_a_line(now.result, people), false);
-        return;
-      }
-    }
-    std::optional<Graded> graded = grader.grade(submission);
-    // Ctrl-C also ends the suite: its output is no result.
-    if (interrupted || !graded) return;
-    if (graded->result.ended_by_the_clock.empty()) return keep(submission, std::move(*graded));
-    const std::lock_guard lock(shared);
-    ended_by_the_clock.emplace(place, std::move(*graded));
-  };
-  const auto unless_it_fails = [&](const auto& work) {
-    try {
-      work();
-    } catch (const std::exception& problem) {  // the record or reports can't be written: stop
-      const std::lock_guard lock(shared);
-      failure = problem.what();
-      next = submissions.size();
-    }
-  };
-  const auto work = [&] {
-    for (std::size_t i = next++; i < submissions.size() && !interrupted; i = next++)
-      unless_it_fails([&] { grade_one(i); });
-  };
-  std::vector<std::jthread> threads;
-  for (int i = 0; i < settings.jobs; ++i) threads.emplace_back(work);
-  for (std::jthread& thread : threads) thread.join();
-  // Grades one at a time: the machine has nothing else to do for us.
-  for (auto& [place, graded] : ended_by_the_clock) {
-    if (interrupted || !failure.empty()) break;
-    unless_it_fails([&, &place = place, &graded = graded] {
-      grader.grade_again(submissions[place], graded);
-      if (!interrupted) keep(submissions[place], std::move(graded));
-    });
-  }
-  if (!failure.empty()) throw BadInput(failure);
-
-  batch.interrupted = interrupted;
-  run.wall_seconds = settings.seconds_before +
-                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.graded = batch.graded;
-  if (!is_part) {
-    run.done = static_cast<int>(batch.done);
-    run.ended = record.now();
-  }
-  record.set_run(reference, run);
-  if (stage) {
-    if (!batch.interrupted && batch.problems.empty()) batch.ungraded = current.take_stage();
-    batch.staged = batch.interrupted || !batch.problems.empty() || !batch.ungraded.empty();
-    written.clear();
-  }
-  batch.results = write_class_files(settings.out, current, written);
-  for (const std::string& name : current.names())
-    std::ranges::move(current.conflicts(name), std::back_inserter(batch.conflicts));
-  batch.kept = static_cast<int>(batch.results.size()) - batch.graded;
-  return batch;
+  RunningBatch batch(grader, std::move(plan), settings, current, interrupted);
+  batch.grade_all();
+  return batch.finish();
 }
 
 }  // namespace grader::class_folder
