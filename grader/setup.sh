@@ -24,7 +24,7 @@ libosmesa6           # OpenGL without a window: draws graded scenes
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz
-libpng-dev           # reads pictures, and packs those of reports
+libpng-dev           # reads pictures; its zlib packs them
 libsqlite3-dev       # the record of a class
 libyaml-cpp-dev      # reads Gradescope's export
 libseccomp-dev       # the sandbox's system call filter

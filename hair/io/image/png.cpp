@@ -1,6 +1,26 @@
 #include "hair/io/image/png.h"
 
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
+
+#ifdef HAIR_ZLIB
+#include <zlib.h>
+
+// Returns null without memory. stb frees the rest.
+static unsigned char* compressed(unsigned char* bytes, int count, int* size, int level) {
+  uLongf most = compressBound(static_cast<uLong>(count));
+  auto* const out = static_cast<unsigned char*>(std::malloc(most));
+  if (out == nullptr) return nullptr;
+  if (compress2(out, &most, bytes, static_cast<uLong>(count), level) == Z_OK) {
+    *size = static_cast<int>(most);
+    return out;
+  }
+  std::free(out);
+  return nullptr;
+}
+#define STBIW_ZLIB_COMPRESS compressed
+#endif
 
 // stb's names stay in this file: other libraries may have them, too.
 #define STB_IMAGE_WRITE_STATIC
@@ -9,6 +29,9 @@
 #include <stb_image_write.h>
 
 namespace hair {
+
+// Thin hair on one colour is smallest without a filter.
+[[maybe_unused]] static const int kNoFilter = stbi_write_force_png_filter = 0;
 
 std::string encode_png(const Image& image) {
   const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -23,7 +46,9 @@ std::string encode_png(const Image& image) {
   const auto append = [](void* all, void* part, int count) {
     static_cast<std::string*>(all)->append(static_cast<const char*>(part), static_cast<std::size_t>(count));
   };
-  stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(), 3 * image.width);
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(),
+                             3 * image.width) == 0)
+    throw std::bad_alloc();
   return bytes;
 }
 
