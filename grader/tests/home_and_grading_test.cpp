@@ -124,23 +124,28 @@ TEST_F(HomeAndGrading, AnotherFileIsFoundInNeither) {
     fs::create_directories(file.parent_path());
     std::ofstream(file) << "#pragma once\n";
   }
+  // These stand behind code that is skipped, so that nothing depends on a first line.
+  const std::string skipped =
+      "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#include <gtest/gtest.h>\n#endif\n";
+  const std::string source = skipped + reference("S1");
+  std::string asks = source;  // grading's compiler for all of them at once
   for (const char* path :
        {"\"helper.h\"", "\"./helper.h\"", "\"my helper.hpp\"", "\"below/helper.h\"", "\"student/helper.h\"",
         "<student/helper.h>", "\"../student/helper.h\"", "\"hair/../student/helper.h\"", "\"../above.h\"",
         "<above.h>", "\"../../beside/helper.h\"", "\"normal_equations.cpp\"",
         "\"student/normal_equations.cpp\"", "\"checks/check.h\"", "\"../checks/check.h\"",
         "\"gtest/gtest.h\"", "<gtest/gtest.h>", "<eigen3/Eigen/Core>", "<nlohmann/json.hpp>"}) {
-    SCOPED_TRACE(path);
     const std::string name = std::string(path + 1).substr(0, std::strlen(path) - 2);
-    // These stand behind code that is skipped, so that nothing depends on a first line.
-    builds_in_neither("S1",
-                      "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#endif\n" + reference("S1") +
-                          "#include " + path + "\n",
-                      name + ": No such file or directory");
+    const Ran home = at_home("S1", source + "#include " + path + "\n");
+    EXPECT_FALSE(home.well) << path;
+    EXPECT_TRUE(says(home.output, name + ": No such file or directory")) << path;
+    asks += "#if __has_include(" + std::string(path) + ")\n#error found: " + path + "\n#endif\n";
   }
+  const Compiled graded = in_grading("S1", asks);
+  EXPECT_FALSE(graded.object.empty()) << graded.messages << graded.log;
+  builds_in_neither("S1", source + "#include \"helper.h\"\n", "helper.h: No such file or directory");
   // A line that the compiler skips costs nothing.
-  builds_in_both("S1", "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#include <gtest/gtest.h>\n#endif\n" +
-                           reference("S1"));
+  builds_in_both("S1", source);
   fs::remove_all(handout().parent_path() / "beside");
 }
 
