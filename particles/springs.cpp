@@ -8,7 +8,8 @@
 namespace particles {
 namespace {
 
-// The value of particle i minus that of particle j. Without `inline`, GCC calls it, which takes a quarter longer.
+// The value of particle i minus that of particle j. Without `inline` GCC calls it, and cloth takes a third
+// longer.
 inline Vector3d between(const Spring& spring, Input values) {
   return values.segment<3>(3 * spring.i) - values.segment<3>(3 * spring.j);
 }

@@ -27,9 +27,9 @@ function(hair_program_test LABEL NAME PROGRAM)
   hair_command_test(${LABEL} ${NAME} ${PROGRAM} ${PROGRAM} ${ARGN})
 endfunction()
 
-# Tests compile in a quarter less time with less optimisation than the tested code. Those of a folder that sets
-# HAIR_TEST_KIND to plain_test calculate little: without optimisation and without Eigen they take another third
-# less.
+# Tests compile in a quarter less time with less optimisation than the tested code. Those of a folder that
+# sets HAIR_TEST_KIND to plain_test calculate little: without optimisation and without Eigen they take another
+# third less.
 set(HAIR_TEST_KIND test)
 set(HAIR_OPTIONS_OF_test $<$<CONFIG:Release>:-O1>)
 set(HAIR_OPTIONS_OF_plain_test $<$<CONFIG:Release>:-O0>)
