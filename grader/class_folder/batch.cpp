@@ -60,11 +60,8 @@ class RunningBatch {
   HandedIn handed_in_of(const Submission& submission) const {
     return {submission.handed_in, hash_of_files(submission), submission.marked_late};
   }
-  std::optional<Recorded> earlier_of(const Submission& submission) {
-    return resume_ || settings_.merge ? record_.find(submission.name) : std::nullopt;
-  }
   void compare_times(const std::string& name, const std::string& was, const std::string& now);
-  bool is_done(const Submission& submission);
+  bool take_earlier(const Submission& submission);
   void keep(const Submission& submission, Graded graded);
   void grade_one(std::size_t place);
   template <class Work>
@@ -88,9 +85,9 @@ class RunningBatch {
   Batch batch_;
   std::string failure_;
   std::set<std::string> written_;
-  Progress progress_{asked_};
+  std::optional<Progress> progress_;
   std::map<std::size_t, Graded> ended_by_the_clock_;  // by the submission's place
-  std::mutex shared_;                                 // guards the variables above; the record guards itself
+  std::mutex shared_;  // guards run_ to ended_by_the_clock_ while threads work; the record guards itself
   std::atomic<std::size_t> next_ = 0;
 };
 
@@ -133,8 +130,9 @@ void RunningBatch::compare_times(const std::string& name, const std::string& was
 void RunningBatch::keep(const Submission& submission, Graded graded) {
   const HandedIn handed_in = handed_in_of(submission);
   Recorded one{std::move(graded.result), {}, std::move(graded.timing)};
-  if (const std::optional<Recorded> earlier = earlier_of(submission); settings_.merge && earlier)
-    keep_other_exercises(one, *earlier, grader_.course);
+  if (settings_.merge)
+    if (const std::optional<Recorded> earlier = record_.find(submission.name))
+      keep_other_exercises(one, *earlier, grader_.course);
   one.result.studied = graded.study.has_value();
   one.study = std::move(graded.study);
   compare_times(submission.name, record_.put(one, handed_in), handed_in.time);
@@ -142,7 +140,7 @@ void RunningBatch::keep(const Submission& submission, Graded graded) {
   if (hidden_) hide(*hidden_, one.result);
   if (!stage_) write_student_files(record_.pages(), one, people_);
   const std::lock_guard lock(shared_);
-  progress_.step(in_a_line(one.result, people_));
+  progress_->step(in_a_line(one.result, people_));
   written_.insert(submission.name);
   batch_.problems.insert(batch_.problems.end(), graded.problems.begin(), graded.problems.end());
   ++batch_.graded;
@@ -152,8 +150,9 @@ void RunningBatch::keep(const Submission& submission, Graded graded) {
   record_.set_run(reference_, run_);  // shows others that a killed process was at work
 }
 
-// True if the record has its result of the same files and the same suite. A corrected time is entered.
-bool RunningBatch::is_done(const Submission& submission) {
+// Takes the earlier result of the same files and the same suite, and enters a corrected time. Returns false
+// if the submission must be graded.
+bool RunningBatch::take_earlier(const Submission& submission) {
   const std::optional<Recorded> earlier = resume_ ? record_.find(submission.name) : std::nullopt;
   if (!earlier || (grader_.studies && !earlier->result.studied) ||
       earlier->result.origin != submission.origin ||
@@ -164,13 +163,13 @@ bool RunningBatch::is_done(const Submission& submission) {
   const Recorded now = record_.find_decided(submission.name).value_or(*earlier);
   const std::lock_guard lock(shared_);
   ++batch_.done;
-  progress_.step(in_a_line(now.result, people_), false);
+  progress_->step(in_a_line(now.result, people_), false);
   return true;
 }
 
 void RunningBatch::grade_one(std::size_t place) {
-  Submission& submission = plan_.submissions[place];
-  if ((plan_.only && *plan_.only != submission.name) || is_done(submission)) return;
+  const Submission& submission = plan_.submissions[place];
+  if ((plan_.only && *plan_.only != submission.name) || take_earlier(submission)) return;
   std::optional<Graded> graded = grader_.grade(submission);
   // Ctrl-C also ends the suite: its output is no result.
   if (interrupted_ || !graded) return;
@@ -191,6 +190,7 @@ void RunningBatch::unless_it_fails(const Work& work) {
 }
 
 void RunningBatch::grade_all() {
+  progress_.emplace(asked_);
   const auto work = [&] {
     for (std::size_t i = next_++; i < plan_.submissions.size() && !interrupted_; i = next_++)
       unless_it_fails([&] { grade_one(i); });

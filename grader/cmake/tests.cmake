@@ -38,6 +38,7 @@ list(FILTER headers EXCLUDE REGEX Eigen)
 hair_precompiled(test PROGRAM HEADERS ${HAIR_USUAL_HEADERS} <gtest/gtest.h> LIBRARIES GTest::gtest
                  Eigen3::Eigen)
 hair_precompiled(plain_test PROGRAM HEADERS ${headers} <gtest/gtest.h> LIBRARIES GTest::gtest)
+unset(headers)
 if(HAIR_PRECOMPILED)
   foreach(kind test plain_test)
     target_compile_options(hair_precompiled_${kind} PRIVATE ${HAIR_OPTIONS_OF_${kind}})

@@ -128,7 +128,10 @@ TEST_F(HomeAndGrading, AnotherFileIsFoundInNeither) {
   const std::string skipped =
       "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#include <gtest/gtest.h>\n#endif\n";
   const std::string source = skipped + reference("S1");
-  std::string asks = source;  // grading's compiler for all of them at once
+  // Asks grading's compiler for all of them at once, and for two that are there.
+  std::string asks = source +
+                     "#if !__has_include(\"solver/linearSolver.h\") || !__has_include(<vector>)\n"
+                     "#error nothing is found\n#endif\n";
   for (const char* path :
        {"\"helper.h\"", "\"./helper.h\"", "\"my helper.hpp\"", "\"below/helper.h\"", "\"student/helper.h\"",
         "<student/helper.h>", "\"../student/helper.h\"", "\"hair/../student/helper.h\"", "\"../above.h\"",

@@ -7,7 +7,7 @@
 #ifdef HAIR_ZLIB
 #include <zlib.h>
 
-// Returns null without memory. stb frees the rest.
+// Returns null if memory runs out. stb frees the result.
 static unsigned char* compressed(unsigned char* bytes, int count, int* size, int level) {
   uLongf most = compressBound(static_cast<uLong>(count));
   auto* const out = static_cast<unsigned char*>(std::malloc(most));
@@ -29,9 +29,6 @@ static unsigned char* compressed(unsigned char* bytes, int count, int* size, int
 #include <stb_image_write.h>
 
 namespace hair {
-
-// Thin hair on one colour is smallest without a filter.
-[[maybe_unused]] static const int kNoFilter = stbi_write_force_png_filter = 0;
 
 std::string encode_png(const Image& image) {
   const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
