@@ -13,13 +13,12 @@
 static unsigned char* compressed(unsigned char* bytes, int count, int* size, int level) {
   uLongf most = compressBound(static_cast<uLong>(count));
   auto* const out = static_cast<unsigned char*>(std::malloc(most));
-  if (out == nullptr) return nullptr;
-  if (compress2(out, &most, bytes, static_cast<uLong>(count), level) == Z_OK) {
-    *size = static_cast<int>(most);
-    return out;
+  if (out == nullptr || compress2(out, &most, bytes, static_cast<uLong>(count), level) != Z_OK) {
+    std::free(out);
+    return nullptr;
   }
-  std::free(out);
-  return nullptr;
+  *size = static_cast<int>(most);
+  return out;
 }
 #define STBIW_ZLIB_COMPRESS compressed
 #endif
@@ -57,9 +56,10 @@ std::string encode_png(const Image& image) {
   const auto append = [](void* all, void* part, int count) {
     static_cast<std::string*>(all)->append(static_cast<const char*>(part), static_cast<std::size_t>(count));
   };
+  const bool flat = is_flat(image);
   static std::mutex turns;  // stb reads its filter from a variable
   const std::lock_guard turn(turns);
-  stbi_write_force_png_filter = is_flat(image) ? 0 : -1;
+  stbi_write_force_png_filter = flat ? 0 : -1;
   if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(),
                              3 * image.width) == 0)
     throw std::bad_alloc();
